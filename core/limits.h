@@ -1,0 +1,18 @@
+// Every bound of the program's core in one place, with its reason.
+#pragma once
+
+#include <cstdint>
+
+namespace core {
+
+// Coordinates in the plane stay within ± this many units (53 m). Boost.Polygon 1.74 gives wrong
+// results from 2^30 on, and cross products of such coordinates fit an int64.
+inline constexpr std::int32_t kCoordinateMax = 1 << 29;
+
+// Largest T, the wall's thickness in layers on either side of the one that is decided.
+inline constexpr int kWallLayersMax = 64;
+
+// Layers the window holds at most: 2T + 1.
+inline constexpr int kWindowLayersMax = 2 * kWallLayersMax + 1;
+
+}  // namespace core

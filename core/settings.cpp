@@ -1,0 +1,14 @@
+#include "core/settings.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace core {
+
+int wall_layers(const Settings& settings) {
+  const std::int64_t w = settings.wall_thickness.units();
+  const std::int64_t h = settings.layer_height.units();
+  return static_cast<int>(std::max<std::int64_t>(1, (2 * w + h) / (2 * h)));
+}
+
+}  // namespace core

@@ -1,0 +1,78 @@
+// Everything a user can set about a print. Defaults are here; units, ranges and help texts are in
+// host/settings_table, which also reads and checks what users type.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/units.h"  // Length
+
+namespace core {
+
+// The shape of the wall's inner side (wall_splitter.h).
+enum class WallShape {
+  kCylinder,  // the paper's: one depth for all layers of the window
+};
+
+struct Settings {
+  // Layers and the wall.
+  Length layer_height = Length::from_units(2'000);
+  Length wall_thickness = Length::from_units(8'000);
+  WallShape wall_shape = WallShape::kCylinder;
+
+  // Roads.
+  Length nozzle_diameter = Length::from_units(4'000);
+  Length filament_diameter = Length::from_units(17'500);
+  Length road_width = Length::from_units(4'500);
+  Length road_width_min = Length::from_units(2'000);  // narrower rests are left out
+  int perimeters = 2;
+  double loose_density = 0.2;      // share of the inside's volume; 0: empty, 1: dense
+  double fill_angle_degrees = 45;  // of even layers; odd ones are turned by 90°
+  Length loose_anchor = Length::from_units(3'000);  // how far loose roads reach into the wall
+  int skirt_loops = 1;
+  Length skirt_distance = Length::from_units(30'000);
+
+  // Slicing.
+  Length simplify_tolerance = Length::from_units(50);  // 5 µm
+  Length arc_tolerance = Length::from_units(25);       // 2.5 µm
+  Length chain_gap_max = Length::from_units(20'000);   // open chains are closed across at most this
+
+  // Speeds, mm/s.
+  double perimeter_speed_mm_s = 60;
+  double outer_perimeter_speed_mm_s = 60;
+  double solid_speed_mm_s = 60;
+  double loose_speed_mm_s = 60;
+  double rest_speed_mm_s = 40;
+  double first_layer_speed_mm_s = 30;
+  double travel_speed_mm_s = 130;
+  double lift_speed_mm_s = 10;
+  double layer_time_min_s = 5;  // shorter layers are slowed down
+  double slowed_speed_min_mm_s = 10;
+
+  // Travel.
+  double retraction_mm = 1;
+  double retraction_speed_mm_s = 40;
+  Length retraction_travel_min = Length::from_units(20'000);  // shorter inside the part: none
+  Length retraction_lift;                                     // 0: travel at the layer's height
+
+  // Machine.
+  Length bed_x = Length::from_units(3'000'000);
+  Length bed_y = Length::from_units(3'000'000);
+  Length axis_z;       // 0: not limited
+  bool centre = true;  // on the bed; otherwise at part_x, part_y
+  Length part_x;       // where the lowest x and y of the part come to lie
+  Length part_y;
+  double nozzle_celsius = 210;
+  double nozzle_first_layer_celsius = 210;
+  double bed_celsius = 60;
+  double fan_share = 1;
+  int fan_from_layer = 2;  // counted from 1
+  std::vector<std::string> start_gcode = {"G21", "G90", "M83", "G28"};
+  std::vector<std::string> end_gcode = {"M84"};
+  Length park_lift = Length::from_units(100'000);  // nozzle off the part at the end and at a stop
+};
+
+// T: how many layers the wall reaches up and down, ⌊w/h + ½⌋, at least 1.
+[[nodiscard]] int wall_layers(const Settings& settings);
+
+}  // namespace core
