@@ -1,5 +1,6 @@
-// CHECK stops the program on a broken contract: our bug, never the user's input.
-// It stays on in release builds. DCHECK is for hot loops and is on in debug and sanitizer builds.
+// RIND_CHECK stops the program on a broken contract: our bug, never the user's input.
+// It stays on in release builds (the prefix is for doctest, which owns CHECK). RIND_DCHECK is for
+// hot loops and is on in debug and sanitizer builds.
 #pragma once
 
 namespace core {
@@ -8,11 +9,11 @@ namespace core {
 
 }  // namespace core
 
-#define CHECK(condition) \
+#define RIND_CHECK(condition) \
   (static_cast<bool>(condition) ? void(0) : ::core::check_failed(#condition, __FILE__, __LINE__))
 
 #ifdef NDEBUG
-#define DCHECK(condition) void(0)
+#define RIND_DCHECK(condition) void(0)
 #else
-#define DCHECK(condition) CHECK(condition)
+#define RIND_DCHECK(condition) RIND_CHECK(condition)
 #endif

@@ -1,4 +1,4 @@
-// What an operation that can meet bad input or bad weather returns. Our own bugs go to CHECK.
+// What an operation that can meet bad input or bad weather returns. Our own bugs go to RIND_CHECK.
 #pragma once
 
 #include <optional>
@@ -33,21 +33,21 @@ class [[nodiscard]] Result {
 
   // REQUIRES: ok()
   [[nodiscard]] const T& value() const& {
-    CHECK(ok());
+    RIND_CHECK(ok());
     return *value_;
   }
   [[nodiscard]] T& value() & {
-    CHECK(ok());
+    RIND_CHECK(ok());
     return *value_;
   }
   [[nodiscard]] T&& value() && {
-    CHECK(ok());
+    RIND_CHECK(ok());
     return *std::move(value_);
   }
 
   // REQUIRES: !ok()
   [[nodiscard]] const Error& error() const {
-    CHECK(!ok());
+    RIND_CHECK(!ok());
     return *error_;
   }
 
@@ -66,7 +66,7 @@ class [[nodiscard]] Status {
 
   // REQUIRES: !ok()
   [[nodiscard]] const Error& error() const {
-    CHECK(!ok());
+    RIND_CHECK(!ok());
     return *error_;
   }
 
