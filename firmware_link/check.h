@@ -1,5 +1,5 @@
-// RIND_CHECK stops the program on a broken contract: our bug, never the user's input.
-// It stays on in release builds (the prefix is for doctest, which owns CHECK). RIND_DCHECK is for
+// LINK_CHECK stops the program on a broken contract: our bug, never the user's input.
+// It stays on in release builds (the prefix is for doctest, which owns CHECK). LINK_DCHECK is for
 // hot loops and is on in debug and sanitizer builds.
 #pragma once
 
@@ -9,11 +9,12 @@ namespace firmware_link {
 
 }  // namespace firmware_link
 
-#define RIND_CHECK(condition) \
-  (static_cast<bool>(condition) ? void(0) : ::firmware_link::check_failed(#condition, __FILE__, __LINE__))
+#define LINK_CHECK(condition)             \
+  (static_cast<bool>(condition) ? void(0) \
+                                : ::firmware_link::check_failed(#condition, __FILE__, __LINE__))
 
 #ifdef NDEBUG
-#define RIND_DCHECK(condition) void(0)
+#define LINK_DCHECK(condition) void(0)
 #else
-#define RIND_DCHECK(condition) RIND_CHECK(condition)
+#define LINK_DCHECK(condition) LINK_CHECK(condition)
 #endif
