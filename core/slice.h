@@ -4,8 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/region.h"  // Region
-#include "core/units.h"   // LayerIndex, Length
+#include "core/offset_contours.h"  // OffsetContours
+#include "core/region.h"           // Region
+#include "core/units.h"            // LayerIndex, Length
 
 namespace core {
 
@@ -29,9 +30,21 @@ struct Slice {
   [[nodiscard]] Length top() const { return bottom + height; }
 };
 
-// solid ∪ loose = slice.region, solid ∩ loose = ∅.
-struct SplitLayer {
+// What is cut from one slice's mountain, once, for all later stages.
+struct SliceOffsets {
+  Region wall_inner;                       // I(S): the inner offset at the wall's depth
+  std::vector<OffsetContours> perimeters;  // centre lines of the perimeters, from the outside in
+  Region interior;                         // what the perimeters leave to be filled
+};
+
+struct Layer {
   Slice slice;
+  SliceOffsets offsets;
+};
+
+// solid ∪ loose = layer.slice.region, solid ∩ loose = ∅.
+struct SplitLayer {
+  Layer layer;
   Region solid;  // the wall: filled densely
   Region loose;  // the inside
 };
