@@ -17,6 +17,8 @@ enum class RoadKind {
   kLoose,  // fill of the inside
 };
 
+inline constexpr int kRoadKindCount = 6;
+
 struct Road {
   RoadKind kind = RoadKind::kSolid;
   Length width;

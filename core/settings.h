@@ -26,6 +26,7 @@ struct Settings {
   Length road_width = Length::from_units(4'500);
   Length road_width_min = Length::from_units(2'000);  // narrower rests are left out
   int perimeters = 2;
+  double road_overlap = 1;         // 1: neighbours fill the layer without voids; 0: they just touch
   double loose_density = 0.2;      // share of the inside's volume; 0: empty, 1: dense
   double fill_angle_degrees = 45;  // of even layers; odd ones are turned by 90°
   Length loose_anchor = Length::from_units(3'000);  // how far loose roads reach into the wall

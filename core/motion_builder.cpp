@@ -1,0 +1,244 @@
+#include "core/motion_builder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "core/check.h"         // RIND_CHECK
+#include "core/segment_grid.h"  // SegmentGrid
+
+namespace core {
+
+namespace {
+
+// A turn sharper than this (60°) brings the nozzle to rest in the estimate of time.
+constexpr double kRestTurnCosine = 0.5;
+
+double distance_mm(Point a, Point b) {
+  const double dx = static_cast<double>(b.x) - a.x;
+  const double dy = static_cast<double>(b.y) - a.y;
+  return std::hypot(dx, dy) / kUnitsPerMm;
+}
+
+double length_mm(const Road& road) {
+  double sum = road.closed ? distance_mm(road.points.back(), road.points.front()) : 0;
+  for (std::size_t i = 1; i < road.points.size(); ++i) {
+    sum += distance_mm(road.points[i - 1], road.points[i]);
+  }
+  return sum;
+}
+
+// From rest to rest.
+double run_time_s(double length_mm, double speed_mm_s) {
+  const double reached = std::min(speed_mm_s, std::sqrt(length_mm * kAccelerationMmS2));
+  if (reached <= 0) return 0;
+  return length_mm / reached + (reached < speed_mm_s ? reached : speed_mm_s) / kAccelerationMmS2;
+}
+
+bool sharp(Point a, Point b, Point c) {
+  const double ux = static_cast<double>(b.x) - a.x, uy = static_cast<double>(b.y) - a.y;
+  const double vx = static_cast<double>(c.x) - b.x, vy = static_cast<double>(c.y) - b.y;
+  return ux * vx + uy * vy < kRestTurnCosine * std::hypot(ux, uy) * std::hypot(vx, vy);
+}
+
+}  // namespace
+
+// The slice's contour, entered in a grid only when a travel asks for it.
+class MotionBuilder::Boundary {
+ public:
+  explicit Boundary(const Region& region) : region_(region) {}
+
+  [[nodiscard]] bool crossed_by(const Segment& line) {
+    if (!grid_) {
+      grid_.emplace(Length::from_mm(2));
+      grid_->add(region_);
+    }
+    return grid_->crosses(line);
+  }
+
+ private:
+  const Region& region_;
+  std::optional<SegmentGrid> grid_;
+};
+
+MotionBuilder::MotionBuilder(const Settings& settings) : settings_(settings) {}
+
+void MotionBuilder::preamble(const Sink& sink) {
+  begun_ = true;
+  nozzle_celsius_ = settings_.nozzle_first_layer_celsius;
+  sink(SetBedTemperature{settings_.bed_celsius, false});
+  sink(SetNozzleTemperature{nozzle_celsius_, false});
+  for (const std::string& line : settings_.start_gcode) sink(Verbatim{line});
+  sink(SetBedTemperature{settings_.bed_celsius, true});
+  sink(SetNozzleTemperature{nozzle_celsius_, true});
+  sink(SetFan{0});
+}
+
+void MotionBuilder::begin_layer(const Slice& slice, const Sink& sink) {
+  index_ = slice.index;
+  top_ = slice.top();
+  height_ = slice.height;
+  ++totals_.layers;
+  sink(BeginLayer{index_, top_, height_});
+  const double fan = index_ + 1 >= settings_.fan_from_layer ? settings_.fan_share : 0;
+  if (fan != fan_) sink(SetFan{fan});
+  fan_ = fan;
+  const double celsius =
+      index_ == 0 ? settings_.nozzle_first_layer_celsius : settings_.nozzle_celsius;
+  if (celsius != nozzle_celsius_) sink(SetNozzleTemperature{celsius, false});
+  nozzle_celsius_ = celsius;
+}
+
+void MotionBuilder::layer(const Slice& slice, const std::vector<Road>& roads, const Sink& sink) {
+  RIND_CHECK(!ended_);
+  if (roads.empty()) return;
+  if (!begun_) preamble(sink);
+  begin_layer(slice, sink);
+  const double factor = slowdown(roads);
+  Boundary boundary(slice.region);
+  for (const Road& each : roads) {
+    RIND_CHECK(each.points.size() >= 2);
+    travel(each.points.front(), boundary, sink);
+    road(each, factor, sink);
+  }
+}
+
+void MotionBuilder::road(const Road& road, double slowdown, const Sink& sink) {
+  const double full = speed_mm_s(road.kind);
+  const double speed = std::max(full * slowdown, std::min(full, settings_.slowed_speed_min_mm_s));
+  const double d = settings_.filament_diameter.mm();
+  const double filament_per_mm =
+      bead_area_mm2(road.width, height_) / (std::numbers::pi * d * d / 4);
+  sink(BeginRoad{road.kind, road.width});
+  ++totals_.roads;
+  double run_mm = 0;
+  Point before = position_;
+  const auto to = [&](Point point) {
+    const double mm = distance_mm(position_, point);
+    if (mm == 0) return;
+    if (run_mm > 0 && sharp(before, position_, point)) {
+      totals_.time_s += run_time_s(run_mm, speed);
+      run_mm = 0;
+    }
+    run_mm += mm;
+    const double filament = mm * filament_per_mm;
+    totals_.filament_mm[static_cast<std::size_t>(road.kind)] += filament;
+    sink(Extrude{point, filament, speed});
+    before = position_;
+    position_ = point;
+  };
+  for (std::size_t i = 1; i < road.points.size(); ++i) to(road.points[i]);
+  if (road.closed) to(road.points.front());
+  totals_.time_s += run_time_s(run_mm, speed);
+}
+
+void MotionBuilder::travel(Point to, Boundary& boundary, const Sink& sink) {
+  const bool same = position_known_ && position_ == to;
+  const bool short_inside = position_known_ &&
+                            distance_mm(position_, to) <= settings_.retraction_travel_min.mm() &&
+                            !boundary.crossed_by({position_, to});
+  if (!same && !short_inside) {
+    retract(sink);
+    lift(top_ + settings_.retraction_lift, sink);
+  } else {
+    lift(top_, sink);
+  }
+  if (!same) {
+    const double mm = position_known_ ? distance_mm(position_, to) : 0;
+    sink(Travel{to, settings_.travel_speed_mm_s});
+    ++totals_.travels;
+    totals_.travel_mm += mm;
+    totals_.time_s += run_time_s(mm, settings_.travel_speed_mm_s);
+  }
+  position_ = to;
+  position_known_ = true;
+  lift(top_, sink);
+  unretract(sink);
+}
+
+void MotionBuilder::lift(Length to, const Sink& sink) {
+  if (nozzle_z_ == to) return;
+  sink(Lift{to, settings_.lift_speed_mm_s});
+  const double mm = nozzle_z_ ? std::abs((to - *nozzle_z_).mm()) : 0;
+  totals_.time_s += run_time_s(mm, settings_.lift_speed_mm_s);
+  nozzle_z_ = to;
+}
+
+void MotionBuilder::retract(const Sink& sink) {
+  if (retracted_ || settings_.retraction_mm <= 0) return;
+  sink(MoveFilament{-settings_.retraction_mm, settings_.retraction_speed_mm_s});
+  totals_.time_s += settings_.retraction_mm / settings_.retraction_speed_mm_s;
+  ++totals_.retractions;
+  retracted_ = true;
+}
+
+void MotionBuilder::unretract(const Sink& sink) {
+  if (!retracted_) return;
+  sink(MoveFilament{settings_.retraction_mm, settings_.retraction_speed_mm_s});
+  totals_.time_s += settings_.retraction_mm / settings_.retraction_speed_mm_s;
+  retracted_ = false;
+}
+
+void MotionBuilder::leave(const Sink& sink) {
+  ended_ = true;
+  retract(sink);
+  const Length here = nozzle_z_.value_or(top_);
+  Length away = top_ + settings_.park_lift;
+  if (settings_.axis_z > Length()) away = std::min(away, settings_.axis_z);
+  away = std::max(away, here);
+  lift(away, sink);
+  sink(SetNozzleTemperature{0, false});
+  sink(SetBedTemperature{0, false});
+  sink(SetFan{0});
+}
+
+void MotionBuilder::finish(const Sink& sink) {
+  if (!begun_ || ended_) return;
+  leave(sink);
+  for (const std::string& line : settings_.end_gcode) sink(Verbatim{line});
+}
+
+void MotionBuilder::park(const Sink& sink) {
+  if (!begun_ || ended_) return;
+  leave(sink);
+}
+
+double MotionBuilder::speed_mm_s(RoadKind kind) const {
+  double speed = settings_.solid_speed_mm_s;
+  switch (kind) {
+    case RoadKind::kSkirt:
+    case RoadKind::kPerimeter:
+      speed = settings_.perimeter_speed_mm_s;
+      break;
+    case RoadKind::kOuterPerimeter:
+      speed = settings_.outer_perimeter_speed_mm_s;
+      break;
+    case RoadKind::kSolid:
+      break;
+    case RoadKind::kRest:
+      speed = settings_.rest_speed_mm_s;
+      break;
+    case RoadKind::kLoose:
+      speed = settings_.loose_speed_mm_s;
+      break;
+  }
+  return index_ == 0 ? std::min(speed, settings_.first_layer_speed_mm_s) : speed;
+}
+
+// By length over speed alone: acceleration only makes the layer longer than asked for.
+double MotionBuilder::slowdown(const std::vector<Road>& roads) const {
+  double laying_s = 0;
+  double travelling_s = 0;
+  for (std::size_t i = 0; i < roads.size(); ++i) {
+    laying_s += length_mm(roads[i]) / speed_mm_s(roads[i].kind);
+    if (i == 0) continue;
+    const Road& before = roads[i - 1];
+    const Point from = before.closed ? before.points.front() : before.points.back();
+    travelling_s += distance_mm(from, roads[i].points.front()) / settings_.travel_speed_mm_s;
+  }
+  const double left_s = settings_.layer_time_min_s - travelling_s;
+  return left_s > laying_s ? laying_s / left_s : 1;
+}
+
+}  // namespace core

@@ -1,0 +1,90 @@
+// Turns roads into motions: material, speed, travel, retraction, temperatures.
+//
+//     preamble   once, before the first layer that has roads: heaters, start G-code
+//     layer      BeginLayer, (retract) Lift Travel (return), then BeginRoad Extrude … for each road
+//     finish     retract, lift, heaters and fan off, end G-code
+//
+// Filament laid by a straight piece of road:  length · bead area / (π d² / 4),  relative.
+// Holds one layer's roads at a time, never the print.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "core/motion.h"    // Motion
+#include "core/road.h"      // Road, RoadKind
+#include "core/settings.h"  // Settings
+#include "core/slice.h"     // Slice
+
+namespace core {
+
+// What was asked for since the begin of the print.
+struct MotionTotals {
+  double time_s = 0;  // estimated: every straight run from rest to rest, kAccelerationMmS2
+  std::array<double, kRoadKindCount> filament_mm{};  // by RoadKind; retractions don't count
+  double travel_mm = 0;
+  std::int64_t roads = 0;
+  std::int64_t travels = 0;
+  std::int64_t retractions = 0;
+  std::int64_t layers = 0;  // with roads
+};
+
+// What the estimate of time takes for the machine's acceleration.
+inline constexpr double kAccelerationMmS2 = 1500;
+
+class MotionBuilder {
+ public:
+  using Sink = std::function<void(const Motion&)>;
+
+  // REQUIRES: settings in their ranges.
+  explicit MotionBuilder(const Settings& settings);
+
+  // The roads of the next layer up, in this order. A layer without roads gives no motion, and a
+  // print without any never heats.
+  // REQUIRES: slices come from the bed up; every road has two points or more.
+  void layer(const Slice& slice, const std::vector<Road>& roads, const Sink& sink);
+
+  // Ends the print: retracts, lifts the nozzle off the part, heaters and fan off, end G-code.
+  // Nothing when it never began.
+  void finish(const Sink& sink);
+
+  // For a stop in between: as finish(), without the user's end G-code.
+  void park(const Sink& sink);
+
+  // True from the first layer with roads on.
+  [[nodiscard]] bool begun() const { return begun_; }
+  [[nodiscard]] const MotionTotals& totals() const { return totals_; }
+
+ private:
+  class Boundary;
+
+  void preamble(const Sink& sink);
+  void begin_layer(const Slice& slice, const Sink& sink);
+  void road(const Road& road, double slowdown, const Sink& sink);
+  void travel(Point to, Boundary& boundary, const Sink& sink);
+  void retract(const Sink& sink);
+  void unretract(const Sink& sink);
+  void lift(Length to, const Sink& sink);
+  void leave(const Sink& sink);
+  [[nodiscard]] double speed_mm_s(RoadKind kind) const;
+  [[nodiscard]] double slowdown(const std::vector<Road>& roads) const;
+
+  Settings settings_;
+  MotionTotals totals_;
+  bool begun_ = false;
+  bool ended_ = false;
+  bool retracted_ = false;
+  bool position_known_ = false;
+  Point position_;                  // where the nozzle is, once known
+  std::optional<Length> nozzle_z_;  // likewise
+  Length top_;                      // of the layer
+  Length height_;
+  LayerIndex index_ = 0;
+  double fan_ = 0;
+  double nozzle_celsius_ = 0;
+};
+
+}  // namespace core

@@ -1,0 +1,38 @@
+// Turns a layer, split into wall and inside, into roads in printing order:
+//
+//     skirt (first layer) → island by island: perimeters from the inside out, the wall, the inside
+//
+//     ┌───────────────┐   perimeters    closed roads along the contour, cut open where the part is
+//     │ ┌───────────┐ │                 too narrow for them (perimeters.h)
+//     │ │╱╱╱╱╱╱╱╱╱╱╱│ │   the wall      parallel roads, joined at their ends (line_fill.h)
+//     │ │╱╱╱     ╱╱╱│ │   its rests     roads of their own width where whole ones don't fit, so
+//     │ │╱╱╱  ╱  ╱╱╱│ │                 that the wall is dense (rest_fill.h)
+//     │ │╱╱╱ ╱   ╱╱╱│ │   the inside    straight roads farther apart, anchored in the wall
+//
+// Islands and roads follow one another by nearest end (road_order.h).
+#pragma once
+
+#include <vector>
+
+#include "core/road.h"      // Road
+#include "core/settings.h"  // Settings
+#include "core/slice.h"     // SplitLayer
+
+namespace core {
+
+class RoadPlanner {
+ public:
+  // REQUIRES: settings in their ranges.
+  explicit RoadPlanner(const Settings& settings);
+
+  // ENSURES: no bead leaves the slice but for rounding, every road has two points or more; the
+  // same layer always gives the same roads. No roads where none fits: all narrower than
+  // road_width_min.
+  // REQUIRES: layer.layer.offsets as slice_offsets() makes them with the same settings.
+  [[nodiscard]] std::vector<Road> plan(const SplitLayer& layer) const;
+
+ private:
+  Settings settings_;
+};
+
+}  // namespace core

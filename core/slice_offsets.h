@@ -1,0 +1,41 @@
+// Cuts from a slice's mountain, once, all that later stages need.
+//
+// With w the road's width and s the distance of neighbouring roads,
+//
+//     s = w − overlap · h (1 − π/4)       overlap 1: beads fill the layer without a void
+//                                         overlap 0: beads touch, s = w
+//     perimeter k (from 1): its centre line at depth  w/2 + (k − 1) s
+//     interior: what is deeper than  w/2 + (P − ½) s,  left to be filled
+//
+//     slice's edge │←w/2→┆←── s ──→┆← s/2→│ interior
+//                       1st       2nd
+#pragma once
+
+#include <cstdint>
+
+#include "core/settings.h"  // Settings
+#include "core/slice.h"     // Slice, SliceOffsets
+
+namespace core {
+
+// How often diagrams were built and, having failed their check, built again (voronoi_mountain.h).
+struct OffsetCounters {
+  std::int64_t mountains = 0;
+  std::int64_t retries = 0;
+};
+
+// Distance of neighbouring roads of the user's width. The formula is above.
+[[nodiscard]] Length perimeter_spacing(const Settings& settings, Length layer_height);
+
+// Depth of the centre line of perimeter `number`, counted from 1.
+[[nodiscard]] Length perimeter_depth(const Settings& settings, Length layer_height, int number);
+
+// Two neighbouring centre lines of perimeter roads are never nearer than this share of their
+// spacing; where the part is too narrow for that, one road of its own width takes their place.
+inline constexpr double kNarrowShare = 0.6;
+
+// COSTS: one mountain, and a walk over it for each depth: wall_inner, two a perimeter, interior.
+[[nodiscard]] SliceOffsets slice_offsets(const Slice& slice, const Settings& settings,
+                                         OffsetCounters& counters);
+
+}  // namespace core
