@@ -1,0 +1,73 @@
+// Writes one of the project's own parts as an STL file, facet by facet:
+//
+//     make_part --list
+//     make_part pyramid -o pyramid.stl
+//     make_part tower --layers 1000000 -o - | rind print - --port virtual
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <fstream>
+#include <iostream>
+#include <string>
+
+#include "tools/parts/part_maker.h"
+
+namespace {
+
+constexpr int kUsage = 2;
+
+void list(std::ostream& out) {
+  for (const parts::NamedPart& part : parts::all_parts()) {
+    out << part.name << std::string(part.name.size() < 18 ? 18 - part.name.size() : 1, ' ')
+        << part.description << '\n';
+  }
+}
+
+void write(const parts::Part& part, bool ascii, std::ostream& out) {
+  if (ascii) {
+    parts::write_ascii_stl(part, out);
+  } else {
+    parts::write_binary_stl(part, out);
+  }
+  out.flush();
+}
+
+int fail(const std::string& message) {
+  std::cerr << "make_part: " << message << '\n';
+  return kUsage;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Writes a part as an STL file; see --list"};
+  std::string name, path;
+  std::int64_t layers = 1000;
+  double detail = 1;
+  bool ascii = false, list_only = false;
+  app.add_option("part", name, "one of those that --list names");
+  app.add_option("-o,--output", path, "file to write, - for standard output");
+  app.add_option("--layers", layers, "the tower's height in layers of 0.2 mm")
+      ->check(CLI::Range(std::int64_t{1}, std::int64_t{100'000'000}));
+  app.add_option("--detail", detail, "the vase's facets, as a multiple")
+      ->check(CLI::Range(0.05, 20.0));
+  app.add_flag("--ascii", ascii, "text instead of binary");
+  app.add_flag("--list", list_only, "names every part");
+  CLI11_PARSE(app, argc, argv);
+
+  if (list_only) {
+    list(std::cout);
+    return 0;
+  }
+  if (path.empty()) return fail("say where to with -o FILE; --list names the parts");
+  for (const parts::NamedPart& part : parts::all_parts(layers, detail)) {
+    if (part.name != name) continue;
+    if (path == "-") {
+      write(part.part, ascii, std::cout);
+      return std::cout ? 0 : fail("standard output: can't be written");
+    }
+    std::ofstream file(path, std::ios::binary);
+    write(part.part, ascii, file);
+    return file ? 0 : fail(path + ": can't be written");
+  }
+  return fail("no part is named '" + name + "'; --list names them all");
+}

@@ -1,0 +1,158 @@
+#include "tools/parts/part_maker.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <ostream>
+
+namespace parts {
+namespace {
+
+constexpr std::size_t kHeaderBytes = 80;
+constexpr std::size_t kFacetBytes = 50;
+
+void put_u32(char* to, std::uint32_t value) {
+  for (int i = 0; i < 4; ++i) to[i] = static_cast<char>(value >> (8 * i) & 0xFF);
+}
+
+void put_corner(char* to, const Corner& corner) {
+  put_u32(to, std::bit_cast<std::uint32_t>(static_cast<float>(corner.x)));
+  put_u32(to + 4, std::bit_cast<std::uint32_t>(static_cast<float>(corner.y)));
+  put_u32(to + 8, std::bit_cast<std::uint32_t>(static_cast<float>(corner.z)));
+}
+
+Corner normal(const Facet& facet) {
+  const auto& [a, b, c] = facet;
+  const Corner u{b.x - a.x, b.y - a.y, b.z - a.z};
+  const Corner v{c.x - a.x, c.y - a.y, c.z - a.z};
+  const Corner n{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+  const double length = std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
+  if (!(length > 0)) return {};
+  return {n.x / length, n.y / length, n.z / length};
+}
+
+Part sound_box() { return box({0, 0, 0}, 20, 20, 10); }
+
+// Steps that end at whole and at half layers: facets in the plane of a cut.
+Part stairs() {
+  std::vector<Part> steps;
+  for (int i = 0; i < 10; ++i) steps.push_back(box({10.0 * i, 0, 0}, 8, 20, 2 + 0.1 * i));
+  return together(std::move(steps));
+}
+
+std::vector<NamedPart> faulty_parts() {
+  const auto every_third_flipped = [](const Facet& facet, std::int64_t number) {
+    return std::vector<Facet>{number % 3 == 0 ? flipped(facet) : facet};
+  };
+  const auto first_five_doubled = [](const Facet& facet, std::int64_t number) {
+    return number < 5 ? std::vector<Facet>{facet, facet} : std::vector<Facet>{facet};
+  };
+  const auto all_flipped = [](const Facet& facet, std::int64_t) {
+    return std::vector<Facet>{flipped(facet)};
+  };
+  const auto last_missing = [](const Facet& facet, std::int64_t number) {
+    return number == 11 ? std::vector<Facet>{} : std::vector<Facet>{facet};
+  };
+  const auto flat_ones_added = [](const Facet& facet, std::int64_t number) {
+    if (number != 4) return std::vector<Facet>{facet};
+    const auto& [a, b, c] = facet;
+    const Corner middle{(a.x + b.x) / 2, (a.y + b.y) / 2, (a.z + b.z) / 2};
+    return std::vector<Facet>{facet, {a, b, b}, {a, a, a}, {a, middle, b}};
+  };
+  return {
+      {"hole", "a box, one facet missing", edited(sound_box(), last_missing)},
+      {"flipped_all", "a box inside out", edited(sound_box(), all_flipped)},
+      {"flipped_some", "a box, every third facet flipped",
+       edited(sound_box(), every_third_flipped)},
+      {"doubled", "a box, five facets there twice", edited(sound_box(), first_five_doubled)},
+      {"zero_area", "a box and facets without area", edited(sound_box(), flat_ones_added)},
+      {"crossing_boxes", "two boxes, each partly inside the other",
+       together({sound_box(), box({10, 10, 5}, 20, 20, 10)})},
+      {"touching_edge", "two boxes that share an edge",
+       together({sound_box(), box({20, 20, 0}, 20, 20, 10)})},
+      {"inside_out_shell", "a box with a hollow",
+       together({sound_box(), edited(box({5, 5, 2}, 10, 10, 5), all_flipped)})},
+      {"gap", "a box hanging 4 mm above another",
+       together({box({0, 0, 0}, 20, 20, 2), box({5, 5, 6}, 10, 10, 2)})},
+      {"stairs", "steps that end at whole and at half layers", stairs()},
+  };
+}
+
+}  // namespace
+
+Part together(std::vector<Part> all) {
+  return [all = std::move(all)](const FacetSink& sink) {
+    for (const Part& part : all) part(sink);
+  };
+}
+
+Part edited(Part part, FacetEdit edit) {
+  return [part = std::move(part), edit = std::move(edit)](const FacetSink& sink) {
+    std::int64_t number = 0;
+    part([&](const Facet& facet) {
+      for (const Facet& other : edit(facet, number)) sink(other);
+      ++number;
+    });
+  };
+}
+
+Facet flipped(const Facet& facet) { return {facet[0], facet[2], facet[1]}; }
+
+std::vector<NamedPart> all_parts(std::int64_t layers, double detail) {
+  std::vector<NamedPart> all = {
+      {"demo", "hose fitting 25 mm tall: flange, slope, overhanging barbs, bore", demo()},
+      {"box", "20 x 20 x 10 mm", sound_box()},
+      {"pyramid", "very short, lopsided: 100 x 60 x 10 mm", pyramid(10)},
+      {"pyramid_short", "the pyramid, 18 layers of 0.2 mm high", pyramid(3.6)},
+      {"dome", "hemisphere of radius 25 mm", dome(25)},
+      {"screw", "hexagon-head bolt, 88 mm long", screw()},
+      {"tower", "twisted, lobed, with a bore; see --layers", tower(layers)},
+      {"vase", "bumpy tubes, 8 islands a layer; see --detail", vase(detail)},
+      {"lattice", "21 x 21 columns on a plate", lattice(21)},
+      {"tube", "radii 10 and 6 mm, 20 mm tall", tube(10, 6, 20, 96)},
+  };
+  for (NamedPart& part : faulty_parts()) all.push_back(std::move(part));
+  return all;
+}
+
+std::int64_t count_facets(const Part& part) {
+  std::int64_t count = 0;
+  part([&count](const Facet&) { ++count; });
+  return count;
+}
+
+void write_binary_stl(const Part& part, std::ostream& out) {
+  std::array<char, kHeaderBytes + 4> header;
+  header.fill(' ');
+  const std::string text = "binary STL";
+  std::copy(text.begin(), text.end(), header.begin());
+  put_u32(&header[kHeaderBytes], static_cast<std::uint32_t>(count_facets(part)));
+  out.write(header.data(), header.size());
+  part([&out](const Facet& facet) {
+    std::array<char, kFacetBytes> bytes{};
+    put_corner(&bytes[0], normal(facet));
+    for (std::size_t i = 0; i < 3; ++i) put_corner(&bytes[12 + 12 * i], facet[i]);
+    out.write(bytes.data(), bytes.size());
+  });
+}
+
+void write_ascii_stl(const Part& part, std::ostream& out) {
+  const auto put = [&out](const Corner& corner) {
+    out << ' ' << corner.x << ' ' << corner.y << ' ' << corner.z << '\n';
+  };
+  out.precision(9);
+  out << "solid part\n";
+  part([&](const Facet& facet) {
+    out << " facet normal";
+    put(normal(facet));
+    out << "  outer loop\n";
+    for (const Corner& corner : facet) {
+      out << "   vertex";
+      put(corner);
+    }
+    out << "  endloop\n endfacet\n";
+  });
+  out << "endsolid part\n";
+}
+
+}  // namespace parts

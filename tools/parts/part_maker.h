@@ -1,0 +1,81 @@
+// Parts for tries, tests and benches, made facet by facet: memory does not grow with the part.
+//
+// A part is a function that hands its facets, counter-clockwise seen from outside, to a sink; it
+// may be run any number of times and gives the same facets each time. Lengths are in mm. Sound
+// parts are closed, stand on z = 0 and have positive x and y; the faulty ones say in their
+// description what is wrong with them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace parts {
+
+struct Corner {
+  double x = 0;
+  double y = 0;
+  double z = 0;
+};
+
+using Facet = std::array<Corner, 3>;
+using FacetSink = std::function<void(const Facet&)>;
+using Part = std::function<void(const FacetSink&)>;
+
+// Corners x, y, z and x + width, y + depth, z + height; 12 facets, in the order bottom, top, and
+// the four sides from y outwards, counter-clockwise.
+[[nodiscard]] Part box(Corner at, double width, double depth, double height);
+
+// Very short and lopsided: its right face rises at 6.5° when it is 10 mm high.
+[[nodiscard]] Part pyramid(double height);
+
+// Hemisphere on its flat side.
+[[nodiscard]] Part dome(double radius, int segments = 128, int rings = 64);
+
+// With a bore from end to end.
+[[nodiscard]] Part tube(double outer_radius, double inner_radius, double height, int segments);
+
+// Hexagon-head bolt, head down, M28 × 6; the thread's flanks rise at 25.6°.
+[[nodiscard]] Part screw();
+
+// Twisted, lobed, with a vertical bore; `layers` layers of 0.2 mm, 128 points in every section.
+[[nodiscard]] Part tower(std::int64_t layers);
+
+// Bumpy vase, a bumpy tube in its bore and six around it; 720,000 facets at detail 1.
+[[nodiscard]] Part vase(double detail);
+
+// columns × columns square columns on one plate.
+[[nodiscard]] Part lattice(int columns);
+
+// Hose fitting, 25 mm tall: a hexagon flange, a slope, two barbs that overhang, and a bore.
+[[nodiscard]] Part demo();
+
+// The facets of all, one part after the other.
+[[nodiscard]] Part together(std::vector<Part> all);
+
+// The facets of `part` as `edit` returns them: none, one or more for each, numbered from 0.
+using FacetEdit = std::function<std::vector<Facet>(const Facet&, std::int64_t number)>;
+[[nodiscard]] Part edited(Part part, FacetEdit edit);
+
+// The same facet seen from behind.
+[[nodiscard]] Facet flipped(const Facet& facet);
+
+struct NamedPart {
+  std::string name;
+  std::string description;
+  Part part;
+};
+
+// Every part that make_part knows. `layers` is for the tower, `detail` for the vase.
+[[nodiscard]] std::vector<NamedPart> all_parts(std::int64_t layers = 1000, double detail = 1);
+
+[[nodiscard]] std::int64_t count_facets(const Part& part);
+
+// Runs the part twice, to write the number of facets first: `out` need not be seekable.
+void write_binary_stl(const Part& part, std::ostream& out);
+void write_ascii_stl(const Part& part, std::ostream& out);
+
+}  // namespace parts
