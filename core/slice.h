@@ -15,8 +15,12 @@ struct SliceDefects {
   std::int64_t closed_chains = 0;   // open chains closed across a gap
   std::int64_t dropped_chains = 0;  // open chains that could not be closed
   Length widest_gap;                // of the closed ones
+  std::int64_t flipped_facets = 0;  // facets that turn against the rest of their contour
+  std::int64_t doubled_facets = 0;  // facets cut along a line that another one has
 
-  [[nodiscard]] bool any() const { return closed_chains != 0 || dropped_chains != 0; }
+  [[nodiscard]] bool any() const {
+    return closed_chains != 0 || dropped_chains != 0 || flipped_facets != 0 || doubled_facets != 0;
+  }
 };
 
 // The part cut halfway between `bottom` and `bottom + height`.
