@@ -47,6 +47,10 @@ class RingBuffer {
     RIND_CHECK(i < size_);
     return *places_[place(i)];
   }
+  [[nodiscard]] T& operator[](std::size_t i) {
+    RIND_CHECK(i < size_);
+    return *places_[place(i)];
+  }
 
  private:
   // Where the i-th from the oldest lies; i <= size_, first_ < capacity, so one turn suffices.
