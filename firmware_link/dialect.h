@@ -1,0 +1,55 @@
+// Plug point: how a kind of controller speaks. A variant is a file.
+//
+// The session does all the counting, timing and repeating; a dialect only says by which rules, and
+// what an answer means to a sender.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+#include "firmware_link/instant.h"  // Duration
+#include "firmware_link/limits.h"   // kWindowLinesMax
+#include "firmware_link/reply.h"    // Reply
+
+namespace firmware_link {
+
+enum class Meaning {
+  kNoise,        // means nothing, and doesn't even prove that the controller lives
+  kAlive,        // means nothing, but something answers
+  kWorking,      // the command at hand takes its time: silence is not to be feared
+  kAcknowledge,  // one line is done with
+  kRefused,      // a line was not accepted; a request to repeat it and an empty `ok` follow
+  kResend,       // reply.number is the line to go on from; an empty `ok` follows
+  kWarning,      // a line was accepted but did nothing
+  kReset,        // the controller has just begun its life
+  kFatal,        // the print is over
+};
+
+struct LinkRules {
+  // Lines carry a number and a checksum, and may be asked for again. Without, each line has
+  // exactly one acknowledgement, and nothing is ever repeated.
+  bool numbered = true;
+
+  std::size_t window_lines = kWindowLinesMax;
+  std::size_t window_bytes = kWindowBytesMax;
+
+  // How long nothing at all may be heard while a line is in flight, and how long only signs of life
+  // that don't prove work (temperatures).
+  Duration silence_max{};
+  Duration idle_talk_max{};
+
+  // After a Resend, how long it must be quiet before anything is sent again, because lines that
+  // were in flight may be answered too, each with a Resend of its own.
+  Duration quiet_after_resend{};
+};
+
+class Dialect {
+ public:
+  virtual ~Dialect() = default;
+
+  [[nodiscard]] virtual std::string_view name() const = 0;
+  [[nodiscard]] virtual LinkRules rules() const = 0;
+  [[nodiscard]] virtual Meaning meaning_of(const Reply& reply) const = 0;
+};
+
+}  // namespace firmware_link

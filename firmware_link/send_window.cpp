@@ -1,0 +1,57 @@
+#include "firmware_link/send_window.h"
+
+#include <algorithm>
+
+#include "firmware_link/check.h"
+
+namespace firmware_link {
+
+static_assert(kLineBytesMax + 1 <= UINT8_MAX, "Line::wire_bytes must hold the longest line");
+
+void SendWindow::push(std::string_view text) {
+  LINK_CHECK(all_sent());
+  LINK_CHECK(!text.empty() && text.size() <= kTextBytesMax);
+  if (end_ - oldest_ == static_cast<std::int64_t>(kHistoryLinesMax)) ++oldest_;
+  // A window is far smaller than the history, so only acknowledged lines are ever forgotten.
+  LINK_CHECK(oldest_ <= acknowledged_);
+  Line& line = at(end_++);
+  std::copy(text.begin(), text.end(), line.text.begin());
+  line.size = static_cast<std::uint8_t>(text.size());
+  line.wire_bytes = 0;
+}
+
+std::string_view SendWindow::next_text() const {
+  LINK_CHECK(!all_sent());
+  const Line& line = at(next_to_send_);
+  return {line.text.data(), line.size};
+}
+
+void SendWindow::sent(std::size_t wire_bytes) {
+  LINK_CHECK(!all_sent());
+  LINK_CHECK(wire_bytes > 0 && wire_bytes <= kLineBytesMax + 1);
+  at(next_to_send_++).wire_bytes = static_cast<std::uint8_t>(wire_bytes);
+  bytes_in_flight_ += wire_bytes;
+}
+
+bool SendWindow::acknowledge_one() {
+  if (acknowledged_ == next_to_send_) return false;
+  bytes_in_flight_ -= at(acknowledged_++).wire_bytes;
+  return true;
+}
+
+void SendWindow::acknowledge_before(std::int64_t sequence) {
+  LINK_CHECK(sequence <= next_to_send_);
+  while (acknowledged_ < sequence) LINK_CHECK(acknowledge_one());
+}
+
+void SendWindow::rewind(std::int64_t sequence) {
+  LINK_CHECK(can_rewind(sequence));
+  acknowledged_ = std::min(acknowledged_, sequence);
+  next_to_send_ = sequence;
+  bytes_in_flight_ = 0;
+  for (std::int64_t i = acknowledged_; i < next_to_send_; ++i) {
+    bytes_in_flight_ += at(i).wire_bytes;
+  }
+}
+
+}  // namespace firmware_link

@@ -1,0 +1,86 @@
+// The lines between "taken" and "forgotten": which are to be sent, which are in flight, which can
+// still be repeated. A pure state machine; it knows sequence numbers, no wire format.
+//
+//     forgotten │ acknowledged, kept │ in flight   │ to be sent │
+//     ──────────┼────────────────────┼─────────────┼────────────┼──> sequence number
+//            oldest()         acknowledged()  next_to_send()   end()
+//
+// rewind(k) moves next_to_send() back to k, and acknowledged() with it when it lies behind: then an
+// acknowledgement was false. Lines before k stay in flight, their answers are still to come.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "firmware_link/limits.h"      // kHistoryLinesMax
+#include "firmware_link/line_codec.h"  // TextBuffer
+
+namespace firmware_link {
+
+class SendWindow {
+ public:
+  [[nodiscard]] std::int64_t oldest() const { return oldest_; }
+  [[nodiscard]] std::int64_t acknowledged() const { return acknowledged_; }
+  [[nodiscard]] std::int64_t next_to_send() const { return next_to_send_; }
+  [[nodiscard]] std::int64_t end() const { return end_; }
+
+  [[nodiscard]] std::size_t lines_in_flight() const {
+    return static_cast<std::size_t>(next_to_send_ - acknowledged_);
+  }
+  [[nodiscard]] std::size_t bytes_in_flight() const { return bytes_in_flight_; }
+  [[nodiscard]] bool all_sent() const { return next_to_send_ == end_; }
+
+  // Adds a line behind all others. REQUIRES: all_sent(), text.size() <= kTextBytesMax.
+  void push(std::string_view text);
+
+  // The line at next_to_send(). REQUIRES: !all_sent().
+  [[nodiscard]] std::string_view next_text() const;
+
+  // Says that the line at next_to_send() has left as so many bytes. REQUIRES: !all_sent().
+  void sent(std::size_t wire_bytes);
+
+  // The oldest line in flight is done with; false when none is in flight.
+  [[nodiscard]] bool acknowledge_one();
+
+  // All before `sequence` are done with. REQUIRES: sequence <= next_to_send().
+  void acknowledge_before(std::int64_t sequence);
+
+  // Whether the controller may go on from there.
+  [[nodiscard]] bool can_rewind(std::int64_t sequence) const {
+    return sequence >= oldest_ && sequence <= next_to_send_;
+  }
+
+  // REQUIRES: can_rewind(sequence).
+  void rewind(std::int64_t sequence);
+
+  // Drops what is not in flight and not acknowledged.
+  void drop_unsent() { end_ = next_to_send_; }
+
+  // Forgets what is acknowledged: it can no longer be asked for.
+  void forget_acknowledged() { oldest_ = acknowledged_; }
+
+ private:
+  struct Line {
+    TextBuffer text{};
+    std::uint8_t size = 0;
+    std::uint8_t wire_bytes = 0;
+  };
+
+  [[nodiscard]] Line& at(std::int64_t sequence) {
+    return lines_[static_cast<std::size_t>(sequence) % lines_.size()];
+  }
+  [[nodiscard]] const Line& at(std::int64_t sequence) const {
+    return lines_[static_cast<std::size_t>(sequence) % lines_.size()];
+  }
+
+  std::int64_t oldest_ = 0;
+  std::int64_t acknowledged_ = 0;
+  std::int64_t next_to_send_ = 0;
+  std::int64_t end_ = 0;
+  std::size_t bytes_in_flight_ = 0;
+  std::array<Line, kHistoryLinesMax> lines_{};
+};
+
+}  // namespace firmware_link

@@ -1,0 +1,147 @@
+// A printer's controller that exists only in memory: bytes in, bytes out, time as an argument.
+//
+// It answers byte for byte as Marlin bugfix-2.1.x with its default configuration was measured to
+// (the table is in README.md), and it has the same narrow places:
+//
+//     wire ──> receive ring ──> 4 command slots ──> handler ──> planner of 16 blocks ──> motion
+//     (baud)   128 bytes,        a line each,        one command    15 usable, a full one lengths,
+//              full: bytes lost  95 bytes, cut       at a time      holds the `ok` back     feeds,
+//              acc.
+//
+// A command's `ok` leaves when its handler is done: at once for a move that the planner takes, late
+// for G28, G4, M109, M190, M400, with `echo:busy: processing` every 2 s meanwhile.
+//
+// Nothing in it grows: what was executed goes to a sink, sums to Totals.
+// One thread at a time may call it; it has no thread of its own.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "firmware_link/instant.h"  // Instant, Duration
+
+namespace firmware_link {
+
+// One command as the handler took it.
+struct ExecutedCommand {
+  Instant when;
+  std::optional<std::int64_t> number;  // nothing when the line came without N
+  std::string_view text;               // without number and checksum; valid during the call only
+  bool known = true;                   // false: answered with `echo:Unknown command:`
+};
+
+struct VirtualControllerOptions {
+  // Called for every command whose handler begins, in order. May be empty.
+  std::function<void(const ExecutedCommand&)> executed;
+
+  // Bits a second on the wire (10 a byte); 0: bytes arrive in no time.
+  // REQUIRES: >= 0.  DEFAULT: 0.
+  std::int64_t baud = 0;
+
+  // What one command costs the processor. 1.1 ms makes the 900 lines a second that were measured
+  // on an ATmega2560.  REQUIRES: >= 0.
+  Duration command_cost{0};
+
+  double bed_x_mm = 200;  // Marlin's default; software end stops clamp moves to 0 … this
+  double bed_y_mm = 200;
+  double height_z_mm = 1e9;  // Marlin's default is 200; a tower of any height is worth a try
+
+  double acceleration_mm_s2 = 3000;
+  double speed_xy_mm_s_max = 300;
+  double speed_z_mm_s_max = 5;
+  double speed_e_mm_s_max = 25;
+
+  double ambient_celsius = 25.45;
+  double nozzle_heating_celsius_s = 4.15;  // 60 W
+  double bed_heating_celsius_s = 2;
+  double extrude_celsius_min = 170;
+
+  // Capabilities that vary between builds.
+  bool advanced_ok = false;
+  bool emergency_parser = false;
+};
+
+struct VirtualControllerTotals {
+  std::int64_t commands = 0;
+  std::int64_t unknown_commands = 0;
+  std::int64_t unnumbered_commands = 0;
+  std::int64_t moves = 0;
+  std::int64_t resends_asked = 0;
+  std::int64_t receive_bytes_lost = 0;
+  std::int64_t cold_extrusions = 0;
+  std::int64_t clamped_moves = 0;  // by the software end stops
+
+  // Net filament pushed, and the length of all moves in x, y, z.
+  std::int64_t filament_10nm = 0;
+  double filament_mm() const { return static_cast<double>(filament_10nm) * 1e-5; }
+  double distance_mm = 0;
+  double z_mm_max = 0;  // highest z at which material left the nozzle
+
+  // The planner ran dry while moves still came (a blob on the part), and how long it was below half
+  // full while it moved (where Marlin begins to slow down).
+  std::int64_t planner_starvations = 0;
+  Duration planner_low{0};
+  std::size_t planner_blocks_max = 0;
+  std::size_t receive_bytes_max = 0;
+};
+
+struct VirtualControllerState {
+  double x_mm = 0;
+  double y_mm = 0;
+  double z_mm = 0;
+  double e_mm = 0;
+  double nozzle_celsius = 0;
+  double nozzle_target_celsius = 0;
+  double bed_celsius = 0;
+  double bed_target_celsius = 0;
+  int fan = 0;
+  bool halted = false;
+  std::int64_t last_line = 0;
+};
+
+class VirtualController {
+ public:
+  // Powers up at `now`: the start banner is there to be read.
+  VirtualController(const VirtualControllerOptions& options, Instant now);
+  ~VirtualController();
+  VirtualController(const VirtualController&) = delete;
+  VirtualController& operator=(const VirtualController&) = delete;
+
+  // Puts bytes on the wire at `now` and returns how many it took: all, unless the wire has a baud
+  // and its 4 KiB driver buffer is full. REQUIRES: `now` never goes back, here and below.
+  [[nodiscard]] std::size_t input(std::span<const std::byte> bytes, Instant now);
+
+  // Lives until `now`.
+  void advance(Instant now);
+
+  // Takes answers that are waiting to be read; returns how many bytes. A controller whose 4 KiB of
+  // answers nobody reads stands still, as a real one does.
+  [[nodiscard]] std::size_t output(std::span<std::byte> into);
+
+  // When something next happens by itself: a byte arrives, a handler ends, a report is due.
+  // Nothing: never, without input.
+  [[nodiscard]] std::optional<Instant> next_event() const;
+
+  // True while bytes are on the wire, a line waits or a command is in its handler: an answer comes.
+  [[nodiscard]] bool owes_answer() const;
+
+  // True while the planner holds moves.
+  [[nodiscard]] bool moving() const;
+
+  // Presses the reset button: all is forgotten but the totals, and `start` is said again.
+  void reset(Instant now);
+
+  [[nodiscard]] VirtualControllerState state() const;
+  [[nodiscard]] const VirtualControllerTotals& totals() const;
+
+ private:
+  class Firmware;
+  std::unique_ptr<Firmware> firmware_;
+};
+
+}  // namespace firmware_link
