@@ -94,7 +94,7 @@ void check_against_paper(const Part& part, int t) {
     CAPTURE(n);
     const auto i = static_cast<std::size_t>(n);
     const Mask solid = part.slices[i] & ~result.loose[i];
-    const Mask expected = test_support::paper_solid<MaskOperations>(part.slices, part.inners, n, t);
+    const Mask expected = test::paper_solid<MaskOperations>(part.slices, part.inners, n, t);
     REQUIRE_EQ(solid, expected);
     // As soon as it is settled: at once near the bed, else T layers later, at most at the end.
     REQUIRE_EQ(result.left_at[i], std::min(n < t ? n + 1 : n + t + 1, height));

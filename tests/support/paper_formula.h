@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace test_support {
+namespace test {
 
 // Operations: unite(a, b), intersect(a, b), subtract(a, b). Set() is the empty set, which stands
 // for the slices below and above the part. REQUIRES: 0 <= n < slices.size() == inners.size()
@@ -33,4 +33,4 @@ Set paper_solid(const std::vector<Set>& slices, const std::vector<Set>& inners, 
   return Operations::unite(offset(n), Operations::intersect(slice(n), extended));
 }
 
-}  // namespace test_support
+}  // namespace test
