@@ -1,7 +1,9 @@
 #include "core/contact_check.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 #include "core/region.h"  // doubled_area_units
 
@@ -42,11 +44,26 @@ bool folds_back(Point a, Point b, Point c) {
   return dot < 0;
 }
 
+std::vector<Edge> edges_of(const std::vector<Ring>& rings) {
+  std::vector<Edge> edges;
+  for (const Ring& ring : rings) {
+    const auto first = static_cast<std::uint32_t>(edges.size());
+    const auto size = static_cast<std::uint32_t>(ring.size());
+    for (std::uint32_t i = 0; i < size; ++i) {
+      const std::uint32_t next = (i + 1) % size, previous = (i + size - 1) % size;
+      edges.push_back({ring[i], ring[next], first + previous, first + next});
+    }
+  }
+  return edges;
+}
+
 class EdgeGrid {
  public:
-  EdgeGrid(const std::vector<Edge>& edges, const Box& box) : edges_(edges), box_(box) {
-    const double width = static_cast<double>(box.max.x) - box.min.x + 1;
-    const double height = static_cast<double>(box.max.y) - box.min.y + 1;
+  // REQUIRES: edges is not empty, and outlives the grid.
+  explicit EdgeGrid(const std::vector<Edge>& edges) : edges_(edges) {
+    for (const Edge& edge : edges) box_.add(edge.from);
+    const double width = static_cast<double>(box_.max.x) - box_.min.x + 1;
+    const double height = static_cast<double>(box_.max.y) - box_.min.y + 1;
     const double count = static_cast<double>(edges.size());
     cell_ = std::max({std::sqrt(width * height / count), width / count, height / count, 1.0});
     columns_ = static_cast<std::size_t>(width / cell_) + 1;
@@ -75,6 +92,22 @@ class EdgeGrid {
       }
     }
     return false;
+  }
+
+  // Calls visit(edge, corner) for each corner that lies within an edge; may repeat itself.
+  template <typename Visit>
+  void for_touches(Visit visit) const {
+    for (std::size_t cell = 0; cell + 1 < starts_.size(); ++cell) {
+      for (std::uint32_t i = starts_[cell]; i < starts_[cell + 1]; ++i) {
+        const Edge& edge = edges_[members_[i]];
+        const Box box = box_of(edge);
+        for (std::uint32_t j = starts_[cell]; j < starts_[cell + 1]; ++j) {
+          const Point corner = edges_[members_[j]].from;
+          if (corner == edge.from || corner == edge.to || !box.overlaps({corner, corner})) continue;
+          if (cross(edge.from, edge.to, corner) == 0) visit(members_[i], corner);
+        }
+      }
+    }
   }
 
  private:
@@ -152,24 +185,45 @@ bool well_nested(const std::vector<Ring>& rings) {
 }  // namespace
 
 bool surely_clean(const std::vector<Ring>& rings) {
-  std::vector<Edge> edges;
-  std::size_t count = 0;
-  for (const Ring& ring : rings) count += ring.size();
-  edges.reserve(count);
-  Box box;
   for (const Ring& ring : rings) {
     if (ring.size() < 3) return false;
-    const auto first = static_cast<std::uint32_t>(edges.size());
-    const auto size = static_cast<std::uint32_t>(ring.size());
-    for (std::uint32_t i = 0; i < size; ++i) {
-      const Point a = ring[i], b = ring[(i + 1) % size], c = ring[(i + 2) % size];
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Point a = ring[i], b = ring[(i + 1) % ring.size()], c = ring[(i + 2) % ring.size()];
       if (a == b || folds_back(a, b, c)) return false;
-      edges.push_back({a, b, first + (i + size - 1) % size, first + (i + 1) % size});
-      box.add(a);
     }
   }
-  if (edges.empty()) return true;
-  return !EdgeGrid(edges, box).any_contact() && well_nested(rings);
+  if (rings.empty()) return true;
+  const std::vector<Edge> edges = edges_of(rings);
+  return !EdgeGrid(edges).any_contact() && well_nested(rings);
+}
+
+std::vector<Ring> split_at_touches(const std::vector<Ring>& rings) {
+  if (rings.empty()) return rings;
+  const std::vector<Edge> edges = edges_of(rings);
+  std::vector<std::pair<std::uint32_t, Point>> touches;
+  EdgeGrid(edges).for_touches(
+      [&](std::uint32_t edge, Point corner) { touches.emplace_back(edge, corner); });
+  if (touches.empty()) return rings;
+  std::sort(touches.begin(), touches.end(), [&](const auto& a, const auto& b) {
+    if (a.first != b.first) return a.first < b.first;
+    // Points are ordered along any line that they lie on.
+    return edges[a.first].from < edges[a.first].to ? a.second < b.second : b.second < a.second;
+  });
+  touches.erase(std::unique(touches.begin(), touches.end()), touches.end());
+  std::vector<Ring> result;
+  auto touch = touches.begin();
+  std::uint32_t edge = 0;
+  for (const Ring& ring : rings) {
+    Ring split;
+    for (const Point p : ring) {
+      split.push_back(p);
+      for (; touch != touches.end() && touch->first == edge; ++touch)
+        split.push_back(touch->second);
+      ++edge;
+    }
+    result.push_back(std::move(split));
+  }
+  return result;
 }
 
 }  // namespace core

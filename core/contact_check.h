@@ -16,4 +16,8 @@ namespace core {
 // COSTS: O(points) on contours, O(points²) when most edges lie in one heap.
 [[nodiscard]] bool surely_clean(const std::vector<Ring>& rings);
 
+// The rings, with a corner added wherever another's corner lies within an edge.
+// REQUIRES: clean rings. COSTS: as surely_clean().
+[[nodiscard]] std::vector<Ring> split_at_touches(const std::vector<Ring>& rings);
+
 }  // namespace core

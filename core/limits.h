@@ -25,4 +25,11 @@ inline constexpr int kFoldCostMax =
 
 static_assert(kFoldCostMax < kWallLayersMax, "folding must beat intersecting the window");
 
+// How often a contour is turned when Boost's Voronoi diagram of it fails its checks, before the
+// offset is made the slow way. One turn nearly always does.
+inline constexpr int kDiagramTurnsMax = 4;
+
+// How far that slow way's chords stay from the true arcs.
+inline constexpr double kCapsuleToleranceUnits = 5;
+
 }  // namespace core

@@ -29,10 +29,15 @@ class VoronoiMountain {
   VoronoiMountain& operator=(VoronoiMountain&&) noexcept;
 
   // Inwards for positive depths, outwards for negative ones; 0 gives the region itself.
+  // A crossing point that is off its sites' offsets also turns and rebuilds the diagram; when no
+  // turn helps, the offset is made of capsules: slow, its arcs within kCapsuleToleranceUnits.
+  // REQUIRES: not called on one mountain by two threads at a time.
   [[nodiscard]] OffsetContours offset(Length depth) const;
 
   // Diagrams that failed their check and were turned, since birth.
   [[nodiscard]] int retries() const;
+  // Offsets that were made the slow way, since birth.
+  [[nodiscard]] int fallbacks() const;
 
  private:
   struct Diagram;
