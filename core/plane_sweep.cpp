@@ -1,0 +1,110 @@
+#include "core/plane_sweep.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "core/boolean.h"         // clean
+#include "core/check.h"           // RIND_CHECK
+#include "core/segment_chains.h"  // rings_of
+#include "core/simplify.h"        // simplify
+
+namespace core {
+namespace {
+
+// Planes are halfway up a layer: heights are doubled here to be whole numbers.
+bool above(const Vertex& vertex, std::int64_t doubled_z) { return 2 * vertex.z >= doubled_z; }
+
+// a + (b − a) · part / whole, rounded to nearest, halves up. REQUIRES: 0 <= part <= whole.
+std::int32_t between(std::int32_t a, std::int32_t b, std::int64_t part, std::int64_t whole) {
+  const std::int64_t way = std::int64_t{b} - a;
+  if (way == 0) return a;
+  const auto rounded = [](auto product, auto divisor) {
+    const auto doubled = 2 * product + divisor;
+    const auto quotient = doubled / (2 * divisor);
+    return quotient - (doubled % (2 * divisor) < 0 ? 1 : 0);
+  };
+  // |way| < 2^31: below this the doubled product, the sum and the divisor fit 64 bits.
+  constexpr std::int64_t kNarrow = std::int64_t{1} << 30;
+  if (whole < kNarrow) return static_cast<std::int32_t>(a + rounded(way * part, whole));
+  __extension__ using Wide = __int128;
+  return static_cast<std::int32_t>(a + rounded(Wide{way} * part, Wide{whole}));
+}
+
+Point crossing(Vertex lower, Vertex upper, std::int64_t doubled_z) {
+  if (upper.z < lower.z) std::swap(lower, upper);
+  const std::int64_t part = doubled_z - 2 * lower.z, whole = 2 * (upper.z - lower.z);
+  return {between(lower.x, upper.x, part, whole), between(lower.y, upper.y, part, whole)};
+}
+
+// REQUIRES: the triangle has corners on both sides.
+Segment cut_triangle(const Triangle& triangle, std::int64_t doubled_z) {
+  Segment segment;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vertex& a = triangle.corners[i];
+    const Vertex& b = triangle.corners[(i + 1) % 3];
+    if (above(a, doubled_z) == above(b, doubled_z)) continue;
+    // Seen from outside, the part is behind, and left of one who walks from left to right.
+    (above(a, doubled_z) ? segment.from : segment.to) = crossing(a, b, doubled_z);
+  }
+  return segment;
+}
+
+}  // namespace
+
+LayerIndex layer_count(Length height, Length layer_height) {
+  const std::int64_t h = layer_height.units();
+  RIND_CHECK(h > 0);
+  return std::max<LayerIndex>(0, (2 * height.units() + h) / (2 * h));
+}
+
+PlaneSweep::PlaneSweep(const Options& options, TriangleSource source)
+    : options_(options), source_(std::move(source)) {
+  RIND_CHECK(options.layer_height.units() > 0);
+  RIND_CHECK(options.simplify_tolerance.units() >= 0);
+  RIND_CHECK(options.chain_gap_max.units() >= 0);
+}
+
+Status PlaneSweep::take_triangles_below(std::int64_t doubled_z) {
+  std::erase_if(held_, [&](const Triangle& t) { return 2 * t.highest_z() < doubled_z; });
+  while (true) {
+    if (!waiting_ && !source_ended_) {
+      Result<std::optional<Triangle>> next = source_();
+      if (!next.ok()) return next.error();
+      source_ended_ = !next.value().has_value();
+      waiting_ = next.value();
+    }
+    if (!waiting_ || 2 * waiting_->lowest_z() >= doubled_z) break;
+    if (2 * waiting_->highest_z() >= doubled_z) held_.push_back(*waiting_);
+    waiting_.reset();
+  }
+  peak_triangles_held_ = std::max(peak_triangles_held_, static_cast<std::int64_t>(held_.size()));
+  return {};
+}
+
+std::vector<Segment> PlaneSweep::cut(std::int64_t doubled_z) const {
+  std::vector<Segment> segments;
+  segments.reserve(held_.size());
+  for (const Triangle& triangle : held_) segments.push_back(cut_triangle(triangle, doubled_z));
+  return segments;
+}
+
+Result<std::optional<Slice>> PlaneSweep::next() {
+  if (next_index_ == options_.layers) return std::optional<Slice>();
+  const std::int64_t doubled_z = (2 * next_index_ + 1) * options_.layer_height.units();
+  if (Status taken = take_triangles_below(doubled_z); !taken.ok()) return taken.error();
+
+  Slice slice;
+  slice.index = next_index_;
+  slice.bottom = options_.layer_height * next_index_;
+  slice.height = options_.layer_height;
+  std::vector<Ring> rings = rings_of(cut(doubled_z), options_.chain_gap_max, slice.defects);
+  for (Ring& ring : rings) ring = simplify(ring, options_.simplify_tolerance);
+  std::erase_if(rings, [](const Ring& ring) { return ring.empty(); });
+  std::sort(rings.begin(), rings.end());
+  slice.region = clean(rings, FillRule::kNonZero);
+  ++next_index_;
+  return std::optional<Slice>(std::move(slice));
+}
+
+}  // namespace core

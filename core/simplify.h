@@ -1,0 +1,25 @@
+// Leaves out points that a contour doesn't need.
+//
+// Two steps. First, points that lie on a straight line but for the rounding to the grid go: facets
+// that share a plane leave such points, elsewhere in each layer, and walls that go straight up are
+// to give equal slices. Then Ramer–Douglas–Peucker (Ramer 1972; Douglas and Peucker 1973): a run
+// of points is replaced by its chord where all of it lies within the tolerance, and is split at
+// its farthest point where not.
+#pragma once
+
+#include "core/geometry.h"  // Ring
+#include "core/units.h"     // Length
+
+namespace core {
+
+// The same ring from whichever point it starts. Empty where nothing with an area is left.
+//
+// ENSURES: every point of `ring` is within `tolerance` + 1 unit of the result, whose points are
+// points of `ring`. The result may cross itself or other rings where they come that close.
+// COSTS: O(n log n) on ordinary contours; at worst O(n · kSimplifyRunMax).
+[[nodiscard]] Ring simplify(const Ring& ring, Length tolerance);
+
+// Longest run of points that is looked at as one; longer ones are split in advance.
+inline constexpr int kSimplifyRunMax = 1024;
+
+}  // namespace core
