@@ -1,0 +1,63 @@
+// STL, binary and text: a list of facets, one after the other, in bounded memory.
+//
+//     binary   80 bytes of header, a count (uint32), then for each facet 12 floats (normal and
+//              three corners) and 2 bytes, all little-endian
+//     text     solid NAME / facet normal N N N / outer loop / vertex X Y Z, three times / endloop /
+//              endfacet / endsolid NAME; words in any case, parted by any blanks or line ends
+//
+// Which of the two is told by the content: many binary files begin with "solid" as well. Text
+// begins with that word and, after the rest of its line, goes on with "facet" or "endsolid".
+//
+// Normals and colour bytes are not used: a facet's side is told by the order of its corners.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/geometry.h"    // Triangle
+#include "core/result.h"      // Result
+#include "host/input_file.h"  // InputFile
+
+namespace host {
+
+// Corners in mm have to lie within this of 0: in the plane because coordinates do (limits.h), in
+// height because half units are counted in 64 bits.
+inline constexpr double kPlaneMaxMm = 53'687.0;
+inline constexpr double kHeightMaxMm = 1e11;
+
+class StlReader {
+ public:
+  // Reads as much as tells the kind.
+  static core::Result<std::unique_ptr<StlReader>> open(InputFile file);
+  virtual ~StlReader() = default;
+
+  // "binary STL", "ASCII STL"
+  [[nodiscard]] virtual std::string format() const = 0;
+
+  // The next facet, snapped to the grid, or nothing at the end. A file that ends within a facet,
+  // text without its "endsolid", a corner that is no number or out of range, are errors that name
+  // the facet and its byte or line.
+  [[nodiscard]] virtual core::Result<std::optional<core::Triangle>> next() = 0;
+
+  [[nodiscard]] std::int64_t facets() const { return facets_; }
+  // Known for good once next() has given nothing. At most a few.
+  [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
+
+ protected:
+  explicit StlReader(InputFile file) : file_(std::move(file)) {}
+
+  // `place` says where in the file, for messages.
+  [[nodiscard]] core::Result<core::Triangle> snapped(
+      const std::array<std::array<double, 3>, 3>& corners_mm, const std::string& place) const;
+  [[nodiscard]] core::Error bad_part(const std::string& place, const std::string& cause) const;
+
+  InputFile file_;
+  std::int64_t facets_ = 0;
+  std::vector<std::string> warnings_;
+};
+
+}  // namespace host

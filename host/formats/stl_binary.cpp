@@ -1,0 +1,102 @@
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <utility>
+
+#include "host/formats/stl_kinds.h"
+
+namespace host {
+namespace {
+
+using core::Result;
+
+constexpr std::size_t kHeaderBytes = 84;
+constexpr std::size_t kFacetBytes = 50;
+constexpr std::size_t kNormalBytes = 12;
+
+std::uint32_t u32_at(const char* bytes) {
+  std::uint32_t value = 0;
+  for (int i = 3; i >= 0; --i) value = value << 8 | static_cast<unsigned char>(bytes[i]);
+  return value;
+}
+
+double float_at(const char* bytes) { return std::bit_cast<float>(u32_at(bytes)); }
+
+class BinaryStlReader : public StlReader {
+ public:
+  BinaryStlReader(InputFile file, std::uint32_t count)
+      : StlReader(std::move(file)), count_(count) {}
+
+  [[nodiscard]] std::string format() const override { return "binary STL"; }
+
+  [[nodiscard]] Result<std::optional<core::Triangle>> next() override {
+    if (ended_) return std::optional<core::Triangle>();
+    // A count of 0 is what writers leave that never came back to fill it in.
+    if (count_ != 0 && facets_ == count_) return end_with_rest();
+    const Result<std::string_view> window = file_.window(kFacetBytes);
+    if (!window.ok()) return window.error();
+    const std::string_view bytes = window.value();
+    if (bytes.empty()) return end_without_rest();
+    const std::string place =
+        "facet " + std::to_string(facets_ + 1) + " (byte " + std::to_string(file_.position()) + ")";
+    if (bytes.size() < kFacetBytes) {
+      return bad_part(place, "the file ends after " + std::to_string(bytes.size()) +
+                                 " of the facet's 50 bytes: it is cut short; copy or export it "
+                                 "again");
+    }
+    std::array<std::array<double, 3>, 3> corners_mm{};
+    for (std::size_t i = 0; i < 9; ++i) {
+      corners_mm[i / 3][i % 3] = float_at(bytes.data() + kNormalBytes + 4 * i);
+    }
+    Result<core::Triangle> triangle = snapped(corners_mm, place);
+    if (!triangle.ok()) return triangle.error();
+    file_.skip(kFacetBytes);
+    ++facets_;
+    return std::optional<core::Triangle>(triangle.value());
+  }
+
+ private:
+  [[nodiscard]] Result<std::optional<core::Triangle>> end_without_rest() {
+    ended_ = true;
+    if (facets_ == 0) {
+      return bad_part("byte 84", "there is no facet in the file; export the part again");
+    }
+    warnings_.push_back(file_.name() + ": the header counts " + std::to_string(count_) +
+                        " facets, the file has " + std::to_string(facets_) +
+                        "; all that are there were taken");
+    return std::optional<core::Triangle>();
+  }
+
+  [[nodiscard]] Result<std::optional<core::Triangle>> end_with_rest() {
+    ended_ = true;
+    const Result<std::string_view> rest = file_.window(1);
+    if (!rest.ok()) return rest.error();
+    if (!rest.value().empty()) {
+      warnings_.push_back(file_.name() + ": the file goes on after the " + std::to_string(count_) +
+                          " facets that its header counts (byte " +
+                          std::to_string(file_.position()) + "); the rest was not taken");
+    }
+    return std::optional<core::Triangle>();
+  }
+
+  std::uint32_t count_;
+  bool ended_ = false;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<StlReader>> open_binary_stl(InputFile file) {
+  const Result<std::string_view> window = file.window(kHeaderBytes);
+  if (!window.ok()) return window.error();
+  if (window.value().size() < kHeaderBytes) {
+    return core::Error{core::ErrorCode::kBadPart,
+                       file.name() + ": byte " + std::to_string(window.value().size()) +
+                           ": the file ends within the 84 bytes of a binary STL's header; it is "
+                           "cut short, or no STL"};
+  }
+  const std::uint32_t count = u32_at(window.value().data() + kHeaderBytes - 4);
+  file.skip(kHeaderBytes);
+  return std::unique_ptr<StlReader>(std::make_unique<BinaryStlReader>(std::move(file), count));
+}
+
+}  // namespace host

@@ -1,0 +1,23 @@
+// The two kinds of STL file, behind stl.h.
+#pragma once
+
+#include <memory>
+
+#include "host/formats/stl.h"  // StlReader
+#include "host/input_file.h"   // InputFile
+
+namespace host {
+
+[[nodiscard]] core::Result<std::unique_ptr<StlReader>> open_binary_stl(InputFile file);
+[[nodiscard]] core::Result<std::unique_ptr<StlReader>> open_text_stl(InputFile file);
+
+// What text in a file's first window looks like.
+enum class StlText {
+  kNone,       // bytes that text doesn't have
+  kStl,        // solid … facet, solid … endsolid, or cut off before that can be told
+  kNotFacets,  // begins with "solid", and goes on otherwise
+  kOther,      // some other text
+};
+[[nodiscard]] StlText text_kind(std::string_view window);
+
+}  // namespace host
