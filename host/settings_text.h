@@ -10,13 +10,13 @@
 #include <string_view>
 #include <vector>
 
-#include "core/result.h"  // Result
+#include "core/result.h"           // Result
+#include "firmware_link/limits.h"  // kTextBytesMax
 
 namespace host {
 
-// A line of the user's G-code, so that it stays below the 95 bytes that a controller's receive
-// buffer takes for certain, with its number and checksum ("N4294967295 ", "*255") around it.
-inline constexpr std::size_t kVerbatimBytesMax = 76;
+// A line of the user's G-code: what the link can number and send.
+inline constexpr std::size_t kVerbatimBytesMax = firmware_link::kTextBytesMax;
 // Lines of start or end G-code.
 inline constexpr std::size_t kVerbatimLinesMax = 1'000;
 

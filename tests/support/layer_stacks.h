@@ -1,0 +1,37 @@
+// Parts as stacks of layers, with the inner offsets that the window asks for.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/region.h"  // Region
+#include "core/slice.h"   // Layer
+
+namespace test {
+
+struct LayerStack {
+  std::string name;
+  std::vector<core::Region> slices;
+  std::vector<core::Region> inners;  // inners[n] within slices[n]
+};
+
+// As the window takes it, `layer_height` 0.2 mm.
+core::Layer layer_of(const LayerStack& stack, std::size_t n);
+
+LayerStack upside_down(LayerStack stack);
+// The lowest `layers` layers.
+LayerStack prefix(LayerStack stack, std::size_t layers);
+
+// Bodies of revolution and the like, polygons of 48 points; the inner offset is known exactly:
+// cylinder, cone, sphere, hourglass, tube that leans, stairs.
+std::vector<LayerStack> round_stacks(int layers, double wall_mm);
+
+// A random region on every layer, with no likeness from one to the next: nothing is worse.
+LayerStack unlike_stack(int layers, std::uint64_t seed);
+
+// Islands with holes that wander and waver from layer to layer, as a part's slices do; the inner
+// offsets, at 0.8 mm, are the mountain's.
+LayerStack wandering_stack(int layers, std::uint64_t seed);
+
+}  // namespace test
