@@ -38,6 +38,7 @@ struct Slice {
 struct SliceOffsets {
   Region wall_inner;                       // I(S): the inner offset at the wall's depth
   std::vector<OffsetContours> perimeters;  // centre lines of the perimeters, from the outside in
+  std::vector<Region> perimeter_cores;     // where each perimeter has room (perimeters.h)
   Region interior;                         // what the perimeters leave to be filled
 };
 

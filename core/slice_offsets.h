@@ -34,6 +34,9 @@ struct OffsetCounters {
 // spacing; where the part is too narrow for that, one road of its own width takes their place.
 inline constexpr double kNarrowShare = 0.6;
 
+// Half of that distance: how much deeper than its centre line a perimeter's core lies.
+[[nodiscard]] Length narrow_half(const Settings& settings, Length layer_height);
+
 // COSTS: one mountain, and a walk over it for each depth: wall_inner, two a perimeter, interior.
 [[nodiscard]] SliceOffsets slice_offsets(const Slice& slice, const Settings& settings,
                                          OffsetCounters& counters);

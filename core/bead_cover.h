@@ -1,0 +1,21 @@
+// The part of a layer that roads cover: what is left of a region after them is still to be filled.
+#pragma once
+
+#include <vector>
+
+#include "core/geometry.h"  // Ring
+#include "core/region.h"    // Region
+#include "core/road.h"      // Road
+#include "core/units.h"     // Length
+
+namespace core {
+
+// Adds the outlines of a road's pieces at `width`: a rectangle each, and an octagon where the road
+// turns. They overlap; clean() unites them.
+void add_bead_outlines(const Road& road, Length width, std::vector<Ring>& outlines);
+
+// Everything within `width` / 2 of the roads, ends cut off square.
+// COSTS: one boolean over four edges for each piece of road.
+[[nodiscard]] Region bead_cover(const std::vector<Road>& roads, Length width);
+
+}  // namespace core

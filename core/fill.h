@@ -1,0 +1,31 @@
+// Plug point: how an area is filled with roads. A pattern is a file (line_fill.h).
+#pragma once
+
+#include <vector>
+
+#include "core/region.h"  // Region
+#include "core/road.h"    // Road, RoadKind
+#include "core/units.h"   // LayerIndex, Length
+
+namespace core {
+
+// What is to be filled, and with what.
+struct FillArea {
+  const Region& region;  // to be filled
+  const Region& within;  // where centre lines may go: the region, or more where they are anchored
+  LayerIndex layer = 0;
+  RoadKind kind = RoadKind::kSolid;
+  Length width;     // of the roads
+  Length distance;  // of neighbouring centre lines
+  Length anchor;    // how far roads go on beyond the region, inside `within`
+};
+
+class FillPattern {
+ public:
+  virtual ~FillPattern() = default;
+
+  // ENSURES: every road has two points or more and stays inside area.within.
+  [[nodiscard]] virtual std::vector<Road> fill(const FillArea& area) const = 0;
+};
+
+}  // namespace core

@@ -1,0 +1,126 @@
+#include "core/rest_fill.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "core/medial_axis.h"  // medial_axis
+#include "core/polyline.h"     // distance_mm
+
+namespace core {
+
+namespace {
+
+// Between roads, room down to this share of the narrowest road gets one; it lays more than the room
+// holds, by a tenth of a millimetre's width at most. At the part's contour there is no such grace.
+constexpr double kRoomMinShare = 0.5;
+
+// Room up to this many road widths gets one road; there is none wider in what rings and rows leave.
+constexpr double kRoomMaxWidths = 2;
+
+// Pieces of rest of less area than this many squares of the narrowest road stay empty.
+constexpr double kCrumbSquares = 1.5;
+
+// Pieces worth a road: not thin hairs, not crumbs.
+Region without_crumbs(const Region& rest, const Settings& settings) {
+  const double narrowest = settings.road_width_min.mm();
+  std::vector<Ring> kept;
+  for (Island& island : islands(rest)) {
+    std::vector<Ring> rings = std::move(island.holes);
+    rings.push_back(std::move(island.outer));
+    Region piece = Region::from_clean_rings(std::move(rings));
+    const double area = piece.area_mm2();
+    if (area < kCrumbSquares * narrowest * narrowest) continue;
+    if (2 * area / piece.perimeter_mm() < kRoomMinShare * narrowest / 2) continue;
+    kept.insert(kept.end(), piece.rings().begin(), piece.rings().end());
+  }
+  return Region::from_clean_rings(std::move(kept));
+}
+
+class Cutter {
+ public:
+  Cutter(RestEdges edges, Length height, const Settings& settings) : settings_(settings) {
+    if (edges == RestEdges::kRoads) side_mm_ = height.mm() * (1 - std::numbers::pi / 4);
+  }
+
+  // One road as long as the room stays within kWidthStep, then the next from where it ended.
+  void cut(const ThickPolyline& line, std::vector<Road>& roads) {
+    const std::size_t count = line.points.size();
+    const std::size_t pieces = line.closed ? count : count - 1;
+    start(line.points.front());
+    for (std::size_t i = 0; i < pieces; ++i) {
+      const std::size_t j = (i + 1) % count;
+      const double a = line.widths[i].mm(), b = line.widths[j].mm();
+      const auto parts = std::max<std::int64_t>(
+          1, std::llround(std::ceil(std::abs(a - b) / (kWidthStep / 2 * std::max(a, b)))));
+      for (std::int64_t part = 0; part < parts; ++part) {
+        const double t0 = static_cast<double>(part) / static_cast<double>(parts);
+        const double t1 = static_cast<double>(part + 1) / static_cast<double>(parts);
+        add(between(line.points[i], line.points[j], t1), a + (b - a) * (t0 + t1) / 2, roads);
+      }
+    }
+    const bool whole = line.closed && points_.front() == line.points.front();
+    finish(roads, whole);
+  }
+
+ private:
+  void start(Point point) {
+    points_ = {point};
+    low_ = high_ = room_mm2_ = length_mm_ = 0;
+  }
+
+  void add(Point to, double room_mm, std::vector<Road>& roads) {
+    const double low = length_mm_ > 0 ? std::min(low_, room_mm) : room_mm;
+    const double high = length_mm_ > 0 ? std::max(high_, room_mm) : room_mm;
+    const bool long_enough = length_mm_ >= settings_.road_width.mm();
+    if (long_enough && high > low * (1 + kWidthStep)) {
+      const Point from = points_.back();
+      finish(roads, false);
+      start(from);
+      low_ = high_ = room_mm;
+    } else {
+      low_ = low;
+      high_ = high;
+    }
+    const double mm = distance_mm(points_.back(), to);
+    if (mm == 0) return;
+    points_.push_back(to);
+    length_mm_ += mm;
+    room_mm2_ += mm * room_mm;
+  }
+
+  void finish(std::vector<Road>& roads, bool closed) {
+    const double narrowest = settings_.road_width_min.mm();
+    if (points_.size() < 2 || room_mm2_ < kCrumbSquares * narrowest * narrowest) return;
+    const double width = std::max(room_mm2_ / length_mm_ + side_mm_, narrowest);
+    if (closed && points_.back() == points_.front()) points_.pop_back();
+    closed = closed && points_.size() >= 3;
+    roads.push_back({RoadKind::kRest, Length::from_mm(width), closed, points_});
+  }
+
+  const Settings& settings_;
+  double side_mm_ = 0;  // what a bead's round sides need beyond the room
+  std::vector<Point> points_;
+  double low_ = 0;
+  double high_ = 0;
+  double room_mm2_ = 0;
+  double length_mm_ = 0;
+};
+
+}  // namespace
+
+std::vector<Road> rest_roads(const Region& rest, RestEdges edges, Length layer_height,
+                             const Settings& settings) {
+  std::vector<Road> roads;
+  const Region pieces = without_crumbs(rest, settings);
+  if (pieces.empty()) return roads;
+  const double share = edges == RestEdges::kRoads ? kRoomMinShare : 1;
+  const Length narrowest = Length::from_mm(share * settings.road_width_min.mm());
+  const Length widest = Length::from_mm(kRoomMaxWidths * settings.road_width.mm());
+  Cutter cutter(edges, layer_height, settings);
+  for (const ThickPolyline& line : medial_axis(pieces, narrowest, widest)) cutter.cut(line, roads);
+  return roads;
+}
+
+}  // namespace core

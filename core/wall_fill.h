@@ -1,0 +1,31 @@
+// Fills the wall, without a void and without laying more than it holds.
+//
+//     wide parts     parallel roads at the fill angle, joined at their ends (line_fill.h)
+//     bands          where only some three roads fit side by side: a road along each edge
+//     rests          what both leave: roads of their own width (rest_fill.h)
+//
+// Joins lay material that the rows they connect have laid already, and rows that end before the
+// edge lay too little there. With s the volume-true distance, c the depth at which rows end, b the
+// mean breadth of a piece and p the rows' distance, both cancel when
+//
+//     p = s (1 + (p − 2c) / b)
+//
+// so that a narrow piece gets rows a little farther apart (never so far that beads don't touch),
+// and what then is missing or too much is made up by the roads' width: what is laid is what the
+// piece holds.
+#pragma once
+
+#include <vector>
+
+#include "core/region.h"    // Region
+#include "core/road.h"      // Road
+#include "core/settings.h"  // Settings
+#include "core/units.h"     // LayerIndex, Length
+
+namespace core {
+
+// COSTS: up to four mountains of the wall's outline, and booleans with the outlines of its roads.
+[[nodiscard]] std::vector<Road> wall_roads(const Region& wall, LayerIndex layer, Length height,
+                                           const Settings& settings);
+
+}  // namespace core
