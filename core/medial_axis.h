@@ -3,11 +3,18 @@
 //
 //      ____________________
 //     |                    |      width = 2 · clearance, the distance to the nearest boundary;
-//     |··o-----o-----o-----o      lines run along the ridge of the Voronoi mountain, spurs into
-//     |____________________|      corners are dropped, open ends reach the region's own end
+//     |  o-----o-----o-----o      lines run along the ridge of the Voronoi mountain
+//     |____________________|
 //
-// Source: the Voronoi diagram of the contours (DETC2000/DAC-14285), its ridge filtered in the
-// manner of Slic3r's MedialAxis (Ranellucci, 2014).
+// A road has round ends, half its width long: so a line ends where its round end touches the
+// region's end, and all its discs together are what the region holds of that width. Spurs into
+// corners wider than 60° are dropped (the round end loses no more there than at any corner of a
+// wall); sharper ones are wedges, and followed until they are narrower than width_min. Three or
+// more lines that meet all end in the point where they meet.
+//
+// Source: the Voronoi diagram of the contours (DETC2000/DAC-14285), its ridge filtered to the
+// purpose of Slic3r's MedialAxis (Ranellucci, 2014); spurs are told by how far they reach beyond
+// the disc that they leave from.
 #pragma once
 
 #include <vector>
@@ -27,9 +34,10 @@ struct ThickPolyline {
 
 // The lines of `region` where its width lies within [width_min, width_max].
 // REQUIRES: 0 < width_min <= width_max.
-// ENSURES: points.size() == widths.size() >= 2; every point lies within the region. A point's
-// width is twice its distance to the boundary, except at an open end that was drawn on to the
-// region's end, where it is the width of the point before.
+// ENSURES: points.size() == widths.size() >= 2 (3 when closed), neighbours differ; every point
+// lies within the region and its width is twice its distance to the boundary, both to a unit.
+// Should every Voronoi diagram of the region fail its checks, however turned (never seen), there
+// are no lines: the gap stays open.
 // COSTS: as VoronoiMountain.
 [[nodiscard]] std::vector<ThickPolyline> medial_axis(const Region& region, Length width_min,
                                                      Length width_max);

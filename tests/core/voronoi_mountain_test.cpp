@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <polyclipping/clipper.hpp>
+#include <string>
 
 #include "core/boolean.h"
 #include "core/capsule_offset.h"
@@ -126,7 +127,7 @@ TEST_CASE("a reflex corner gives a clockwise arc about itself") {
 }
 
 TEST_CASE("touching contours, needles and slots") {
-  const char* const shapes[] = {
+  const std::string shapes[] = {
       "0:0 4:0 4:4 0:4, 4:4 8:4 8:8 4:8",                       // corner to corner
       "0:0 4:0 4:4 0:4, 2:4 3:6 1:6",                           // corner to edge
       "0:0 10:0 10:10 0:10, 5:0 0:5 5:10 10:5",                 // a hole that touches
@@ -139,7 +140,7 @@ TEST_CASE("touching contours, needles and slots") {
       "0:0 30:0 30:30 0:30, 10:10 10:20 20:20 20:10, 12:12 18:12 18:18 12:18",
   };
   Random random(1);
-  for (const char* shape : shapes) {
+  for (const std::string& shape : shapes) {
     CAPTURE(shape);
     const Region region = region_from_text(shape);
     const VoronoiMountain mountain(region);

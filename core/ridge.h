@@ -1,0 +1,48 @@
+// The ridge of the Voronoi mountain inside a region, without the spurs into its corners.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/voronoi_diagram.h"  // VoronoiDiagram
+
+namespace core {
+
+// A graph on the diagram's vertices; edges are named by one of their halves.
+class Ridge {
+ public:
+  // REQUIRES: diagram outlives the ridge.
+  explicit Ridge(const VoronoiDiagram& diagram);
+
+  // A spur, the branch from a free end to the first fork, goes when it reaches beyond the disc
+  // about that fork by no more than the disc's radius: corners of 60° and more do. What spurs of
+  // its own a branch has lost counts as its reach. Where all branches of a fork would go, the two
+  // that reach farthest stay.
+  // COSTS: O(edges) for each generation of spurs on spurs.
+  void drop_spurs();
+
+  // Halves of the edges that are left, one for each.
+  [[nodiscard]] std::vector<std::uint32_t> edges() const;
+
+  // On the region's contour, where no line goes on even if another begins there.
+  [[nodiscard]] bool on_contour(std::uint32_t vertex) const;
+
+ private:
+  struct Branch {
+    std::vector<std::uint32_t> edges;
+    std::uint32_t end = 0;
+    double reach = 0;  // from its end to the farthest that it covers
+  };
+
+  [[nodiscard]] bool is_end(std::uint32_t vertex) const;
+  [[nodiscard]] double length(std::uint32_t edge) const;
+  [[nodiscard]] Branch branch_from(std::uint32_t edge) const;
+  [[nodiscard]] std::uint32_t only_other(std::uint32_t vertex, std::uint32_t edge) const;
+  void remove(const Branch& branch);
+
+  const VoronoiDiagram& diagram_;
+  std::vector<std::vector<std::uint32_t>> leaving_;  // by vertex: halves that leave it
+  std::vector<double> reach_;                        // by vertex: how far discs ever reached
+};
+
+}  // namespace core
