@@ -157,6 +157,8 @@ class GapCloser {
       ++defects.closed_chains;
       if (at % 2 == 1) piece.reverse();
       ring.points.insert(ring.points.end(), piece.points.begin(), piece.points.end());
+      ring.segments.insert(ring.segments.end(), piece.segments.begin(), piece.segments.end());
+      ring.segments.push_back(kNoSegment);
       ring.along.facets += piece.along.facets;
       ring.along.length_units += piece.along.length_units;
       ring.against.facets += piece.against.facets;

@@ -6,7 +6,7 @@
 
 #include "core/boolean.h"         // clean
 #include "core/check.h"           // RIND_CHECK
-#include "core/segment_chains.h"  // rings_of
+#include "core/segment_chains.h"  // rings_of, OnOneLine
 #include "core/simplify.h"        // simplify
 
 namespace core {
@@ -48,6 +48,34 @@ Segment cut_triangle(const Triangle& triangle, std::int64_t doubled_z) {
     (above(a, doubled_z) ? segment.from : segment.to) = crossing(a, b, doubled_z);
   }
   return segment;
+}
+
+// Whether both facets stand upright on one line, as on a wall that goes straight up.
+bool on_one_wall(const Triangle& a, const Triangle& b) {
+  const auto flat = [](const Vertex& v) { return Point{v.x, v.y}; };
+  const auto& [p, q, r] = a.corners;
+  if (cross(flat(p), flat(q), flat(r)) != 0) return false;
+  const Point begin = flat(p), end = flat(q) == begin ? flat(r) : flat(q);
+  return std::all_of(b.corners.begin(), b.corners.end(),
+                     [&](const Vertex& corner) { return cross(begin, end, flat(corner)) == 0; });
+}
+
+// A mesh that is inside out gives the same part, and the same rings.
+void turn_outwards(std::vector<Ring>& rings) {
+  double doubled_area = 0;
+  for (const Ring& ring : rings) doubled_area += doubled_area_units(ring);
+  if (doubled_area >= 0) return;
+  for (Ring& ring : rings) std::reverse(ring.begin() + 1, ring.end());
+}
+
+// Equal slices are to be equal in memory: each ring from its lowest point on, rings in order.
+Region in_one_order(const Region& region) {
+  std::vector<Ring> rings = region.rings();
+  for (Ring& ring : rings) {
+    std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
+  }
+  std::sort(rings.begin(), rings.end());
+  return Region::from_clean_rings(std::move(rings));
 }
 
 }  // namespace
@@ -98,11 +126,15 @@ Result<std::optional<Slice>> PlaneSweep::next() {
   slice.index = next_index_;
   slice.bottom = options_.layer_height * next_index_;
   slice.height = options_.layer_height;
-  std::vector<Ring> rings = rings_of(cut(doubled_z), options_.chain_gap_max, slice.defects);
+  const OnOneLine on_one_line = [this](SegmentIndex a, SegmentIndex b) {
+    return on_one_wall(held_[a], held_[b]);
+  };
+  std::vector<Ring> rings =
+      rings_of(cut(doubled_z), options_.chain_gap_max, on_one_line, slice.defects);
   for (Ring& ring : rings) ring = simplify(ring, options_.simplify_tolerance);
   std::erase_if(rings, [](const Ring& ring) { return ring.empty(); });
-  std::sort(rings.begin(), rings.end());
-  slice.region = clean(rings, FillRule::kNonZero);
+  turn_outwards(rings);
+  slice.region = in_one_order(clean(rings, FillRule::kNonZero));
   ++next_index_;
   return std::optional<Slice>(std::move(slice));
 }

@@ -9,9 +9,10 @@
 //               triangles on it get the same point, bit for bit:
 //                   x = x0 + (x1 − x0) (z − z0) / (z1 − z0), rounded once, in integers
 //
-// The segments are chained (segment_chains.h), simplified, and cleaned by winding number other
-// than 0: what several bodies share is inside, and a mesh that is inside out is a part all the
-// same.
+// The segments are chained (segment_chains.h; points between two facets of one upright wall are
+// left out, exactly, so that walls that go straight up give equal slices), simplified, and cleaned
+// by winding number other than 0: what several bodies share is inside, and a mesh that is inside
+// out is a part all the same.
 #pragma once
 
 #include <cstdint>
@@ -53,6 +54,7 @@ class PlaneSweep {
 
  private:
   [[nodiscard]] Status take_triangles_below(std::int64_t doubled_z);
+  // One for each triangle held, in the same order.
   [[nodiscard]] std::vector<Segment> cut(std::int64_t doubled_z) const;
 
   Options options_;

@@ -5,7 +5,10 @@
 #include <cstddef>
 #include <iterator>
 #include <optional>
+#include <tuple>
 #include <utility>
+
+#include "core/check.h"  // RIND_DCHECK
 namespace core {
 namespace {
 
@@ -15,6 +18,7 @@ using Node = std::uint32_t;
 struct Link {
   Node from = 0;
   Node to = 0;
+  SegmentIndex segment = 0;
   double length_units = 0;
 };
 
@@ -34,14 +38,19 @@ std::vector<Point> unique_points(const std::vector<Segment>& segments) {
   return points;
 }
 
-// Leaves out what is there twice; see the header. `segments` is sorted and has no point twice.
+// Leaves out what is there twice; see the header.
 class Links {
  public:
   explicit Links(const std::vector<Segment>& segments) : points_(unique_points(segments)) {
     degree_.assign(points_.size(), 0);
     surplus_.assign(points_.size(), 0);
     links_.reserve(segments.size());
-    for (const Segment& s : segments) add(s);
+    for (SegmentIndex i = 0; i < segments.size(); ++i) {
+      const Segment& s = segments[i];
+      if (s.from == s.to) continue;
+      links_.push_back({node(s.from), node(s.to), i, length_units(s.from, s.to)});
+    }
+    drop_copies();
     drop_reversed_pairs();
   }
 
@@ -55,17 +64,21 @@ class Links {
     return static_cast<Node>(place - points_.begin());
   }
 
-  void add(const Segment& s) {
-    const Link link{node(s.from), node(s.to), length_units(s.from, s.to)};
-    if (!links_.empty() && links_.back().from == link.from && links_.back().to == link.to) {
-      ++doubled_;
-      return;
+  void drop_copies() {
+    std::sort(links_.begin(), links_.end(), [](const Link& a, const Link& b) {
+      return std::tie(a.from, a.to, a.segment) < std::tie(b.from, b.to, b.segment);
+    });
+    const auto first_copy =
+        std::unique(links_.begin(), links_.end(),
+                    [](const Link& a, const Link& b) { return a.from == b.from && a.to == b.to; });
+    doubled_ += links_.end() - first_copy;
+    links_.erase(first_copy, links_.end());
+    for (const Link& link : links_) {
+      ++degree_[link.from];
+      ++degree_[link.to];
+      ++surplus_[link.from];
+      --surplus_[link.to];
     }
-    links_.push_back(link);
-    ++degree_[link.from];
-    ++degree_[link.to];
-    ++surplus_[link.from];
-    --surplus_[link.to];
   }
 
   [[nodiscard]] bool has(Node from, Node to) const {
@@ -151,6 +164,7 @@ class Walker {
     if (chain.points.size() < 2) return;
     const bool closed = chain.points.front() == chain.points.back();
     if (closed) chain.points.pop_back();
+    RIND_DCHECK(chain.segments.size() == chain.points.size() - (closed ? 0 : 1));
     (closed ? chains.closed : chains.open).push_back(std::move(chain));
   }
 
@@ -175,6 +189,7 @@ class Walker {
       tally.length_units += link.length_units;
       node = along ? link.to : link.from;
       chain.points.push_back(points_[node]);
+      chain.segments.push_back(link.segment);
       if (closes && node == start) break;
     }
     if (chain.against.length_units > chain.along.length_units) chain.reverse();
@@ -188,24 +203,39 @@ class Walker {
   ByNode coming_;
 };
 
+// REQUIRES: the chain is closed.
+Ring without_points_on_lines(const Chain& chain, const OnOneLine& on_one_line) {
+  Ring ring;
+  ring.reserve(chain.points.size());
+  SegmentIndex before = chain.segments.back();
+  for (std::size_t i = 0; i < chain.points.size(); ++i) {
+    const SegmentIndex after = chain.segments[i];
+    const bool gap = before == kNoSegment || after == kNoSegment;
+    if (gap || !on_one_line(before, after)) ring.push_back(chain.points[i]);
+    before = after;
+  }
+  return ring;
+}
+
 }  // namespace
 
+// Of a closed chain, the last segment stays where it is: it leads to the other end now.
 void Chain::reverse() {
   std::reverse(points.begin(), points.end());
+  std::reverse(segments.begin(), segments.begin() + static_cast<std::ptrdiff_t>(points.size()) - 1);
   std::swap(along, against);
 }
 
-Chains chain_segments(std::vector<Segment> segments) {
-  std::erase_if(segments, [](const Segment& s) { return s.from == s.to; });
-  std::sort(segments.begin(), segments.end());
+Chains chain_segments(const std::vector<Segment>& segments) {
   const Links links(segments);
   Chains chains = Walker(links).walk_all();
   chains.doubled_facets = links.doubled();
   return chains;
 }
 
-std::vector<Ring> rings_of(std::vector<Segment> segments, Length gap_max, SliceDefects& defects) {
-  Chains chains = chain_segments(std::move(segments));
+std::vector<Ring> rings_of(const std::vector<Segment>& segments, Length gap_max,
+                           const OnOneLine& on_one_line, SliceDefects& defects) {
+  Chains chains = chain_segments(segments);
   defects.doubled_facets += chains.doubled_facets;
   if (!chains.open.empty()) {
     std::vector<Chain> closed = closed_across_gaps(std::move(chains.open), gap_max, defects);
@@ -213,9 +243,9 @@ std::vector<Ring> rings_of(std::vector<Segment> segments, Length gap_max, SliceD
   }
   std::vector<Ring> rings;
   rings.reserve(chains.closed.size());
-  for (Chain& chain : chains.closed) {
+  for (const Chain& chain : chains.closed) {
     defects.flipped_facets += chain.against.facets;
-    rings.push_back(std::move(chain.points));
+    rings.push_back(without_points_on_lines(chain, on_one_line));
   }
   return rings;
 }

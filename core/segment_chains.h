@@ -14,7 +14,10 @@
 // The result does not depend on the order of the segments.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <limits>
 #include <vector>
 
 #include "core/geometry.h"  // Point, Ring, Segment
@@ -23,6 +26,10 @@
 
 namespace core {
 
+// Where in the vector a segment came from; a gap that was closed came from nowhere.
+using SegmentIndex = std::size_t;
+inline constexpr SegmentIndex kNoSegment = std::numeric_limits<SegmentIndex>::max();
+
 // Points joined by segments in one go, and how the segments are turned.
 struct Chain {
   struct Tally {
@@ -30,7 +37,8 @@ struct Chain {
     double length_units = 0;
   };
   std::vector<Point> points;
-  Tally along;    // turned as the points run
+  std::vector<SegmentIndex> segments;  // from each point to the next
+  Tally along;                         // turned as the points run
   Tally against;  // turned the other way: flipped facets, if they are the lesser part
 
   [[nodiscard]] double length_units() const { return along.length_units + against.length_units; }
@@ -44,7 +52,7 @@ struct Chains {
 };
 
 // COSTS: O(n log n).
-[[nodiscard]] Chains chain_segments(std::vector<Segment> segments);
+[[nodiscard]] Chains chain_segments(const std::vector<Segment>& segments);
 
 // Joins ends of open chains, nearest first:
 //   - up to `gap_max` any two ends;
@@ -61,8 +69,12 @@ struct Chains {
 inline constexpr double kGapShareMax = 0.9;
 inline constexpr std::size_t kWideGapChainsMax = 64;
 
-// Both of the above, every ring turned as most of its length is.
-[[nodiscard]] std::vector<Ring> rings_of(std::vector<Segment> segments, Length gap_max,
-                                         SliceDefects& defects);
+// Whether two segments lie on one straight line, whatever the rounding of their ends.
+using OnOneLine = std::function<bool(SegmentIndex, SegmentIndex)>;
+
+// All of the above: every ring turned as most of its length is, without the points between two
+// segments on one line.
+[[nodiscard]] std::vector<Ring> rings_of(const std::vector<Segment>& segments, Length gap_max,
+                                         const OnOneLine& on_one_line, SliceDefects& defects);
 
 }  // namespace core

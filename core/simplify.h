@@ -1,10 +1,9 @@
 // Leaves out points that a contour doesn't need.
 //
-// Two steps. First, points that lie on a straight line but for the rounding to the grid go: facets
-// that share a plane leave such points, elsewhere in each layer, and walls that go straight up are
-// to give equal slices. Then Ramer–Douglas–Peucker (Ramer 1972; Douglas and Peucker 1973): a run
-// of points is replaced by its chord where all of it lies within the tolerance, and is split at
-// its farthest point where not.
+// Two steps. First, points that lie on a straight line but for the rounding to the grid go, such as
+// facets in one slanted plane leave. Then Ramer–Douglas–Peucker (Ramer 1972; Douglas and Peucker
+// 1973): a run of points is replaced by its chord where all of it lies within the tolerance, and is
+// split at its farthest point where not.
 #pragma once
 
 #include "core/geometry.h"  // Ring

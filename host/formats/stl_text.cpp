@@ -124,16 +124,20 @@ class TextStlReader : public StlReader {
     return "facet " + std::to_string(facets_ + 1) + " (line " + std::to_string(words_.line()) + ")";
   }
 
-  [[nodiscard]] Error unexpected(std::string_view word, const std::string& wanted) const {
-    if (word.empty()) {
-      return bad_part(place(), "the file ends where " + wanted +
-                                   " should be: it is cut short; copy or export it again");
-    }
+  // `word` is what next() gave last.
+  [[nodiscard]] Error unexpected(std::string_view word, const std::string& wanted) {
     std::string shown(word.substr(0, 40));
     std::replace_if(
         shown.begin(), shown.end(),
         [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }, '?');
-    return bad_part(place(), "'" + shown + "' where " + wanted + " should be; repair the file");
+    const Result<std::string_view> rest = file_.window(1);
+    if (!rest.ok()) return rest.error();
+    const std::string should_be = " where " + wanted + " should be";
+    if (!rest.value().empty()) {
+      return bad_part(place(), "'" + shown + "'" + should_be + "; repair the file");
+    }
+    return bad_part(place(), "the file ends" + (word.empty() ? "" : " with '" + shown + "'") +
+                                 should_be + ": it is cut short; copy or export it again");
   }
 
   [[nodiscard]] Result<std::optional<core::Triangle>> end() {
