@@ -1,0 +1,210 @@
+#include "tests/support/source_rules.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstddef>
+#include <set>
+
+#include "tests/support/source_text.h"
+
+namespace test {
+namespace {
+
+constexpr std::size_t kColumnsMax = 100;
+constexpr std::size_t kFileLinesMax = 400;
+constexpr std::size_t kFunctionLinesMax = 70;
+
+std::string at(const Source& source, std::size_t line, const std::string& what) {
+  return source.path + ":" + std::to_string(line) + ": " + what;
+}
+
+bool is_header(const std::string& path) { return path.ends_with(".h"); }
+
+bool is_code(const std::string& path) { return is_header(path) || path.ends_with(".cpp"); }
+
+bool within(const std::string& path, std::string_view place) { return path.starts_with(place); }
+
+struct Library {
+  std::string_view header;                    // or the beginning of its name
+  std::array<std::string_view, 3> allowed{};  // sources, or the beginnings of their names
+};
+
+// A library's name occurs in one source, or in few; never in a header. Tests may use any.
+constexpr std::array kLibraries = {
+    Library{"boost/polygon/polygon.hpp", {"core/boolean.cpp"}},
+    Library{"boost/polygon/voronoi", {"core/voronoi_diagram.cpp"}},
+    Library{"libserialport.h", {"firmware_link/serial_port.cpp", "firmware_link/ports.cpp"}},
+    Library{"ini.h", {"host/settings_file.cpp"}},
+    Library{"CLI/", {"host/options.cpp", "tools/"}},
+    Library{"fast_float/", {"host/formats/"}},
+    Library{"spdlog/", {"host/"}},
+    Library{"nlohmann/", {"host/", "tools/"}},
+    Library{"tbb/", {"host/"}},
+    Library{"oneapi/", {"host/"}},
+    Library{"fmt/", {"host/", "tools/"}},
+    Library{"benchmark/", {"tools/"}},
+    Library{"doctest/", {"tests/"}},
+    Library{"polyclipping/", {"tests/"}},
+};
+
+// What the inner rooms do without: the outermost one knows threads, clocks and files.
+constexpr std::array<std::string_view, 11> kOutermost = {
+    "thread",   "mutex",   "condition_variable", "future", "ctime", "fstream",
+    "iostream", "ostream", "filesystem",         "random", "atomic"};
+
+// check.cpp writes one line before the program ends; the ports touch the operating system.
+bool may_touch_system(const std::string& path) {
+  const bool pure = within(path, "core/") || within(path, "firmware_link/");
+  return !pure || path.ends_with("/check.cpp") ||
+         (within(path, "firmware_link/") &&
+          (path.ends_with("_port.cpp") || path.ends_with("/ports.cpp")));
+}
+
+// Which rooms a room may include from.
+bool arrow_exists(const std::string& path, std::string_view included) {
+  const auto from = [&](std::string_view room) { return included.starts_with(room); };
+  if (within(path, "core/")) return from("core/");
+  if (within(path, "firmware_link/")) return from("firmware_link/");
+  const bool inner = from("core/") || from("firmware_link/") || from("host/");
+  if (within(path, "host/")) return inner;
+  if (within(path, "tools/")) return inner || from("tools/");
+  return inner || from("tools/") || from("tests/");
+}
+
+void check_library(const Source& source, const Include& include, Complaints& complaints) {
+  const auto complain = [&](const std::string& what) {
+    complaints.push_back(at(source, include.line, "<" + include.name + "> " + what));
+  };
+  const auto* library = std::find_if(kLibraries.begin(), kLibraries.end(), [&](const Library& l) {
+    return include.name.starts_with(l.header);
+  });
+  const bool tests = within(source.path, "tests/");
+  if (library != kLibraries.end()) {
+    const bool allowed = std::any_of(
+        library->allowed.begin(), library->allowed.end(),
+        [&](std::string_view place) { return !place.empty() && within(source.path, place); });
+    if (!tests && is_header(source.path)) complain("is a library's: no header may include it");
+    if (!tests && !allowed) complain("is a library's that belongs elsewhere");
+    return;
+  }
+  const bool standard = include.name.find_first_of("./") == std::string::npos;
+  if (standard) {
+    const bool outermost =
+        std::find(kOutermost.begin(), kOutermost.end(), include.name) != kOutermost.end();
+    if (outermost && !may_touch_system(source.path)) complain("has no place in this room");
+    return;
+  }
+  const bool system = include.name.ends_with(".h") &&
+                      (include.name.find('/') == std::string::npos ||
+                       within(include.name, "sys/") || within(include.name, "netinet/") ||
+                       within(include.name, "arpa/") || within(include.name, "linux/"));
+  if (!system) return complain("is not in the table of libraries");
+  if (!may_touch_system(source.path)) complain("is the operating system's");
+}
+
+}  // namespace
+
+Complaints check_size(const Source& source) {
+  Complaints complaints;
+  if (!is_code(source.path)) return complaints;
+  const std::vector<std::string> lines = lines_of(source.text);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    // Bytes that continue a code point look like 10xxxxxx.
+    const auto columns = static_cast<std::size_t>(
+        std::count_if(lines[i].begin(), lines[i].end(), [](char c) { return (c & 0xC0) != 0x80; }));
+    if (columns > kColumnsMax) {
+      complaints.push_back(at(source, i + 1, std::to_string(columns) + " columns"));
+    }
+  }
+  if (lines.size() > kFileLinesMax) {
+    complaints.push_back(at(source, lines.size(), std::to_string(lines.size()) + " lines"));
+  }
+  return complaints;
+}
+
+Complaints check_functions(const Source& source) {
+  Complaints complaints;
+  if (!is_code(source.path)) return complaints;
+  for (const Function& function : functions_of(source.text)) {
+    const std::size_t lines = function.last_line - function.first_line + 1;
+    if (lines > kFunctionLinesMax) {
+      complaints.push_back(
+          at(source, function.first_line, "a function of " + std::to_string(lines) + " lines"));
+    }
+  }
+  return complaints;
+}
+
+Complaints check_words(const Source& source) {
+  // In halves, so that they do not stand here.
+  static const std::array<std::string, 5> kBanned = {
+      std::string("TO") + "DO", std::string("FIX") + "ME", std::string("XX") + "X",
+      std::string("/wo") + "rk/", std::string("../sha") + "red"};
+  Complaints complaints;
+  const std::vector<std::string> lines = lines_of(source.text);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    for (const std::string& word : kBanned) {
+      if (lines[i].find(word) != std::string::npos) {
+        complaints.push_back(at(source, i + 1, "says " + word));
+      }
+    }
+  }
+  return complaints;
+}
+
+Complaints check_guard(const Source& source) {
+  if (!is_header(source.path)) return {};
+  for (const std::string& line : lines_of(source.text)) {
+    if (line == "#pragma once") return {};
+  }
+  return {at(source, 1, "has no #pragma once")};
+}
+
+Complaints check_includes(const Source& source) {
+  Complaints complaints;
+  if (!is_code(source.path)) return complaints;
+  for (const Include& include : includes_of(source.text)) {
+    if (!include.quoted) {
+      check_library(source, include, complaints);
+    } else if (!arrow_exists(source.path, include.name)) {
+      complaints.push_back(
+          at(source, include.line, "\"" + include.name + "\" is against the arrows"));
+    }
+  }
+  return complaints;
+}
+
+Complaints check_calls(const Source& source) {
+  Complaints complaints;
+  if (may_touch_system(source.path)) return complaints;
+  const std::vector<std::string> lines = lines_of(code_only(source.text));
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    for (const char* call : {"_clock::now", "std::time(", "clock_gettime", "sleep_for", " printf(",
+                             "::printf(", "fprintf(", "fopen(", "std::cerr"}) {
+      if (lines[i].find(call) != std::string::npos) {
+        complaints.push_back(at(source, i + 1, std::string(call) + " has no place in this room"));
+      }
+    }
+  }
+  return complaints;
+}
+
+Complaints check_dead_headers(const std::vector<Source>& sources) {
+  std::set<std::string> included;
+  for (const Source& source : sources) {
+    if (!is_code(source.path)) continue;
+    for (const Include& include : includes_of(source.text)) {
+      if (include.quoted && include.name != source.path) included.insert(include.name);
+    }
+  }
+  Complaints complaints;
+  for (const Source& source : sources) {
+    if (is_header(source.path) && !included.contains(source.path)) {
+      complaints.push_back(at(source, 1, "no file includes this header"));
+    }
+  }
+  return complaints;
+}
+
+}  // namespace test
