@@ -1,0 +1,48 @@
+// The subcommands, one file each, and what they begin with in common. Each returns the exit code,
+// having told the user all there is to tell.
+#pragma once
+
+#include <string>
+
+#include "core/result.h"     // Result
+#include "core/settings.h"   // Settings
+#include "host/options.h"    // Options
+#include "host/part_file.h"  // OpenedPart
+#include "host/progress.h"   // Reporter
+#include "host/statistics.h"
+
+namespace host {
+
+int print_command(const Options& options, Reporter& reporter);
+int slice_command(const Options& options, Reporter& reporter);
+int plan_command(const Options& options, Reporter& reporter);
+int show_command(const Options& options, Reporter& reporter);
+int ports_command(const Options& options, Reporter& reporter);
+int settings_command(const Options& options, Reporter& reporter);
+
+// Profile, then the command line's assignments, then the check that all fit together.
+[[nodiscard]] core::Result<core::Settings> load_settings_of(const Options& options,
+                                                            Reporter& reporter);
+
+struct Job {
+  core::Settings settings;
+  OpenedPart part;
+};
+
+// Settings and part, both checked: nothing that can be known beforehand is wrong with them.
+[[nodiscard]] core::Result<Job> open_job(const Options& options, Reporter& reporter);
+
+// What was mended in the part, if anything.
+void report_defects(const DefectLog& defects, Reporter& reporter);
+
+// Writes --stats, if asked for. Returns `exit_code`, or why the file could not be written.
+[[nodiscard]] int save_statistics(const Options& options, const GeometryStatistics& geometry,
+                                  const LinkStatistics* link, int exit_code, Reporter& reporter);
+
+// Reports an error of the part, a setting or a file, and returns its exit code.
+[[nodiscard]] int fail(const core::Error& error, Reporter& reporter);
+
+// The part's name without its folder, for titles.
+[[nodiscard]] std::string part_title(const std::string& path);
+
+}  // namespace host

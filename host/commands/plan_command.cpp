@@ -1,0 +1,105 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <iterator>
+#include <numbers>
+#include <string>
+
+#include "host/commands/commands.h"
+#include "host/exit_codes.h"
+#include "host/pipeline.h"
+#include "host/stop_signals.h"
+
+namespace host {
+namespace {
+
+// PLA's; the filament's own isn't known. For the weight in the table only.
+constexpr double kDensityGramsCm3 = 1.24;
+
+double grams(double filament_mm, const core::Settings& settings) {
+  const double radius_mm = settings.filament_diameter.mm() / 2;
+  return filament_mm * std::numbers::pi * radius_mm * radius_mm * 1e-3 * kDensityGramsCm3;
+}
+
+std::string spaced(core::RoadKind kind) {
+  std::string name = road_kind_name(kind);
+  for (char& c : name) c = c == '_' ? ' ' : c;
+  return name;
+}
+
+std::string table(const Options& options, const Job& job, const GeometryStatistics& statistics) {
+  std::string text;
+  const auto out = std::back_inserter(text);
+  const core::Box& box = job.part.summary.box;
+  const auto mm = [](std::int64_t units) { return core::Length::from_units(units).mm(); };
+  fmt::format_to(out, "part       {} ({}, {} facets)\n", part_title(options.part),
+                 job.part.summary.format, job.part.summary.facets);
+  fmt::format_to(out, "size       {:.2f} x {:.2f} x {:.2f} mm\n", mm(box.max.x - box.min.x),
+                 mm(box.max.y - box.min.y), job.part.summary.height.mm());
+  fmt::format_to(out, "layers     {} of {:g} mm, wall {:g} mm = {} layers\n", statistics.layers,
+                 job.settings.layer_height.mm(), job.settings.wall_thickness.mm(),
+                 core::wall_layers(job.settings));
+  const double volume = statistics.solid_mm3 + statistics.loose_mm3;
+  fmt::format_to(out, "volume     {:.2f} cm3, of it wall {:.1f} %\n", volume / 1'000,
+                 volume > 0 ? 100 * statistics.solid_mm3 / volume : 0);
+  const double total = total_mm(statistics.filament_mm);
+  fmt::format_to(out, "filament   {:9.1f} mm {:8.2f} g (at {:g} g/cm3)\n", total,
+                 grams(total, job.settings), kDensityGramsCm3);
+  for (std::size_t i = 0; i < statistics.filament_mm.size(); ++i) {
+    const double used = statistics.filament_mm[i];
+    if (used == 0) continue;
+    fmt::format_to(out, "  {:<16} {:9.1f} mm {:8.2f} g {:5.1f} %\n",
+                   spaced(static_cast<core::RoadKind>(i)), used, grams(used, job.settings),
+                   100 * used / total);
+  }
+  fmt::format_to(out, "time       about {}, without heating up\n",
+                 duration_text(statistics.time_s));
+  fmt::format_to(out, "defects    {}\n",
+                 statistics.defects.layers() == 0 ? "none" : statistics.defects.summary());
+  fmt::format_to(out, "held       at most {} layers, {} partial intersections, {} triangles\n",
+                 statistics.peak_layers_held, statistics.peak_regions_held,
+                 statistics.peak_triangles_held);
+  return text;
+}
+
+}  // namespace
+
+int plan_command(const Options& options, Reporter& reporter) {
+  core::Result<Job> opened = open_job(options, reporter);
+  if (!opened.ok()) return fail(opened.error(), reporter);
+  Job& job = opened.value();
+
+  const double began_s = steady_seconds();
+  PipelineOutputs outputs;
+  outputs.on_layer = [&](const core::SplitLayer& layer) {
+    const double now = steady_seconds();
+    ProgressReport report;
+    report.layer = layer.layer.slice.index + 1;
+    report.layers = job.part.summary.layers;
+    report.height = layer.layer.slice.top();
+    report.elapsed_s = now - began_s;
+    reporter.progress(report, now);
+    return true;
+  };
+  // Nothing is done with them, but they are timed and counted.
+  outputs.on_motion = [](const auto&, const auto&) { return stop_signal_count() == 0; };
+  PipelineSignals signals;
+  signals.stop_asked = [] { return stop_signal_count() > 0; };
+  GeometryStatistics statistics;
+  const core::Result<PipelineEnd> end =
+      run_pipeline(job.settings, job.part, outputs, signals, statistics);
+  if (!end.ok()) return fail(end.error(), reporter);
+  if (end.value() == PipelineEnd::kStopped) {
+    reporter.error("stopped", kExitStopped);
+    return kExitStopped;
+  }
+  if (options.json) {
+    std::fputs(statistics_json(statistics, nullptr).c_str(), stdout);
+  } else {
+    reporter.clear();
+    std::fputs(table(options, job, statistics).c_str(), stdout);
+  }
+  return save_statistics(options, statistics, nullptr, kExitDone, reporter);
+}
+
+}  // namespace host

@@ -1,0 +1,131 @@
+#include <fmt/format.h>
+
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "core/check.h"
+#include "host/cli_writer.h"
+#include "host/commands/commands.h"
+#include "host/exit_codes.h"
+#include "host/gcode_writer.h"
+#include "host/output_file.h"
+#include "host/pipeline.h"
+#include "host/stop_signals.h"
+
+namespace host {
+namespace {
+
+// The pipeline's outputs as a file, with the first error that writing met.
+class SliceFile {
+ public:
+  SliceFile(const Job& job, OutputFile file, OutputFormat format, Reporter& reporter)
+      : job_(job), file_(std::move(file)), format_(format), reporter_(reporter) {
+    if (format_ == OutputFormat::kCli) {
+      write_cli_header(job.part.summary.layers, text_);
+    } else {
+      text_ = fmt::format("; sliced by rind, {} layers, {:g} mm roads, {:g} mm wall\n",
+                          job.part.summary.layers, job.settings.road_width.mm(),
+                          job.settings.wall_thickness.mm());
+    }
+  }
+
+  [[nodiscard]] PipelineOutputs outputs() {
+    PipelineOutputs outputs;
+    outputs.on_layer = [this](const core::SplitLayer& layer) { return take(layer); };
+    if (format_ == OutputFormat::kGcode) {
+      outputs.on_motion = [this](const core::Motion& motion,
+                                 const std::optional<firmware_link::Command>& command) {
+        gcode_.write(motion, command, text_);
+        return flush();
+      };
+    }
+    return outputs;
+  }
+
+  [[nodiscard]] core::Status commit() {
+    if (format_ == OutputFormat::kCli) write_cli_end(text_);
+    if (!flush()) return status_;
+    return file_.commit();
+  }
+
+  [[nodiscard]] const core::Status& status() const { return status_; }
+
+ private:
+  bool take(const core::SplitLayer& layer) {
+    const core::Slice& slice = layer.layer.slice;
+    const double now = steady_seconds();
+    ProgressReport report;
+    report.layer = slice.index + 1;
+    report.layers = job_.part.summary.layers;
+    report.height = slice.top();
+    report.elapsed_s = now - began_s_;
+    reporter_.progress(report, now);
+    if (format_ == OutputFormat::kCli) write_cli_layer(layer, text_);
+    return flush();
+  }
+
+  bool flush() {
+    if (status_.ok()) status_ = file_.write(text_);
+    text_.clear();
+    return status_.ok() && stop_signal_count() == 0;
+  }
+
+  const Job& job_;
+  OutputFile file_;
+  OutputFormat format_;
+  Reporter& reporter_;
+  GcodeWriter gcode_;
+  std::string text_;
+  core::Status status_;
+  double began_s_ = steady_seconds();
+};
+
+void report_done(const Options& options, const GeometryStatistics& statistics, Reporter& reporter) {
+  std::string message = fmt::format("{}: {} layers", options.output, statistics.layers);
+  if (options.format == OutputFormat::kGcode) {
+    message +=
+        fmt::format(", {:.2f} m of filament, about {}", total_mm(statistics.filament_mm) / 1'000,
+                    duration_text(statistics.time_s));
+  }
+  reporter.note("done", message,
+                {{"layers", statistics.layers},
+                 {"filament_mm", total_mm(statistics.filament_mm)},
+                 {"time_s", statistics.time_s},
+                 {"output", options.output}});
+}
+
+}  // namespace
+
+int slice_command(const Options& options, Reporter& reporter) {
+  core::Result<Job> opened = open_job(options, reporter);
+  if (!opened.ok()) return fail(opened.error(), reporter);
+  Job& job = opened.value();
+  core::Result<OutputFile> output = OutputFile::open(options.output);
+  if (!output.ok()) return fail(output.error(), reporter);
+
+  SliceFile file(job, std::move(output).value(), options.format, reporter);
+  PipelineSignals signals;
+  signals.stop_asked = [] { return stop_signal_count() > 0; };
+  GeometryStatistics statistics;
+  const core::Result<PipelineEnd> end =
+      run_pipeline(job.settings, job.part, file.outputs(), signals, statistics);
+
+  int exit_code = kExitDone;
+  if (!end.ok()) {
+    exit_code = fail(end.error(), reporter);
+  } else if (!file.status().ok()) {
+    exit_code = fail(file.status().error(), reporter);
+  } else if (end.value() == PipelineEnd::kStopped) {
+    reporter.error("stopped; " + options.output + " is not written", kExitStopped);
+    exit_code = kExitStopped;
+  } else if (const core::Status status = file.commit(); !status.ok()) {
+    exit_code = fail(status.error(), reporter);
+  } else {
+    report_defects(statistics.defects, reporter);
+    report_done(options, statistics, reporter);
+  }
+  return save_statistics(options, statistics, nullptr, exit_code, reporter);
+}
+
+}  // namespace host

@@ -1,0 +1,20 @@
+// Every bound of the host in one place, with its reason.
+#pragma once
+
+#include <cstddef>
+
+namespace host {
+
+// Between geometry and link. 2,048 commands are some 4 to 40 s of printing: enough to bridge a slow
+// layer, little enough that the first road leaves while the next slices are being cut.
+inline constexpr std::size_t kQueuedCommandsMax = 2'048;
+// What these may take in memory.
+inline constexpr std::size_t kQueuedBytesMax = 512 * 1'024;
+
+// Layers whose mended defects are told by height; further ones are only counted.
+inline constexpr std::size_t kDefectHeightsMax = 16;
+
+// Bytes gathered before a write() to an output file.
+inline constexpr std::size_t kFileBufferBytes = 64 * 1'024;
+
+}  // namespace host

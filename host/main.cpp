@@ -1,0 +1,50 @@
+// Arguments in, exit code out; the rest is in commands/.
+#include <cstdio>
+#include <exception>
+#include <variant>
+
+#include "host/commands/commands.h"
+#include "host/exit_codes.h"
+#include "host/options.h"
+#include "host/stop_signals.h"
+
+namespace {
+
+int run(const host::Options& options, host::Reporter& reporter) {
+  switch (options.subcommand) {
+    case host::Subcommand::kPrint:
+      return host::print_command(options, reporter);
+    case host::Subcommand::kSlice:
+      return host::slice_command(options, reporter);
+    case host::Subcommand::kPlan:
+      return host::plan_command(options, reporter);
+    case host::Subcommand::kShow:
+      return host::show_command(options, reporter);
+    case host::Subcommand::kPorts:
+      return host::ports_command(options, reporter);
+    case host::Subcommand::kSettings:
+      return host::settings_command(options, reporter);
+  }
+  return host::kExitUsage;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const auto parsed = host::parse_options(argc, argv);
+  if (const auto* refused = std::get_if<host::OptionsExit>(&parsed)) {
+    std::fputs(refused->text.c_str(), refused->exit_code == host::kExitDone ? stdout : stderr);
+    return refused->exit_code;
+  }
+  const auto& options = std::get<host::Options>(parsed);
+  host::watch_stop_signals();
+  host::Reporter reporter({options.quiet, options.json,
+                           options.output == "-" || options.subcommand == host::Subcommand::kPlan});
+  try {
+    return run(options, reporter);
+  } catch (const std::exception& error) {
+    // Out of memory, or a library's surprise.
+    reporter.error(std::string("gave up: ") + error.what(), host::kExitBadInput);
+    return host::kExitBadInput;
+  }
+}

@@ -1,0 +1,213 @@
+#include "host/options.h"
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <optional>
+#include <sstream>
+
+#include "host/exit_codes.h"
+
+#ifndef RIND_VERSION
+#define RIND_VERSION "0.1.0"
+#endif
+
+namespace host {
+namespace {
+
+constexpr const char* kAbout =
+    "rind prints a part while it is still being sliced: a dense wall where the surface is near, "
+    "loose fill inside, in memory that does not grow with the part's height.";
+
+// Adds `--flag VALUE` as a short way to type `--set key=VALUE`.
+void add_shortcut(CLI::App& command, Options& options, const std::string& flag,
+                  const std::string& key, const std::string& value_name, const std::string& help) {
+  command
+      .add_option_function<std::string>(
+          flag,
+          [&options, key](const std::string& value) {
+            options.assignments.emplace_back(key, value);
+          },
+          help)
+      ->type_name(value_name)
+      ->trigger_on_parse();
+}
+
+void add_assignment(Options& options, const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0) {
+    throw CLI::ValidationError("--set", "'" + text + "' is not KEY=VALUE, as in layer_height=0.2");
+  }
+  options.assignments.emplace_back(text.substr(0, equals), text.substr(equals + 1));
+}
+
+void add_settings(CLI::App& command, Options& options) {
+  command.add_option("--profile", options.profile, "settings file (INI); see 'rind settings'")
+      ->type_name("FILE");
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--set",
+          [&options](const std::vector<std::string>& values) {
+            for (const std::string& value : values) add_assignment(options, value);
+          },
+          "one setting; may be repeated, the last one counts")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false)
+      ->trigger_on_parse();
+  add_shortcut(command, options, "--layer-height", "layer_height", "MM", "thickness of a layer");
+  add_shortcut(command, options, "--wall-thickness", "wall_thickness", "MM",
+               "how deep below the surface everything is dense");
+  add_shortcut(command, options, "--wall", "wall_shape", "SHAPE", "shape of the wall: cylinder");
+  add_shortcut(command, options, "--loose-density", "loose_density", "SHARE",
+               "share of the inside that is filled, 0 to 1");
+}
+
+void add_part(CLI::App& command, Options& options) {
+  command.add_option("PART", options.part, "the part's file, or - for standard input")
+      ->required()
+      ->type_name("");
+}
+
+void add_reports(CLI::App& command, Options& options) {
+  command.add_option("--stats", options.stats, "write statistics to FILE (JSON)")
+      ->type_name("FILE");
+  command.add_flag("--quiet", options.quiet, "no progress, no notes; errors only");
+  command.add_flag("--json", options.json, "events as JSON lines instead of text");
+}
+
+CLI::App* add_print(CLI::App& app, Options& options) {
+  CLI::App* command = app.add_subcommand("print", "print a part while it is being sliced");
+  add_part(*command, options);
+  command
+      ->add_option("--port", options.port,
+                   "serial device of the printer, or 'virtual': a controller inside this "
+                   "program, nothing real is printed")
+      ->type_name("DEVICE");
+  command->add_option("--baud", options.baud, "speed of the serial line")
+      ->type_name("N")
+      ->check(CLI::Range(300, 4'000'000))
+      ->capture_default_str();
+  command
+      ->add_option("--virtual-speed", options.virtual_speed,
+                   "how many times faster than real time the virtual controller's clock "
+                   "runs; 0: as fast as it can")
+      ->type_name("X")
+      ->check(CLI::Range(0.0, 1e6))
+      ->capture_default_str();
+  add_settings(*command, options);
+  add_reports(*command, options);
+  return command;
+}
+
+CLI::App* add_slice(CLI::App& app, Options& options, std::string& format) {
+  CLI::App* command = app.add_subcommand("slice", "write what would be printed to a file");
+  add_part(*command, options);
+  command->add_option("-o,--output", options.output, "OUT.gcode, OUT.cli, or - for standard output")
+      ->type_name("OUT")
+      ->required();
+  command->add_option("--format", format, "gcode or cli, when the name does not say it")
+      ->type_name("FORMAT")
+      ->check(CLI::IsMember({"gcode", "cli"}));
+  add_settings(*command, options);
+  add_reports(*command, options);
+  return command;
+}
+
+CLI::App* add_show(CLI::App& app, Options& options) {
+  CLI::App* command = app.add_subcommand("show", "draw one layer: wall, inside and roads");
+  add_part(*command, options);
+  command->add_option("--layer", options.layer, "which layer; the lowest is 1")
+      ->type_name("N")
+      ->required()
+      ->check(CLI::Range(std::int64_t{1}, INT64_MAX));
+  command->add_option("-o,--output", options.output, "FILE.svg, or - for standard output")
+      ->type_name("FILE")
+      ->required();
+  add_settings(*command, options);
+  add_reports(*command, options);
+  return command;
+}
+
+std::optional<OutputFormat> format_of(const Options& options, const std::string& format) {
+  std::string word = format;
+  if (word.empty() && options.output != "-") {
+    word = std::filesystem::path(options.output).extension().string();
+    if (!word.empty()) word.erase(0, 1);
+  }
+  for (char& c : word) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+  if (word == "gcode" || word == "gco" || word == "g") return OutputFormat::kGcode;
+  if (word == "cli") return OutputFormat::kCli;
+  return std::nullopt;
+}
+
+// CLI11 says only that a command is missing when it met a word that is none.
+std::string explain(const CLI::App& app, const CLI::ParseError& error, int argc,
+                    const char* const* argv) {
+  if (argc < 2 || argv[1][0] == '-' || !app.get_subcommands().empty()) return error.what();
+  std::string known;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    known += (known.empty() ? "" : ", ") + command->get_name();
+  }
+  return "'" + std::string(argv[1]) + "' is not a command; there are " + known;
+}
+
+OptionsExit usage_error(const std::string& message) {
+  return {kExitUsage, "rind: " + message + "\nTry 'rind --help'.\n"};
+}
+
+}  // namespace
+
+std::variant<Options, OptionsExit> parse_options(int argc, const char* const* argv) {
+  Options options;
+  std::string format;
+  CLI::App app(kAbout, "rind");
+  app.set_version_flag("--version", "rind " RIND_VERSION);
+  app.require_subcommand(1);
+  app.footer("rind COMMAND --help tells a command's options.");
+
+  const CLI::App* print = add_print(app, options);
+  const CLI::App* slice = add_slice(app, options, format);
+  CLI::App* plan = app.add_subcommand("plan", "layers, filament, time and defects; prints nothing");
+  add_part(*plan, options);
+  add_settings(*plan, options);
+  add_reports(*plan, options);
+  const CLI::App* show = add_show(app, options);
+  const CLI::App* ports = app.add_subcommand("ports", "list the serial ports");
+  CLI::App* settings = app.add_subcommand("settings", "list all settings with unit and range");
+  add_settings(*settings, options);
+  settings->add_flag("--json", options.json, "as JSON");
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    std::ostringstream out, err;
+    const bool asked = app.exit(error, out, err) == 0;
+    if (asked) return OptionsExit{kExitDone, out.str()};
+    return usage_error(explain(app, error, argc, argv));
+  }
+
+  if (*print) {
+    options.subcommand = Subcommand::kPrint;
+  } else if (*slice) {
+    options.subcommand = Subcommand::kSlice;
+    const std::optional<OutputFormat> known = format_of(options, format);
+    if (!known) {
+      return usage_error(options.output == "-"
+                             ? "'-o -' needs --format gcode or --format cli"
+                             : "'" + options.output +
+                                   "' ends neither in .gcode nor in .cli; name it so, or add "
+                                   "--format gcode or --format cli");
+    }
+    options.format = *known;
+  } else if (*plan) {
+    options.subcommand = Subcommand::kPlan;
+  } else if (*show) {
+    options.subcommand = Subcommand::kShow;
+  } else if (*ports) {
+    options.subcommand = Subcommand::kPorts;
+  } else {
+    options.subcommand = Subcommand::kSettings;
+  }
+  return options;
+}
+
+}  // namespace host

@@ -1,0 +1,51 @@
+// What the user asked for: the command line, read and checked for form. What the settings mean is
+// checked where they are known (settings_table.h).
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "core/units.h"  // LayerIndex
+
+namespace host {
+
+enum class Subcommand { kPrint, kSlice, kPlan, kShow, kPorts, kSettings };
+
+enum class OutputFormat { kGcode, kCli };
+
+struct Options {
+  Subcommand subcommand = Subcommand::kPlan;
+  std::string part;  // "-": standard input
+
+  // print
+  std::string port;  // a device, or "virtual"
+  int baud = 115'200;
+  double virtual_speed = 1;  // seconds of the virtual controller's clock a real second
+
+  // slice, show
+  std::string output;  // "-": standard output
+  OutputFormat format = OutputFormat::kGcode;
+  core::LayerIndex layer = 0;
+
+  // Settings: the profile first, then these in the order they were typed, shortcuts included.
+  std::string profile;  // empty: none
+  std::vector<std::pair<std::string, std::string>> assignments;
+
+  std::string stats;  // file for statistics; empty: none
+  bool quiet = false;
+  bool json = false;
+};
+
+// Nothing to run: help, the version, or words that can't be understood.
+struct OptionsExit {
+  int exit_code = 0;
+  std::string text;  // for standard output when exit_code is 0, else for standard error
+};
+
+// Never throws, never prints.
+[[nodiscard]] std::variant<Options, OptionsExit> parse_options(int argc, const char* const* argv);
+
+}  // namespace host

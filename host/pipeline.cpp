@@ -1,0 +1,182 @@
+#include "host/pipeline.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "core/motion_builder.h"
+#include "core/motion_clock.h"
+#include "core/road_planner.h"
+#include "core/slice_offsets.h"
+#include "core/wall_splitter.h"
+#include "host/motion_encoder.h"
+
+namespace host {
+namespace {
+
+double volume_mm3(const core::Region& region, core::Length height) {
+  return region.area_mm2() * height.mm();
+}
+
+// Nothing where all beads lie on the bed; else what leaves it, and what to do.
+core::Status check_on_bed(const core::Settings& settings, const core::Slice& slice,
+                          const std::vector<core::Road>& roads) {
+  for (const core::Road& road : roads) {
+    const std::int64_t reach = road.width.units() / 2;
+    for (const core::Point point : road.points) {
+      const bool inside = point.x >= reach && point.x + reach <= settings.bed_x.units() &&
+                          point.y >= reach && point.y + reach <= settings.bed_y.units();
+      if (inside) continue;
+      const bool skirt = road.kind == core::RoadKind::kSkirt;
+      return core::Error{
+          core::ErrorCode::kOutOfBounds,
+          fmt::format("layer {}: {} at ({:.2f}, {:.2f}) mm leaves the bed of {:g} x {:g} mm; {}",
+                      slice.index + 1, skirt ? "the skirt" : "a road",
+                      core::Length::from_units(point.x).mm(),
+                      core::Length::from_units(point.y).mm(), settings.bed_x.mm(),
+                      settings.bed_y.mm(),
+                      skirt ? "set skirt_loops=0 or a smaller skirt_distance"
+                            : "move the part or set bed_x and bed_y")};
+    }
+  }
+  return {};
+}
+
+class Pipeline {
+ public:
+  Pipeline(const core::Settings& settings, OpenedPart& part, const PipelineOutputs& outputs,
+           PipelineSignals& signals, GeometryStatistics& statistics)
+      : settings_(settings),
+        part_(part),
+        outputs_(outputs),
+        signals_(signals),
+        statistics_(statistics),
+        splitter_(core::wall_layers(settings)),
+        planner_(settings),
+        builder_(settings),
+        motion_clock_(core::MotionModel{}),
+        sink_([this](const core::Motion& motion) { send(motion); }) {}
+
+  core::Result<PipelineEnd> run() {
+    core::Result<PipelineEnd> end = feed();
+    close_statistics();
+    return end;
+  }
+
+ private:
+  core::Result<PipelineEnd> feed() {
+    while (!stopped()) {
+      clock().enter(Stage::kSlice);
+      core::Result<std::optional<core::Slice>> next = part_.layers->next();
+      if (!next.ok()) return next.error();
+      if (!next.value().has_value()) return drain();
+      core::Slice slice = *std::move(next).value();
+      signals_.slices_cut.fetch_add(1);
+      ++statistics_.layers;
+      statistics_.defects.add(slice);
+
+      clock().enter(Stage::kOffset);
+      core::SliceOffsets offsets = core::slice_offsets(slice, settings_, offset_counters_);
+      clock().enter(Stage::kWindow);
+      std::optional<core::SplitLayer> settled =
+          splitter_.push({std::move(slice), std::move(offsets)});
+      if (settled) {
+        if (core::Status status = settle(*settled); !status.ok()) return status.error();
+      }
+      clock().end_layer();
+    }
+    return PipelineEnd::kStopped;
+  }
+
+  core::Result<PipelineEnd> drain() {
+    while (!stopped()) {
+      clock().enter(Stage::kWindow);
+      const std::optional<core::SplitLayer> settled = splitter_.finish();
+      if (!settled) break;
+      if (core::Status status = settle(*settled); !status.ok()) return status.error();
+      clock().end_layer();
+    }
+    if (stopped()) return PipelineEnd::kStopped;
+    if (wants_roads() && statistics_.roads == 0) {
+      return core::Error{
+          core::ErrorCode::kBadPart,
+          fmt::format("no road fits anywhere: at every height the part is narrower than "
+                      "road_width_min ({:g} mm); is it in millimetres?",
+                      settings_.road_width_min.mm())};
+    }
+    clock().enter(Stage::kEncode);
+    if (outputs_.on_motion) builder_.finish(sink_);
+    return stopped() ? PipelineEnd::kStopped : PipelineEnd::kDone;
+  }
+
+  core::Status settle(const core::SplitLayer& layer) {
+    const core::Slice& slice = layer.layer.slice;
+    statistics_.solid_mm3 += volume_mm3(layer.solid, slice.height);
+    statistics_.loose_mm3 += volume_mm3(layer.loose, slice.height);
+    keep(outputs_.on_layer ? outputs_.on_layer(layer) : true);
+    if (!wants_roads()) return {};
+
+    clock().enter(Stage::kRoads);
+    const std::vector<core::Road> roads = planner_.plan(layer);
+    if (core::Status status = check_on_bed(settings_, slice, roads); !status.ok()) return status;
+    statistics_.roads += static_cast<std::int64_t>(roads.size());
+    keep(outputs_.on_roads ? outputs_.on_roads(layer, roads) : true);
+    clock().enter(Stage::kEncode);
+    if (outputs_.on_motion) builder_.layer(slice, roads, sink_);
+    return {};
+  }
+
+  void send(const core::Motion& motion) {
+    if (refused_) return;
+    motion_clock_.add(motion);
+    keep(outputs_.on_motion(motion, encoder_.encode(motion)));
+  }
+
+  void close_statistics() {
+    clock().enter(Stage::kNone);
+    const PartCounters used = part_.counters();
+    clock().set_seconds(Stage::kRead, used.read_cpu_s);
+    clock().set_seconds(Stage::kSort, used.sort_cpu_s);
+    clock().set_seconds(Stage::kSlice, used.slice_cpu_s);
+    statistics_.peak_triangles_held = used.peak_triangles_held;
+    const core::WallSplitter::Usage window = splitter_.usage();
+    statistics_.peak_layers_held = static_cast<std::int64_t>(window.layers_held_peak);
+    statistics_.peak_regions_held = static_cast<std::int64_t>(window.regions_held_peak);
+    statistics_.mountain_retries = offset_counters_.retries;
+    statistics_.filament_mm = builder_.totals().filament_mm;
+    statistics_.time_s = motion_clock_.seconds();
+  }
+
+  [[nodiscard]] bool wants_roads() const { return outputs_.on_roads || outputs_.on_motion; }
+  void keep(bool go_on) { refused_ = refused_ || !go_on; }
+  [[nodiscard]] bool stopped() const {
+    return refused_ || (signals_.stop_asked && signals_.stop_asked());
+  }
+  StageClock& clock() { return statistics_.clock; }
+
+  const core::Settings& settings_;
+  OpenedPart& part_;
+  const PipelineOutputs& outputs_;
+  PipelineSignals& signals_;
+  GeometryStatistics& statistics_;
+
+  core::OffsetCounters offset_counters_;
+  core::WallSplitter splitter_;
+  core::RoadPlanner planner_;
+  core::MotionBuilder builder_;
+  core::MotionClock motion_clock_;
+  MotionEncoder encoder_;
+  core::MotionBuilder::Sink sink_;
+  bool refused_ = false;  // an output wants no more
+};
+
+}  // namespace
+
+core::Result<PipelineEnd> run_pipeline(const core::Settings& settings, OpenedPart& part,
+                                       const PipelineOutputs& outputs, PipelineSignals& signals,
+                                       GeometryStatistics& statistics) {
+  return Pipeline(settings, part, outputs, signals, statistics).run();
+}
+
+}  // namespace host

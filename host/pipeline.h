@@ -1,0 +1,59 @@
+// The way of the data, from slices to commands, one layer at a time:
+//
+//     LayerSource ─> slice_offsets ─> WallSplitter ─> RoadPlanner ─> MotionBuilder ─> MotionEncoder
+//       slice          its offsets      T layers later  roads          motions          commands
+//                                       wall + inside     │               └──────┬───────┘
+//                                           │             │                      │
+//     outputs:                           on_layer      on_roads              on_motion
+//
+// One thread, no clock but the stages' own. Printing, slicing into a file and planning all run this
+// very code and differ only in what they do with the outputs, so what is printed is what is shown.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "core/motion.h"            // Motion
+#include "core/result.h"            // Result
+#include "core/road.h"              // Road
+#include "core/settings.h"          // Settings
+#include "core/slice.h"             // SplitLayer
+#include "firmware_link/command.h"  // Command
+#include "host/part_file.h"         // OpenedPart
+#include "host/statistics.h"        // GeometryStatistics
+
+namespace host {
+
+// What is done with what comes out; any may be empty, and what nobody wants is not computed.
+// Returning false stops the pipeline.
+struct PipelineOutputs {
+  std::function<bool(const core::SplitLayer&)> on_layer;
+  std::function<bool(const core::SplitLayer&, const std::vector<core::Road>&)> on_roads;
+  // The command that carries the motion out, where it needs one.
+  std::function<bool(const core::Motion&, const std::optional<firmware_link::Command>&)> on_motion;
+};
+
+// What other threads may look at, and say, meanwhile.
+struct PipelineSignals {
+  std::function<bool()> stop_asked;          // asked on each layer; may be empty
+  std::atomic<std::int64_t> slices_cut = 0;  // told to others
+};
+
+enum class PipelineEnd { kDone, kStopped };
+
+// Runs the part through to its end, or until an output or a signal stops it.
+//
+// Errors are the source's own, and: no road fits anywhere (nothing was sent to on_motion then);
+// a road would leave the bed (told on the first layer, before anything was sent).
+// REQUIRES: settings validated, check_user_gcode() fine. COSTS: at most T + 1 layers and 2T partial
+// intersections held.
+[[nodiscard]] core::Result<PipelineEnd> run_pipeline(const core::Settings& settings,
+                                                     OpenedPart& part,
+                                                     const PipelineOutputs& outputs,
+                                                     PipelineSignals& signals,
+                                                     GeometryStatistics& statistics);
+
+}  // namespace host

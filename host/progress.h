@@ -1,0 +1,77 @@
+// What the program says while it works: one line that is renewed on a terminal, a line every few
+// seconds elsewhere, JSON lines with --json, nothing but errors with --quiet.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "core/units.h"  // LayerIndex, Length
+
+namespace host {
+
+// Where a print stands. What isn't known is not set.
+struct ProgressReport {
+  core::LayerIndex layer = 0;  // counted from 1
+  core::LayerIndex layers = 0;
+  core::Length height;
+  double filament_mm = 0;
+  double elapsed_s = 0;
+  std::optional<double> left_s;
+  std::optional<double> nozzle_celsius, nozzle_target_celsius;
+  std::optional<double> bed_celsius, bed_target_celsius;
+  std::optional<std::size_t> lines_in_flight;
+  std::optional<double> queue_share;  // 0 … 1
+};
+
+// "layer 45/312 | 9.0 mm | 14 % | 0:03:20 left | 1.23 m | nozzle 210/210 bed 60/60 C | …"
+[[nodiscard]] std::string progress_line(const ProgressReport& report);
+
+// "1:02:03"
+[[nodiscard]] std::string duration_text(double seconds);
+
+// One value of a JSON event.
+using EventValue = std::variant<std::string, double, std::int64_t, bool>;
+using EventFields = std::vector<std::pair<std::string, EventValue>>;
+
+// Not for two threads at once.
+class Reporter {
+ public:
+  struct Options {
+    bool quiet = false;
+    bool json = false;
+    bool stdout_taken = false;  // the result goes there: JSON events go to standard error
+  };
+  explicit Reporter(const Options& options);
+  ~Reporter();
+  Reporter(const Reporter&) = delete;
+  Reporter& operator=(const Reporter&) = delete;
+
+  // Something worth a line; with --json {"event": name, "message": …, fields}.
+  void note(const std::string& name, const std::string& message, const EventFields& fields = {});
+
+  // Why it ends badly; told even when quiet.
+  void error(const std::string& message, int exit_code);
+
+  // As often as it is called; shows what is due. `now_s` never goes back.
+  void progress(const ProgressReport& report, double now_s);
+
+  // True when a progress() at this time would show something, so that a report is worth making.
+  [[nodiscard]] bool progress_due(double now_s) const;
+
+  // Takes the progress line away, before something else is printed.
+  void clear();
+
+ private:
+  void json_line(const std::string& name, EventFields fields);
+
+  Options options_;
+  bool terminal_;
+  bool line_shown_ = false;
+  std::optional<double> shown_at_s_;
+};
+
+}  // namespace host

@@ -1,0 +1,89 @@
+// What a run did and what it cost, for --stats. Plain values; nothing grows with the layers.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/result.h"       // Status
+#include "core/road.h"         // RoadKind
+#include "core/slice.h"        // Slice
+#include "core/units.h"        // LayerIndex, Length
+#include "host/stage_clock.h"  // StageClock
+
+namespace host {
+
+// As in the statistics file: "outer_perimeter".
+[[nodiscard]] std::string road_kind_name(core::RoadKind kind);
+
+// Millimetres of filament by RoadKind.
+using FilamentUse = std::array<double, core::kRoadKindCount>;
+[[nodiscard]] double total_mm(const FilamentUse& filament);
+
+// What was mended in the mesh: how often, and at which heights (the first kDefectHeightsMax).
+class DefectLog {
+ public:
+  void add(const core::Slice& slice);
+
+  [[nodiscard]] std::int64_t layers() const { return layers_; }
+  [[nodiscard]] std::int64_t closed_chains() const { return closed_chains_; }
+  [[nodiscard]] std::int64_t dropped_chains() const { return dropped_chains_; }
+  [[nodiscard]] std::int64_t flipped_facets() const { return flipped_facets_; }
+  [[nodiscard]] std::int64_t doubled_facets() const { return doubled_facets_; }
+  [[nodiscard]] core::Length widest_gap() const { return widest_gap_; }
+  [[nodiscard]] const std::vector<core::Length>& heights() const { return heights_; }
+
+  // "3 layers mended (2 gaps closed, widest 0.1 mm; …) at 0.3, 0.5, 0.7 mm"; empty: no defect.
+  [[nodiscard]] std::string summary() const;
+
+ private:
+  std::int64_t layers_ = 0;
+  std::int64_t closed_chains_ = 0;
+  std::int64_t dropped_chains_ = 0;
+  std::int64_t flipped_facets_ = 0;
+  std::int64_t doubled_facets_ = 0;
+  core::Length widest_gap_;
+  std::vector<core::Length> heights_;
+};
+
+// Filled by the geometry side.
+struct GeometryStatistics {
+  StageClock clock;
+  std::int64_t layers = 0;
+  std::int64_t roads = 0;
+  std::int64_t peak_layers_held = 0;
+  std::int64_t peak_regions_held = 0;
+  std::int64_t peak_triangles_held = 0;
+  std::int64_t mountain_retries = 0;  // Voronoi diagrams that failed their check
+  double solid_mm3 = 0;               // volume of the wall, and of the inside
+  double loose_mm3 = 0;
+  FilamentUse filament_mm{};
+  double time_s = 0;  // estimated, heating left out
+  DefectLog defects;
+};
+
+// Filled by the link's side.
+struct LinkStatistics {
+  StageClock clock;
+  std::optional<double> first_command_s;  // since the program began, when the controller said ok
+  std::optional<double> first_road_s;
+  std::optional<double> first_road_cpu_s;  // of the whole program
+  std::optional<std::int64_t> slices_cut_at_first_road;
+  std::int64_t commands = 0;
+  std::int64_t stalls = 0;
+  std::int64_t resends = 0;
+};
+
+// Peak of this program's resident memory so far.
+[[nodiscard]] std::int64_t peak_rss_bytes();
+
+// The statistics as JSON text; `link` is null where nothing was sent.
+[[nodiscard]] std::string statistics_json(const GeometryStatistics& geometry,
+                                          const LinkStatistics* link);
+
+// Writes the text to `path`.
+[[nodiscard]] core::Status write_statistics(const std::string& path, const std::string& json);
+
+}  // namespace host

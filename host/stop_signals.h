@@ -1,0 +1,21 @@
+// SIGINT, SIGTERM and SIGHUP as a count that anyone may look at.
+//
+//     first    the print is brought to a safe end: nozzle off the part, heaters off
+//     second   while something is at stake: the controller is halted at once (M112)
+//              otherwise: the program ends at once
+//
+// SIGPIPE is ignored: a closed pipe is a write error like any other, and must not end a print.
+#pragma once
+
+namespace host {
+
+// Once, before anything is opened.
+void watch_stop_signals();
+
+// How many have come.
+[[nodiscard]] int stop_signal_count();
+
+// Whether the second signal is left to the caller, because a printer hangs on it.
+void set_at_stake(bool at_stake);
+
+}  // namespace host

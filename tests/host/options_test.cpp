@@ -1,0 +1,108 @@
+#include "host/options.h"
+
+#include <doctest/doctest.h>
+
+#include <string>
+#include <vector>
+
+#include "host/exit_codes.h"
+
+using host::Options;
+using host::OptionsExit;
+using host::OutputFormat;
+using host::Subcommand;
+
+namespace {
+
+std::variant<Options, OptionsExit> parse(std::vector<const char*> words) {
+  words.insert(words.begin(), "rind");
+  return host::parse_options(static_cast<int>(words.size()), words.data());
+}
+
+Options parse_good(const std::vector<const char*>& words) {
+  const auto parsed = parse(words);
+  if (const auto* refused = std::get_if<OptionsExit>(&parsed)) FAIL(refused->text);
+  return std::get<Options>(parsed);
+}
+
+OptionsExit parse_bad(const std::vector<const char*>& words) {
+  const auto parsed = parse(words);
+  REQUIRE(std::holds_alternative<OptionsExit>(parsed));
+  return std::get<OptionsExit>(parsed);
+}
+
+bool says(const OptionsExit& refused, const std::string& text) {
+  return refused.text.find(text) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("print takes a part, a port and settings in the order typed") {
+  const Options options =
+      parse_good({"print", "part.stl", "--port", "/dev/ttyUSB0", "--baud", "250000", "--set",
+                  "perimeters=3", "--wall-thickness", "1.2", "--set", "perimeters=1", "--quiet"});
+  CHECK_EQ(options.subcommand, Subcommand::kPrint);
+  CHECK_EQ(options.part, "part.stl");
+  CHECK_EQ(options.port, "/dev/ttyUSB0");
+  CHECK_EQ(options.baud, 250'000);
+  CHECK(options.quiet);
+  REQUIRE_EQ(options.assignments.size(), 3);
+  CHECK_EQ(options.assignments[0], std::pair<std::string, std::string>("perimeters", "3"));
+  CHECK_EQ(options.assignments[1], std::pair<std::string, std::string>("wall_thickness", "1.2"));
+  CHECK_EQ(options.assignments[2], std::pair<std::string, std::string>("perimeters", "1"));
+}
+
+TEST_CASE("--set takes one assignment and leaves the part alone") {
+  const Options options =
+      parse_good({"slice", "--set", "perimeters=3", "part.stl", "-o", "out.gcode"});
+  CHECK_EQ(options.part, "part.stl");
+  REQUIRE_EQ(options.assignments.size(), 1);
+}
+
+TEST_CASE("the form of the output follows its name, or --format") {
+  CHECK_EQ(parse_good({"slice", "p.stl", "-o", "a.gcode"}).format, OutputFormat::kGcode);
+  CHECK_EQ(parse_good({"slice", "p.stl", "-o", "a.CLI"}).format, OutputFormat::kCli);
+  CHECK_EQ(parse_good({"slice", "p.stl", "-o", "-", "--format", "cli"}).format, OutputFormat::kCli);
+  CHECK_EQ(parse_good({"slice", "-", "-o", "-", "--format", "gcode"}).part, "-");
+
+  CHECK(says(parse_bad({"slice", "p.stl", "-o", "-"}), "--format"));
+  CHECK(says(parse_bad({"slice", "p.stl", "-o", "a.stl"}), "'a.stl' ends neither"));
+  CHECK(says(parse_bad({"slice", "p.stl", "-o", "a"}), "--format"));
+}
+
+TEST_CASE("what can't be understood is refused with exit code 2 and the reason") {
+  const std::vector<std::pair<std::vector<const char*>, std::string>> cases = {
+      {{}, "subcommand"},
+      {{"prnt", "p.stl"}, "prnt"},
+      {{"print"}, "PART"},
+      {{"slice", "p.stl"}, "--output"},
+      {{"show", "p.stl", "-o", "a.svg"}, "--layer"},
+      {{"show", "p.stl", "-o", "a.svg", "--layer", "0"}, "--layer"},
+      {{"print", "p.stl", "--baud", "fast"}, "--baud"},
+      {{"print", "p.stl", "--baud", "7"}, "--baud"},
+      {{"print", "p.stl", "--virtual-speed", "-1"}, "--virtual-speed"},
+      {{"plan", "p.stl", "--set", "perimeters"}, "KEY=VALUE"},
+      {{"plan", "p.stl", "--set", "=3"}, "KEY=VALUE"},
+      {{"plan", "p.stl", "--colour"}, "--colour"},
+      {{"plan", "p.stl", "q.stl"}, "q.stl"},
+  };
+  for (const auto& [words, reason] : cases) {
+    const OptionsExit refused = parse_bad(words);
+    CAPTURE(refused.text);
+    CAPTURE(reason);
+    CHECK_EQ(refused.exit_code, host::kExitUsage);
+    CHECK(says(refused, reason));
+    CHECK(says(refused, "rind --help"));
+  }
+}
+
+TEST_CASE("help and version end well and say what they should") {
+  CHECK_EQ(parse_bad({"--help"}).exit_code, host::kExitDone);
+  for (const char* word : {"print", "slice", "plan", "show", "ports", "settings"}) {
+    CHECK(says(parse_bad({"--help"}), word));
+  }
+  CHECK_FALSE(says(parse_bad({"--help"}), "resume"));
+  CHECK(says(parse_bad({"print", "--help"}), "--virtual-speed"));
+  CHECK_EQ(parse_bad({"--version"}).exit_code, host::kExitDone);
+  CHECK(says(parse_bad({"--version"}), "rind 0.1.0"));
+}
