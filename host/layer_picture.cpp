@@ -53,19 +53,19 @@ struct Frame {
   double panel_width = 0;
   double panel_height = 0;
   bool stacked = false;  // a wide part: panels one above the other
+  int legend_rows = 0;   // kinds of road
 
   [[nodiscard]] double left(int panel) const {
     return kMarginPx + (stacked ? 0 : panel * (panel_width + kMarginPx));
   }
   [[nodiscard]] double top(int panel) const {
-    return kTitlePx + (stacked ? panel * (panel_height + legend_px() + kMarginPx) : 0);
+    return kTitlePx + (stacked ? panel * (panel_height + 4.5 * kLegendRowPx) : 0);
   }
-  [[nodiscard]] static double legend_px() { return 7 * kLegendRowPx; }
   [[nodiscard]] double page_width() const {
     return stacked ? panel_width + 2 * kMarginPx : 2 * panel_width + 3 * kMarginPx;
   }
   [[nodiscard]] double page_height() const {
-    return top(stacked ? 1 : 0) + panel_height + legend_px() + kMarginPx;
+    return top(1) + panel_height + std::max(4, legend_rows + 1) * kLegendRowPx + kMarginPx / 2;
   }
 };
 
@@ -88,6 +88,11 @@ Frame frame_of(const LayerPicture& picture) {
   frame.stacked = width_mm > 1.5 * height_mm;
   const double panel_px = frame.stacked ? 1.5 * kPanelPx : kPanelPx;
   frame.px_per_mm = panel_px / std::max(width_mm, height_mm);
+  for (const KindStyle& style : kStyles) {
+    const bool there = std::any_of(picture.roads->begin(), picture.roads->end(),
+                                   [&](const core::Road& road) { return road.kind == style.kind; });
+    frame.legend_rows += there ? 1 : 0;
+  }
   frame.panel_width = std::max(320.0, width_mm * frame.px_per_mm);
   frame.panel_height = height_mm * frame.px_per_mm;
   return frame;
@@ -200,7 +205,9 @@ void append_road_legend(Text out, const LayerPicture& picture, const Frame& fram
         narrowest == widest ? fmt::format("{:.2f} mm", to_mm(widest))
                             : fmt::format("{:.2f} to {:.2f} mm", to_mm(narrowest), to_mm(widest));
     append_row(out, frame.left(1), y, style.edge, style.body,
-               fmt::format("{}, {} wide, {:.2f} m", style.name, width, length / 1'000));
+               fmt::format("{}, {} wide, {}", style.name, width,
+                           length < 1'000 ? fmt::format("{:.0f} mm", length)
+                                          : fmt::format("{:.2f} m", length / 1'000)));
     y += kLegendRowPx;
   }
 }
