@@ -30,6 +30,7 @@ void SendWindow::sent(std::size_t wire_bytes) {
   LINK_CHECK(!all_sent());
   LINK_CHECK(wire_bytes > 0 && wire_bytes <= kLineBytesMax + 1);
   at(next_to_send_++).wire_bytes = static_cast<std::uint8_t>(wire_bytes);
+  sent_end_ = std::max(sent_end_, next_to_send_);
   bytes_in_flight_ += wire_bytes;
 }
 
@@ -44,14 +45,19 @@ void SendWindow::acknowledge_before(std::int64_t sequence) {
   while (acknowledged_ < sequence) LINK_CHECK(acknowledge_one());
 }
 
-void SendWindow::rewind(std::int64_t sequence) {
-  LINK_CHECK(can_rewind(sequence));
+void SendWindow::restart(std::int64_t sequence) {
+  LINK_CHECK(can_restart(sequence));
   acknowledged_ = std::min(acknowledged_, sequence);
   next_to_send_ = sequence;
   bytes_in_flight_ = 0;
   for (std::int64_t i = acknowledged_; i < next_to_send_; ++i) {
     bytes_in_flight_ += at(i).wire_bytes;
   }
+}
+
+void SendWindow::drop_unsent() {
+  end_ = next_to_send_;
+  sent_end_ = next_to_send_;
 }
 
 }  // namespace firmware_link

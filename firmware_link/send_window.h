@@ -1,11 +1,11 @@
 // The lines between "taken" and "forgotten": which are to be sent, which are in flight, which can
 // still be repeated. A pure state machine; it knows sequence numbers, no wire format.
 //
-//     forgotten │ acknowledged, kept │ in flight   │ to be sent │
-//     ──────────┼────────────────────┼─────────────┼────────────┼──> sequence number
-//            oldest()         acknowledged()  next_to_send()   end()
+//     forgotten │ acknowledged, kept │ in flight   │ sent before, or new │
+//     ──────────┼────────────────────┼─────────────┼─────────────────────┼──> sequence number
+//            oldest()         acknowledged()  next_to_send()            end()
 //
-// rewind(k) moves next_to_send() back to k, and acknowledged() with it when it lies behind: then an
+// restart(k) moves next_to_send() to k, and acknowledged() with it when that was further: then an
 // acknowledgement was false. Lines before k stay in flight, their answers are still to come.
 #pragma once
 
@@ -47,19 +47,25 @@ class SendWindow {
   // All before `sequence` are done with. REQUIRES: sequence <= next_to_send().
   void acknowledge_before(std::int64_t sequence);
 
-  // Whether the controller may go on from there.
-  [[nodiscard]] bool can_rewind(std::int64_t sequence) const {
-    return sequence >= oldest_ && sequence <= next_to_send_;
+  // Whether that line can be the next: not forgotten, and all before it were sent once.
+  [[nodiscard]] bool can_restart(std::int64_t sequence) const {
+    return sequence >= oldest_ && sequence <= sent_end_;
   }
 
-  // REQUIRES: can_rewind(sequence).
-  void rewind(std::int64_t sequence);
+  // REQUIRES: can_restart(sequence).
+  void restart(std::int64_t sequence);
 
-  // Drops what is not in flight and not acknowledged.
-  void drop_unsent() { end_ = next_to_send_; }
+  // Drops all from next_to_send() on.
+  void drop_unsent();
+
+  // Drops what was never sent.
+  void drop_never_sent() { end_ = sent_end_; }
 
   // Forgets what is acknowledged: it can no longer be asked for.
   void forget_acknowledged() { oldest_ = acknowledged_; }
+
+  // One behind the last line that was ever sent.
+  [[nodiscard]] std::int64_t sent_end() const { return sent_end_; }
 
  private:
   struct Line {
@@ -78,6 +84,7 @@ class SendWindow {
   std::int64_t oldest_ = 0;
   std::int64_t acknowledged_ = 0;
   std::int64_t next_to_send_ = 0;
+  std::int64_t sent_end_ = 0;
   std::int64_t end_ = 0;
   std::size_t bytes_in_flight_ = 0;
   std::array<Line, kHistoryLinesMax> lines_{};

@@ -28,7 +28,7 @@
 #include "firmware_link/command.h"      // Command
 #include "firmware_link/dialect.h"      // Dialect
 #include "firmware_link/instant.h"      // Instant
-#include "firmware_link/reply.h"        // Temperatures, ReplyReader
+#include "firmware_link/reply.h"        // Temperatures, LineSplitter
 #include "firmware_link/send_window.h"  // SendWindow
 
 namespace firmware_link {
@@ -137,25 +137,33 @@ class Session {
   [[nodiscard]] SessionStatistics statistics() const;
 
  private:
+  // kGreeting comes again, in mid-stream, when the line numbers have run out.
   enum class Phase { kBanner, kGreeting, kAsking, kOpen };
 
-  void fault(std::string why, bool controller_may_live);
+  // session_replies.cpp: what comes in.
   void reply(const Reply& reply, Instant now);
-  void reply_while_connecting(const Reply& reply, Meaning meaning, Instant now);
-  void acknowledged(const Reply& reply);
+  void reply_while_greeting(const Reply& reply, Meaning meaning, Instant now);
+  void acknowledged(const Reply& reply, Instant now);
   void resend_asked(const Reply& reply, Instant now);
-  void warn(const Reply& reply);
+  void greeted(Instant now);
+  void reset_seen(Instant now);
 
-  void tick_connecting(Instant now);
+  // session.cpp: what goes out, and when.
+  void fault(const std::string& why, bool controller_may_live);
+  void tick_greeting(Instant now);
   void tick_silence(Instant now);
   void greet(Instant now);
   void resynchronise(Instant now);
-  void pump(Instant now);
   void settle(Instant now);
-  bool send_next(Instant now);
-  void put(std::string_view line);
-  [[nodiscard]] std::int64_t wire_number(std::int64_t sequence) const;
+  void pump(Instant now);
+  [[nodiscard]] bool send_next(Instant now);
+  void put(std::string_view bytes);
+  void put_safe_sequence();
+  [[nodiscard]] bool ended() const;
   [[nodiscard]] std::size_t window_lines() const;
+  [[nodiscard]] std::int64_t wire_number(std::int64_t sequence) const {
+    return sequence - numbering_base_;
+  }
 
   std::unique_ptr<Dialect> dialect_;
   SessionOptions options_;
@@ -169,9 +177,9 @@ class Session {
   SessionStatistics statistics_;
 
   SendWindow window_;
-  std::int64_t numbering_base_ = -1;  // wire number = sequence - base; the first line is N1
-  std::int64_t first_command_ = 0;    // sequence of the first command: behind what asks for names
-  std::int64_t highest_sent_ = 0;     // one behind the last line that was ever sent
+  std::int64_t numbering_base_ = -1;  // the first line is N1
+  std::int64_t first_command_ = 0;    // sequence of the first command, behind what asks for names
+  std::optional<std::int64_t> end_of_commands_;  // where the safe sequence of a stop begins
   std::array<TextBuffer, kSafeSequenceMax> safe_texts_{};
   std::array<std::uint8_t, kSafeSequenceMax> safe_sizes_{};
   std::size_t safe_count_ = 0;
@@ -183,22 +191,23 @@ class Session {
   std::size_t output_end_ = 0;
 
   Instant phase_began_;
+  Instant stop_began_;
   Instant last_heard_;     // any byte
   Instant last_life_;      // any answer that makes sense
   Instant last_progress_;  // an acknowledgement, or work being done
   Instant quiet_since_;    // the last answer that belongs to a Resend's aftermath
-  Instant stop_began_;
   int greetings_ = 0;
   bool start_seen_ = false;
   bool greeting_refused_ = false;
-  bool skip_next_ok_ = false;
-  bool recovering_ = false;
+  bool named_ = false;         // what asks for names has been answered, up to its `ok`
+  bool skip_next_ok_ = false;  // it belongs to a refused line
+  bool recovering_ = false;    // waiting for quiet after a Resend
   bool resync_pending_ = false;
-  bool confirmed_ = false;  // nothing was sent since a forced mismatch showed that all is there
+  bool confirmed_ = false;  // a forced mismatch showed that the controller has all lines
   bool controller_may_live_ = true;
   int resyncs_in_a_row_ = 0;
   int repeats_of_a_line_ = 0;
-  std::int64_t highest_resend_ = -1;
+  std::int64_t repeated_line_ = -1;
   int calm_lines_missing_ = 0;
 };
 

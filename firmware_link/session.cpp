@@ -1,0 +1,306 @@
+#include "firmware_link/session.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstring>
+#include <utility>
+
+#include "firmware_link/check.h"
+#include "firmware_link/line_codec.h"  // encode, number_line
+
+namespace firmware_link {
+namespace {
+
+// A greeting begins only when the controller has said all that it says by itself.
+constexpr Duration kBannerQuiet = std::chrono::milliseconds(200);
+
+// What cannot come out of a damaged line, and stops at once any garbage before it.
+constexpr std::string_view kEmergencyStop = "\nM112\n";
+
+std::string seconds_text(Duration duration) {
+  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(duration).count();
+  return std::to_string(seconds) + " s";
+}
+
+}  // namespace
+
+Session::Session(std::unique_ptr<Dialect> dialect, const SessionOptions& options, Instant now)
+    : dialect_(std::move(dialect)),
+      options_(options),
+      rules_(dialect_->rules()),
+      phase_began_(now),
+      stop_began_(now),
+      last_heard_(now),
+      last_life_(now),
+      last_progress_(now),
+      quiet_since_(now) {
+  LINK_CHECK(rules_.window_lines >= 1 && rules_.window_lines <= kWindowLinesMax);
+  LINK_CHECK(rules_.window_bytes > kLineBytesMax && rules_.window_bytes <= kWindowBytesMax);
+  LINK_CHECK(options_.line_number_max >= 1 && options_.line_number_max <= kLineNumberMax);
+}
+
+bool Session::can_take() const { return state_ == SessionState::kStreaming && window_.all_sent(); }
+
+void Session::take(const Command& command, Instant now) {
+  LINK_CHECK(can_take());
+  TextBuffer buffer;
+  window_.push(encode(command, buffer));
+  ++statistics_.commands_taken;
+  pump(now);
+}
+
+void Session::finish(Instant now) {
+  LINK_CHECK(state_ == SessionState::kStreaming);
+  state_ = SessionState::kFinishing;
+  settle(now);
+}
+
+std::span<const std::byte> Session::output() const {
+  return std::span(output_).subspan(output_begin_, output_end_ - output_begin_);
+}
+
+void Session::written(std::size_t count, Instant now) {
+  LINK_CHECK(count <= output_end_ - output_begin_);
+  output_begin_ += count;
+  statistics_.bytes_sent += static_cast<std::int64_t>(count);
+  if (output_begin_ == output_end_) {
+    output_begin_ = output_end_ = 0;
+    // Quiet counts from when the last byte left, so that its answer can come.
+    if (count > 0) quiet_since_ = std::max(quiet_since_, now);
+  }
+}
+
+void Session::tick(Instant now) {
+  if (ended()) return;
+  if (phase_ == Phase::kBanner || phase_ == Phase::kGreeting) {
+    tick_greeting(now);
+  } else {
+    if (recovering_ && output().empty() && now - quiet_since_ >= rules_.quiet_after_resend) {
+      recovering_ = false;
+      last_life_ = last_progress_ = now;
+    }
+    tick_silence(now);
+  }
+  if (state_ == SessionState::kStopping && now - stop_began_ > options_.stop_limit) {
+    fault("the controller did not acknowledge the stop within " + seconds_text(options_.stop_limit),
+          true);
+  }
+  settle(now);
+  pump(now);
+}
+
+void Session::stop_now(std::span<const Command> safe_sequence, Instant now) {
+  LINK_CHECK(safe_sequence.size() <= kSafeSequenceMax);
+  if (state_ == SessionState::kStopping || state_ == SessionState::kStopped) return;
+  safe_count_ = safe_sequence.size();
+  safe_next_ = 0;
+  for (std::size_t i = 0; i < safe_count_; ++i) {
+    safe_sizes_[i] = static_cast<std::uint8_t>(encode(safe_sequence[i], safe_texts_[i]).size());
+  }
+  if (state_ == SessionState::kConnecting || state_ == SessionState::kFaulted) {
+    if (controller_may_live_) put_safe_sequence();
+    if (state_ == SessionState::kConnecting) state_ = SessionState::kStopped;
+    return;
+  }
+  state_ = SessionState::kStopping;
+  stop_began_ = now;
+  window_.drop_never_sent();
+  // Which of the sent lines are accepted decides where the safe sequence begins: a line with a
+  // number that the controller already has would be dropped in silence.
+  if (rules_.numbered) {
+    if (phase_ == Phase::kOpen) resynchronise(now);
+  } else {
+    end_of_commands_ = window_.end();
+  }
+  pump(now);
+}
+
+void Session::port_lost(const std::string& reason) {
+  if (!ended()) fault(reason, false);
+}
+
+SessionStatistics Session::statistics() const {
+  SessionStatistics now = statistics_;
+  const std::int64_t end = end_of_commands_.value_or(window_.end());
+  now.commands_sent = std::max<std::int64_t>(0, std::min(window_.sent_end(), end) - first_command_);
+  now.commands_acknowledged =
+      std::max<std::int64_t>(0, std::min(window_.acknowledged(), end) - first_command_);
+  now.lines_in_flight = window_.lines_in_flight();
+  now.bytes_in_flight = window_.bytes_in_flight();
+  now.replies_cut = splitter_.lines_cut();
+  return now;
+}
+
+bool Session::ended() const {
+  return state_ == SessionState::kFaulted || state_ == SessionState::kFinished ||
+         state_ == SessionState::kStopped;
+}
+
+void Session::fault(const std::string& why, bool controller_may_live) {
+  state_ = SessionState::kFaulted;
+  reason_ = why;
+  controller_may_live_ = controller_may_live;
+  output_begin_ = output_end_ = 0;
+}
+
+void Session::put(std::string_view bytes) {
+  if (output_end_ + bytes.size() > output_.size()) {
+    std::memmove(output_.data(), output_.data() + output_begin_, output_end_ - output_begin_);
+    output_end_ -= output_begin_;
+    output_begin_ = 0;
+  }
+  LINK_CHECK(output_end_ + bytes.size() <= output_.size());
+  std::memcpy(output_.data() + output_end_, bytes.data(), bytes.size());
+  output_end_ += bytes.size();
+}
+
+void Session::put_safe_sequence() {
+  put("\n");
+  std::size_t bytes = 1;
+  for (std::size_t i = 0; i < safe_count_; ++i) {
+    const std::string_view text(safe_texts_[i].data(), safe_sizes_[i]);
+    bytes += text.size() + 1;
+    if (bytes > kWindowBytesMax) break;
+    put(text);
+    put("\n");
+  }
+}
+
+void Session::tick_greeting(Instant now) {
+  const bool quiet = now - last_heard_ >= kBannerQuiet;
+  if (phase_ == Phase::kBanner) {
+    if (quiet && (start_seen_ || now - phase_began_ >= options_.banner_wait)) greet(now);
+    return;
+  }
+  const bool late = now - std::max(phase_began_, last_progress_) >= options_.greeting_wait;
+  if (!late && !(greeting_refused_ && quiet)) return;
+  if (greetings_ < options_.greetings_max) {
+    greet(now);
+    return;
+  }
+  fault(start_seen_ ? "the controller said `start` but does not answer M110; is the baud right?"
+                    : "no answer from the controller: is it the right port, and the right baud?",
+        true);
+}
+
+void Session::greet(Instant now) {
+  phase_ = Phase::kGreeting;
+  phase_began_ = now;
+  greeting_refused_ = false;
+  skip_next_ok_ = false;
+  ++greetings_;
+  if (output_end_ - output_begin_ + 2 * kLineBytesMax > output_.size()) return;
+  LineBuffer buffer;
+  // The end of line first finishes whatever half line the controller may hold.
+  put("\n");
+  put(rules_.numbered ? number_line(0, "M110 N0", buffer) : std::string_view("M110 N0"));
+  put("\n");
+}
+
+void Session::resynchronise(Instant now) {
+  last_life_ = last_progress_ = now;
+  resync_pending_ = true;
+  ++resyncs_in_a_row_;
+  if (output_end_ - output_begin_ + kLineBytesMax + 2 > output_.size()) return;
+  LineBuffer buffer;
+  put("\n");
+  put(number_line(kResyncLineNumber, "M105", buffer));
+  put("\n");
+}
+
+void Session::tick_silence(Instant now) {
+  if (ended() || (window_.lines_in_flight() == 0 && !resync_pending_)) return;
+  const bool silent = now - last_life_ > rules_.silence_max;
+  const bool idle = now - last_progress_ > rules_.idle_talk_max;
+  if (!silent && !idle) return;
+  if (rules_.numbered && resyncs_in_a_row_ < options_.resyncs_in_a_row_max) {
+    ++statistics_.resyncs;
+    resynchronise(now);
+    return;
+  }
+  const Duration waited = rules_.silence_max * (rules_.numbered ? resyncs_in_a_row_ + 1 : 1);
+  std::string why = "the controller has not answered for " + seconds_text(waited);
+  if (!last_refusal_.empty()) why += "; its last complaint was \"" + last_refusal_ + "\"";
+  fault(why, true);
+}
+
+// Moves to the next state when all that this one waits for is there.
+void Session::settle(Instant now) {
+  if (ended() || phase_ == Phase::kBanner || phase_ == Phase::kGreeting) return;
+  const bool idle = window_.all_sent() && window_.lines_in_flight() == 0 && !resync_pending_;
+  if (phase_ == Phase::kAsking && idle) {
+    phase_ = Phase::kOpen;
+    first_command_ = window_.end();
+    state_ = SessionState::kStreaming;
+  }
+  if (recovering_ || resync_pending_ || window_.lines_in_flight() > 0) return;
+
+  const bool out_of_numbers = rules_.numbered && !window_.all_sent() &&
+                              wire_number(window_.next_to_send()) > options_.line_number_max;
+  const bool finishing = state_ == SessionState::kFinishing && idle;
+  const bool stopping =
+      state_ == SessionState::kStopping && idle && end_of_commands_ && safe_next_ == safe_count_;
+  if (!out_of_numbers && !finishing && !stopping) return;
+  if (rules_.numbered && !confirmed_) {
+    resynchronise(now);
+  } else if (finishing || stopping) {
+    state_ = finishing ? SessionState::kFinished : SessionState::kStopped;
+  } else {
+    greetings_ = 0;
+    greet(now);
+  }
+}
+
+void Session::pump(Instant now) {
+  if (ended() || phase_ == Phase::kBanner || phase_ == Phase::kGreeting) return;
+  if (state_ == SessionState::kStopping && !end_of_commands_) {
+    if (!resync_pending_ && phase_ == Phase::kOpen) resynchronise(now);
+    return;
+  }
+  while (!recovering_ && !resync_pending_ && send_next(now)) {
+  }
+}
+
+bool Session::send_next(Instant now) {
+  if (window_.all_sent()) {
+    if (state_ != SessionState::kStopping || safe_next_ == safe_count_) return false;
+    window_.push({safe_texts_[safe_next_].data(), safe_sizes_[safe_next_]});
+    ++safe_next_;
+  }
+  const std::int64_t sequence = window_.next_to_send();
+  const std::int64_t number = wire_number(sequence);
+  if (rules_.numbered && number > options_.line_number_max) {
+    settle(now);
+    return false;
+  }
+  LineBuffer buffer;
+  const std::string_view line =
+      rules_.numbered ? number_line(static_cast<std::int32_t>(number), window_.next_text(), buffer)
+                      : window_.next_text();
+  const std::size_t bytes = line.size() + 1;
+  LINK_CHECK(line.size() <= kLineBytesMax);
+  if (window_.lines_in_flight() >= window_lines()) return false;
+  if (window_.bytes_in_flight() + bytes > rules_.window_bytes) return false;
+  if (output_end_ - output_begin_ + bytes > output_.size()) return false;
+  if (window_.lines_in_flight() == 0) last_life_ = last_progress_ = now;
+  if (sequence < window_.sent_end()) ++statistics_.lines_repeated;
+  put(line);
+  put("\n");
+  window_.sent(bytes);
+  confirmed_ = false;
+  statistics_.lines_in_flight_max =
+      std::max(statistics_.lines_in_flight_max, window_.lines_in_flight());
+  statistics_.bytes_in_flight_max =
+      std::max(statistics_.bytes_in_flight_max, window_.bytes_in_flight());
+  return true;
+}
+
+std::size_t Session::window_lines() const {
+  return calm_lines_missing_ > 0 ? 1 : rules_.window_lines;
+}
+
+std::span<const std::byte> emergency_stop_bytes() {
+  return std::as_bytes(std::span(kEmergencyStop.data(), kEmergencyStop.size()));
+}
+
+}  // namespace firmware_link

@@ -1,0 +1,32 @@
+#include "firmware_link/virtual_controller.h"
+
+#include "firmware_link/virtual_firmware.h"
+
+namespace firmware_link {
+
+VirtualController::VirtualController(const VirtualControllerOptions& options, Instant now)
+    : firmware_(std::make_unique<Firmware>(options, now)) {}
+
+VirtualController::~VirtualController() = default;
+
+std::size_t VirtualController::input(std::span<const std::byte> bytes, Instant now) {
+  return firmware_->input(bytes, now);
+}
+
+void VirtualController::advance(Instant now) { firmware_->advance(now); }
+
+std::size_t VirtualController::output(std::span<std::byte> into) { return firmware_->output(into); }
+
+std::optional<Instant> VirtualController::next_event() const { return firmware_->next_event(); }
+
+bool VirtualController::owes_answer() const { return firmware_->owes_answer(); }
+
+bool VirtualController::moving() const { return firmware_->moving(); }
+
+void VirtualController::reset(Instant now) { firmware_->reset(now); }
+
+VirtualControllerState VirtualController::state() const { return firmware_->state(); }
+
+const VirtualControllerTotals& VirtualController::totals() const { return firmware_->totals(); }
+
+}  // namespace firmware_link

@@ -1,0 +1,166 @@
+// The inside of the virtual controller, in the order in which Marlin's main loop does things:
+//
+//     virtual_firmware.cpp   time: what happens next; wire, receive ring, waiting handlers, reports
+//     virtual_queue.cpp      bytes -> lines -> command slots: comments, numbers, checksums, cuts
+//     virtual_commands.cpp   moves and waits: what G commands do, and when a handler is done
+//     virtual_machine_codes.cpp   what M commands do
+//     virtual_texts.h        long texts: the banner, M115
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "firmware_link/line_codec.h"  // word
+#include "firmware_link/virtual_controller.h"
+#include "firmware_link/virtual_heater.h"   // VirtualHeater
+#include "firmware_link/virtual_planner.h"  // VirtualPlanner
+
+namespace firmware_link {
+
+// Bytes that a driver holds for a slow wire, and answers that wait to be read.
+inline constexpr std::size_t kWireBytesMax = 4096;
+inline constexpr std::size_t kAnswerBytesMax = 8192;
+
+// How long a temperature must hold before M109 and M190 are done.
+inline constexpr Duration kResidency = std::chrono::seconds(10);
+
+// A fixed queue of bytes.
+template <std::size_t kSize>
+class ByteRing {
+ public:
+  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] std::size_t room() const { return kSize - size_; }
+  void push(char c) { bytes_[(first_ + size_++) % kSize] = c; }
+  char pop() {
+    const char c = bytes_[first_];
+    first_ = (first_ + 1) % kSize;
+    --size_;
+    return c;
+  }
+  void clear() { size_ = 0; }
+
+ private:
+  std::array<char, kSize> bytes_{};
+  std::size_t first_ = 0;
+  std::size_t size_ = 0;
+};
+
+class VirtualController::Firmware {
+ public:
+  Firmware(const VirtualControllerOptions& options, Instant now);
+
+  std::size_t input(std::span<const std::byte> bytes, Instant now);
+  void advance(Instant now);
+  std::size_t output(std::span<std::byte> into);
+  [[nodiscard]] std::optional<Instant> next_event() const;
+  [[nodiscard]] bool owes_answer() const;
+  [[nodiscard]] bool moving() const { return !planner_.empty(); }
+  void reset(Instant now);
+  [[nodiscard]] VirtualControllerState state() const;
+  [[nodiscard]] const VirtualControllerTotals& totals();
+
+ private:
+  // A line in a command slot, as Marlin keeps it: with number and checksum.
+  struct Slot {
+    std::array<char, kLineBytesMax> bytes{};
+    std::size_t size = 0;
+    [[nodiscard]] std::string_view line() const { return {bytes.data(), size}; }
+  };
+
+  // What a handler waits for before its `ok` leaves.
+  enum class Waiting { kNothing, kTime, kPlannerSlot, kPlannerEmpty, kNozzle, kBed };
+
+  // virtual_firmware.cpp
+  bool step();
+  void receive(char c);
+  void print(std::string_view text);
+  void print_format(const char* format, ...) __attribute__((format(printf, 2, 3)));
+  [[nodiscard]] bool blocked() const { return answers_.room() < kAnswerBytesMax / 2; }
+  bool report();
+  void print_temperatures();
+  void kill();
+
+  // virtual_queue.cpp
+  bool read_bytes();
+  void end_line();
+  [[nodiscard]] bool number_accepted(std::string_view line);
+  void line_error(std::string_view what);
+  void flush_and_request_resend();
+
+  // virtual_commands.cpp
+  void begin_command();
+  bool finish_command();
+  bool wait_over();
+  bool heated(const VirtualHeater& heater);
+  void end_command();
+  [[nodiscard]] bool handle(char letter, std::int64_t code, std::string_view text);
+  [[nodiscard]] bool handle_g(std::int64_t code, std::string_view text);
+  [[nodiscard]] bool handle_m(std::int64_t code, std::string_view text);
+  [[nodiscard]] bool handle_m_temperature(std::int64_t code, std::string_view text);
+  [[nodiscard]] bool handle_m_host(std::int64_t code, std::string_view text);
+  void move(std::string_view text, double arc_length_mm);
+  void arc(std::int64_t code, std::string_view text);
+  void queue_move(double length_mm, const std::array<double, 3>& delta, double filament_mm);
+  void dwell(std::string_view text);
+  void home(std::string_view text);
+  void set_position(std::string_view text);
+  void print_position();
+  void wait(Waiting waiting);
+  void wait_until(Instant when);
+
+  VirtualControllerOptions options_;
+  VirtualControllerTotals totals_;
+  Instant now_;
+
+  ByteRing<kWireBytesMax> wire_;
+  Instant wire_ready_;  // when the wire's first byte has arrived
+  ByteRing<kControllerReceiveBytes> receive_;
+  ByteRing<kAnswerBytesMax> answers_;
+
+  Slot assembling_;
+  bool in_comment_ = false;
+  std::int64_t last_number_ = 0;
+
+  std::array<Slot, kControllerCommandSlots> slots_{};
+  std::size_t slot_first_ = 0;
+  std::size_t slot_count_ = 0;
+
+  // The command in its handler, always that of the first slot.
+  bool handling_ = false;
+  Waiting waiting_ = Waiting::kNothing;
+  std::optional<std::int64_t> current_number_;
+  bool temperatures_asked_ = false;
+  bool waiting_cancelled_ = false;
+  Duration dwell_{0};  // behind the planner's last move
+  bool homing_ = false;
+  std::array<bool, 3> home_axes_{};
+  Instant wait_until_;
+  Instant busy_next_;
+  Instant heat_report_next_;
+  std::optional<Instant> within_window_since_;
+  std::optional<PlannerMove> pending_move_;
+
+  int busy_interval_s_ = 2;
+  std::optional<Duration> auto_report_;
+  Instant auto_report_next_;
+  bool halted_ = false;
+  std::size_t emergency_matched_ = 0;
+
+  VirtualPlanner planner_;
+  bool pause_was_asked_ = true;
+  VirtualHeater nozzle_;
+  VirtualHeater bed_;
+  int fan_ = 0;
+  std::array<std::int64_t, 3> position_um_{};
+  std::array<bool, 3> homed_{};
+  std::int64_t e_10nm_ = 0;
+  std::int64_t feed_mm_min_ = 1500;
+  std::int64_t feed_percent_ = 100;
+  bool relative_ = false;
+  bool relative_e_ = false;
+};
+
+}  // namespace firmware_link

@@ -1,0 +1,146 @@
+// The virtual controller's M commands.
+#include <algorithm>
+#include <chrono>
+#include <iterator>
+
+#include "firmware_link/virtual_firmware.h"
+#include "firmware_link/virtual_texts.h"  // kFirmwareName …
+
+namespace firmware_link {
+namespace {
+
+// Obeyed without a word, and without an effect that could be seen here.
+constexpr std::int64_t kSilentCodes[] = {17,  31,  75,  76,  77,  78,  85,  92,  108, 111,
+                                         117, 119, 120, 121, 200, 201, 203, 204, 205, 206,
+                                         211, 218, 301, 302, 410, 428, 500, 501, 502, 504};
+
+}  // namespace
+
+bool VirtualController::Firmware::handle_m(std::int64_t code, std::string_view text) {
+  if (handle_m_temperature(code, text) || handle_m_host(code, text)) return true;
+  switch (code) {
+    case 18:
+    case 84:
+      homed_ = {};
+      [[fallthrough]];
+    case 400:
+      pause_was_asked_ = true;
+      dwell_ = Duration(0);
+      wait(Waiting::kPlannerEmpty);
+      return true;
+    case 82:
+      relative_e_ = false;
+      return true;
+    case 83:
+      relative_e_ = true;
+      return true;
+    case 106:
+      fan_ = static_cast<int>(std::clamp<std::int64_t>(word(text, 'S', 0).value_or(255), 0, 255));
+      return true;
+    case 107:
+      fan_ = 0;
+      return true;
+    case 220:
+      feed_percent_ = std::clamp<std::int64_t>(word(text, 'S', 0).value_or(100), 10, 999);
+      return true;
+    case 221:
+      return true;
+    default:
+      return std::find(std::begin(kSilentCodes), std::end(kSilentCodes), code) !=
+             std::end(kSilentCodes);
+  }
+}
+
+bool VirtualController::Firmware::handle_m_temperature(std::int64_t code, std::string_view text) {
+  const auto target = word(text, 'S', 2);
+  const auto celsius = [&] { return static_cast<double>(*target) * 1e-2; };
+  switch (code) {
+    case 104:
+    case 109:
+      if (target) nozzle_.set_target(celsius());
+      break;
+    case 140:
+    case 190:
+      if (target) bed_.set_target(celsius());
+      break;
+    case 105:
+      temperatures_asked_ = true;
+      return true;
+    case 155:
+      auto_report_.reset();
+      if (const auto interval = word(text, 'S', 0); interval && *interval > 0) {
+        auto_report_ = std::chrono::seconds(std::min<std::int64_t>(*interval, 60));
+        auto_report_next_ = now_ + *auto_report_;
+      }
+      return true;
+    default:
+      return false;
+  }
+  if (code == 109 || code == 190) {
+    pause_was_asked_ = true;
+    within_window_since_.reset();
+    heat_report_next_ = now_;
+    wait(code == 109 ? Waiting::kNozzle : Waiting::kBed);
+  }
+  return true;
+}
+
+// Commands that only talk.
+bool VirtualController::Firmware::handle_m_host(std::int64_t code, std::string_view text) {
+  switch (code) {
+    case 110:
+      if (const auto number = word(text, 'N', 0)) {
+        last_number_ = *number;
+      } else {
+        print_format("Line: %lld\n", static_cast<long long>(last_number_));
+      }
+      return true;
+    case 112:
+      kill();
+      return true;
+    case 113:
+      if (const auto interval = word(text, 'S', 0)) {
+        busy_interval_s_ = static_cast<int>(std::clamp<std::int64_t>(*interval, 0, 60));
+      } else {
+        print_format("echo:M113 S%d\n", busy_interval_s_);
+      }
+      return true;
+    case 114:
+      print_position();
+      return true;
+    case 115:
+      print(kFirmwareName);
+      print(kCapabilitiesBefore);
+      print_format("Cap:EMERGENCY_PARSER:%d\n", options_.emergency_parser ? 1 : 0);
+      print(kCapabilitiesBehind);
+      print_format(
+          "area:{full:{min:{x:0.0000,y:0.0000,z:0.0000},max:{x:%.4f,y:%.4f,z:%.4f}},work:{min:{x:"
+          "0.0000,y:0.0000,z:0.0000},max:{x:%.4f,y:%.4f,z:%.4f}}}\n",
+          options_.bed_x_mm, options_.bed_y_mm, options_.height_z_mm, options_.bed_x_mm,
+          options_.bed_y_mm, options_.height_z_mm);
+      return true;
+    case 118: {
+      std::string_view message = text.substr(std::min<std::size_t>(text.size(), 5));
+      if (message.substr(0, 3) == "E1 ") {
+        print("echo:");
+        message.remove_prefix(3);
+      } else if (message.substr(0, 3) == "A1 ") {
+        print("//");
+        message.remove_prefix(3);
+      }
+      print(message);
+      print("\r\n");
+      return true;
+    }
+    case 503:
+      print(kBanner.substr(kBanner.find("echo:; Linear Units")));
+      return true;
+    case 999:
+      flush_and_request_resend();
+      return true;
+    default:
+      return false;
+  }
+}
+
+}  // namespace firmware_link

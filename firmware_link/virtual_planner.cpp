@@ -1,0 +1,68 @@
+#include "firmware_link/virtual_planner.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "firmware_link/check.h"
+
+namespace firmware_link {
+namespace {
+
+double seconds_of(double length, double entry, double nominal, double exit, double acceleration) {
+  // Too short to change speed that much: the mean of both ends.
+  if (std::abs(entry * entry - exit * exit) >= 2 * acceleration * length) {
+    return 2 * length / std::max(entry + exit, 1e-6);
+  }
+  const double reachable = std::sqrt((2 * acceleration * length + entry * entry + exit * exit) / 2);
+  const double peak = std::min(nominal, reachable);
+  const double ramps = (2 * peak * peak - entry * entry - exit * exit) / (2 * acceleration);
+  return (2 * peak - entry - exit) / acceleration + std::max(0.0, length - ramps) / peak;
+}
+
+double cosine(const PlannerMove& a, const PlannerMove& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.direction.size(); ++i) sum += a.direction[i] * b.direction[i];
+  return sum;
+}
+
+}  // namespace
+
+void VirtualPlanner::push(const PlannerMove& move, Instant now, bool pause_was_asked) {
+  LINK_CHECK(!full());
+  LINK_CHECK(move.speed_mm_s > 0 && move.acceleration_mm_s2 > 0 && move.length_mm >= 0);
+  double entry = 0;
+  if (count_ > 0) {
+    const PlannerMove& before = at(count_ - 1).move;
+    entry = std::max(0.0, cosine(before, move)) * std::min(before.speed_mm_s, move.speed_mm_s);
+  } else if (moved_before_ && !pause_was_asked && now > running_until_) {
+    ++starvations_;
+  }
+  at(count_++) = {move, entry};
+  count_max_ = std::max(count_max_, count_);
+  moved_before_ = true;
+  if (count_ == 1) start(now);
+}
+
+void VirtualPlanner::start(Instant when) {
+  const Block& block = at(0);
+  const double exit = count_ > 1 ? at(1).entry_speed_mm_s : 0;
+  const double seconds = seconds_of(block.move.length_mm, block.entry_speed_mm_s,
+                                    block.move.speed_mm_s, exit, block.move.acceleration_mm_s2);
+  running_since_ = when;
+  running_until_ = when + Duration(std::max<std::int64_t>(1, std::llround(seconds * 1e6)));
+}
+
+void VirtualPlanner::advance(Instant now) {
+  while (count_ > 0 && running_until_ <= now) {
+    if (count_ < kPlannerBlocks / 2) low_ += running_until_ - running_since_;
+    first_ = (first_ + 1) % blocks_.size();
+    if (--count_ > 0) start(running_until_);
+  }
+}
+
+std::optional<Instant> VirtualPlanner::next_event() const {
+  if (count_ == 0) return std::nullopt;
+  return running_until_;
+}
+
+}  // namespace firmware_link

@@ -1,0 +1,69 @@
+// The virtual controller's motion planner: a queue of 16 blocks, 15 of them usable, and how long
+// each takes to move.
+//
+// A block's time is that of a trapezoid from its entry to its exit speed. The speed at a corner is
+// the slower block's, times the cosine of the turn (0 from 90° on); behind the last block it is 0.
+// That is simpler than any firmware's, and right about what matters here: short segments that
+// arrive in time run through, those that arrive late stop at each end.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "firmware_link/instant.h"  // Instant
+#include "firmware_link/limits.h"   // kPlannerBlocks
+
+namespace firmware_link {
+
+struct PlannerMove {
+  double length_mm = 0;               // over x, y, z, or of filament when nothing else moves
+  double speed_mm_s = 0;              // REQUIRES: > 0
+  std::array<double, 3> direction{};  // of x, y, z; zero when only filament moves
+  double acceleration_mm_s2 = 0;      // REQUIRES: > 0
+};
+
+class VirtualPlanner {
+ public:
+  [[nodiscard]] bool empty() const { return count_ == 0; }
+  [[nodiscard]] bool full() const { return count_ == kPlannerBlocks - 1; }
+  [[nodiscard]] std::size_t count() const { return count_; }
+
+  // REQUIRES: !full(). `pause_was_asked`: a gap before this move is no starvation.
+  void push(const PlannerMove& move, Instant now, bool pause_was_asked);
+
+  // Ends blocks whose time is over. REQUIRES: no block ends before a time already passed.
+  void advance(Instant now);
+
+  // When the running block ends.
+  [[nodiscard]] std::optional<Instant> next_event() const;
+
+  void clear() { count_ = 0; }
+
+  [[nodiscard]] std::int64_t starvations() const { return starvations_; }
+  [[nodiscard]] Duration low() const { return low_; }
+  [[nodiscard]] std::size_t count_max() const { return count_max_; }
+
+ private:
+  struct Block {
+    PlannerMove move;
+    double entry_speed_mm_s = 0;
+  };
+
+  [[nodiscard]] Block& at(std::size_t i) { return blocks_[(first_ + i) % blocks_.size()]; }
+  void start(Instant when);
+
+  std::array<Block, kPlannerBlocks> blocks_{};
+  std::size_t first_ = 0;
+  std::size_t count_ = 0;
+  Instant running_since_;
+  Instant running_until_;
+  bool moved_before_ = false;
+
+  std::int64_t starvations_ = 0;
+  Duration low_{0};
+  std::size_t count_max_ = 0;
+};
+
+}  // namespace firmware_link

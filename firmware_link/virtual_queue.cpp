@@ -1,0 +1,108 @@
+// Bytes become lines become command slots, in the order of Marlin's queue.cpp (bugfix-2.1.x).
+#include <charconv>
+
+#include "firmware_link/virtual_firmware.h"
+
+namespace firmware_link {
+namespace {
+
+// As strtol reads: blanks, a sign, digits; 0 when there are none.
+std::int64_t leading_integer(std::string_view text) {
+  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+  std::int32_t value = 0;
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
+}
+
+}  // namespace
+
+// Reads until a line has ended or nothing is left; false when there was nothing to do.
+bool VirtualController::Firmware::read_bytes() {
+  bool any = false;
+  while (receive_.size() > 0 && slot_count_ < slots_.size()) {
+    any = true;
+    const char c = receive_.pop();
+    if (c == '\n' || c == '\r') {
+      in_comment_ = false;
+      end_line();
+      return true;
+    }
+    if (c == ';') in_comment_ = true;
+    if (in_comment_) continue;
+    // What is over 95 characters is dropped without a word, the checksum with it.
+    if (assembling_.size < assembling_.bytes.size()) assembling_.bytes[assembling_.size++] = c;
+  }
+  return any;
+}
+
+void VirtualController::Firmware::end_line() {
+  Slot slot = assembling_;
+  assembling_.size = 0;
+  if (slot.size == 0) return;
+  std::string_view line = slot.line();
+  while (!line.empty() && line.front() == ' ') line.remove_prefix(1);
+  if (!line.empty() && line.front() == 'N') {
+    if (!number_accepted(line)) return;
+  } else if (!options_.emergency_parser) {
+    // Without a number these act as soon as they are read, before their turn.
+    if (line.substr(0, 4) == "M112") {
+      kill();
+      return;
+    }
+    if (line.substr(0, 4) == "M108") waiting_cancelled_ = true;
+    if (line.substr(0, 4) == "M410") {
+      if (homing_) {
+        print("echo:Homing Failed\nError:Printer halted. kill() called!\n");
+        halted_ = true;
+        return;
+      }
+      planner_.clear();
+    }
+  }
+  slots_[(slot_first_ + slot_count_) % slots_.size()] = slot;
+  ++slot_count_;
+}
+
+// The number is looked at before the checksum, and the last two numbers are met with silence.
+bool VirtualController::Firmware::number_accepted(std::string_view line) {
+  std::size_t number_at = 0;
+  const bool sets_number = line.find("M110") != std::string_view::npos;
+  if (sets_number) {
+    const std::size_t second = line.find('N', 4);
+    if (second != std::string_view::npos) number_at = second;
+  }
+  const std::int64_t number = leading_integer(line.substr(number_at + 1));
+  if (number != last_number_ + 1 && !sets_number) {
+    if (number >= last_number_ - 1 && number <= last_number_) return false;
+    line_error("Line Number is not Last Line Number+1");
+    return false;
+  }
+  const std::size_t star = line.rfind('*');
+  if (star == std::string_view::npos) {
+    line_error("No Checksum with line number");
+    return false;
+  }
+  if (leading_integer(line.substr(star + 1)) != checksum_of(line.substr(0, star))) {
+    line_error("checksum mismatch");
+    return false;
+  }
+  last_number_ = number;
+  return true;
+}
+
+void VirtualController::Firmware::line_error(std::string_view what) {
+  print("Error:");
+  print(what);
+  print_format(", Last Line: %lld\n", static_cast<long long>(last_number_));
+  flush_and_request_resend();
+}
+
+// Drops all that has arrived, in the middle of a line too: its tail then comes without a number.
+void VirtualController::Firmware::flush_and_request_resend() {
+  receive_.clear();
+  ++totals_.resends_asked;
+  print_format("Resend: %lld\nok\n", static_cast<long long>(last_number_ + 1));
+}
+
+}  // namespace firmware_link
