@@ -16,6 +16,9 @@ struct PortError {
   std::string remedy;
 };
 
+// What a system's error number (errno) means for someone who wants to print.
+[[nodiscard]] PortError open_error(const std::string& path, int system_error);
+
 using OpenedPort = std::variant<std::unique_ptr<BytePort>, PortError>;
 
 // Opens a device by its path: a pseudo-terminal (a path under /dev/pts or a link to one) as a

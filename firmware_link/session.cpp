@@ -191,9 +191,12 @@ void Session::greet(Instant now) {
   ++greetings_;
   if (output_end_ - output_begin_ + 2 * kLineBytesMax > output_.size()) return;
   LineBuffer buffer;
-  // The end of line first finishes whatever half line the controller may hold.
+  // The end of line first finishes whatever half line the controller may hold. The number is that
+  // of the line itself, which Marlin sets as it reads it; "M110 N0" would set it again when its
+  // turn in the queue comes, behind lines that an `ok` too many has let in, which were then run
+  // twice.
   put("\n");
-  put(rules_.numbered ? number_line(0, "M110 N0", buffer) : std::string_view("M110 N0"));
+  put(rules_.numbered ? number_line(0, "M110", buffer) : std::string_view("M115"));
   put("\n");
 }
 

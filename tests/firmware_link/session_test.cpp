@@ -26,8 +26,8 @@ struct ByHand {
       : session(std::make_unique<MarlinDialect>(), options, Instant{}) {
     say("start\n");
     pass(300ms);
-    CHECK(take_output() == "\nN0 M110 N0*125\n");
-    say("ok\n");
+    CHECK(take_output() == "\nN0 M110*35\n");
+    say("Line: 0\nok\n");
     CHECK(take_output() == "N1 M115*39\n");
     say("FIRMWARE_NAME:Marlin 2.1 (x) SOURCE_CODE_URL:y\nCap:EEPROM:0\nok\n");
     CHECK(session.state() == SessionState::kStreaming);

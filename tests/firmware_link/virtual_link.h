@@ -2,6 +2,7 @@
 // simulated time.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdint>
@@ -153,6 +154,16 @@ class VirtualLink {
     (void)controller->input(span, now);
   }
 
+  // What was accepted is executed behind the last byte too.
+  void let_controller_work() {
+    while (controller->owes_answer() && !controller->state().halted) {
+      const auto next = controller->next_event();
+      if (!next) break;
+      now = std::max(now, *next);
+      controller->advance(now);
+    }
+  }
+
   [[nodiscard]] bool ended() const {
     return session->state() == SessionState::kFinished ||
            session->state() == SessionState::kStopped || session->state() == SessionState::kFaulted;
@@ -201,7 +212,7 @@ inline std::vector<Command> moves(std::size_t count, std::uint64_t seed) {
     move.x_um = 20'000 + static_cast<std::int64_t>(random() % 160'000);
     move.y_um = 20'000 + static_cast<std::int64_t>(i);
     if (random() % 2 == 0) move.e_10nm = static_cast<std::int64_t>(random() % 50'000);
-    if (random() % 8 == 0) move.f_mm_min = 12'000;
+    if (i == 0 || random() % 8 == 0) move.f_mm_min = 12'000;
     commands.emplace_back(move);
   }
   return commands;
