@@ -59,35 +59,47 @@ struct Rows {
   }
 };
 
-// Row n runs at (n + ½) · distance. Each edge is asked for the rows it crosses, its lower end
-// counted as on the near side, so that every row meets the rings an even number of times.
-Rows cut_rows(const Region& region, const Turn& turn, double distance) {
+// Row n runs at (n + ½) · distance. This is the first row at or above `across`.
+std::int64_t row_from(double across, double distance) {
+  return static_cast<std::int64_t>(std::ceil(across / distance - 0.5));
+}
+
+double row_across(std::int64_t row, double distance) {
+  return (static_cast<double>(row) + 0.5) * distance;
+}
+
+using Edge = std::array<std::array<double, 2>, 2>;  // along, across
+
+std::vector<Edge> turned_edges(const Region& region, const Turn& turn) {
+  std::vector<Edge> edges;
+  edges.reserve(region.point_count());
+  for (const Ring& ring : region.rings()) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      Edge edge = {turn.to_rows(ring[i]), turn.to_rows(ring[(i + 1) % ring.size()])};
+      if (edge[0][1] > edge[1][1]) std::swap(edge[0], edge[1]);
+      edges.push_back(edge);
+    }
+  }
+  return edges;
+}
+
+// Each edge is asked for the rows it crosses, its lower end counted as on the near side, so that
+// every row meets the rings an even number of times.
+Rows cut_rows(const std::vector<Edge>& edges, double distance) {
   Rows rows;
-  const auto row_above = [&](double across) {
-    return static_cast<std::int64_t>(std::ceil(across / distance - 0.5));
-  };
   std::int64_t lowest = std::numeric_limits<std::int64_t>::max();
   std::int64_t highest = std::numeric_limits<std::int64_t>::min();
-  for (const Ring& ring : region.rings()) {
-    for (const Point p : ring) {
-      const std::int64_t row = row_above(turn.to_rows(p)[1]);
-      lowest = std::min(lowest, row);
-      highest = std::max(highest, row);
-    }
+  for (const Edge& edge : edges) {
+    lowest = std::min(lowest, row_from(edge[0][1], distance));
+    highest = std::max(highest, row_from(edge[1][1], distance));
   }
   if (lowest >= highest) return rows;
   rows.first = lowest;
   std::vector<std::vector<double>> crossings(static_cast<std::size_t>(highest - lowest));
-  for (const Ring& ring : region.rings()) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      std::array<double, 2> a = turn.to_rows(ring[i]);
-      std::array<double, 2> b = turn.to_rows(ring[(i + 1) % ring.size()]);
-      if (a[1] > b[1]) std::swap(a, b);
-      for (std::int64_t row = row_above(a[1]); row < row_above(b[1]); ++row) {
-        const double across = (static_cast<double>(row) + 0.5) * distance;
-        const double t = (across - a[1]) / (b[1] - a[1]);
-        crossings[static_cast<std::size_t>(row - lowest)].push_back(a[0] + t * (b[0] - a[0]));
-      }
+  for (const auto& [a, b] : edges) {
+    for (std::int64_t row = row_from(a[1], distance); row < row_from(b[1], distance); ++row) {
+      const double t = (row_across(row, distance) - a[1]) / (b[1] - a[1]);
+      crossings[static_cast<std::size_t>(row - lowest)].push_back(a[0] + t * (b[0] - a[0]));
     }
   }
   for (std::vector<double>& row : crossings) {
@@ -96,6 +108,63 @@ Rows cut_rows(const Region& region, const Turn& turn, double distance) {
     for (std::size_t i = 0; i + 1 < row.size(); i += 2) stretches.push_back({row[i], row[i + 1]});
   }
   return rows;
+}
+
+// The stretch of the row at `across` that is nearer than `reach` to the edge: it meets the discs
+// round both ends, and the straight sides between. Empty when from > to.
+Stretch near_edge(const Edge& edge, double across, double reach) {
+  Stretch near{std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest()};
+  const auto meet = [&](double low, double high) {
+    near.from = std::min(near.from, low);
+    near.to = std::max(near.to, high);
+  };
+  for (const std::array<double, 2>& end : edge) {
+    const double away = across - end[1];
+    if (std::abs(away) >= reach) continue;
+    const double half = std::sqrt(reach * reach - away * away);
+    meet(end[0] - half, end[0] + half);
+  }
+  const double dx = edge[1][0] - edge[0][0], dy = edge[1][1] - edge[0][1];
+  const double length = std::hypot(dx, dy);
+  if (dy <= 0 || length == 0) return near;
+  for (const double side : {-reach, reach}) {
+    const double nx = -dy / length * side, ny = dx / length * side;
+    const double t = (across - edge[0][1] - ny) / dy;
+    if (t < 0 || t > 1) continue;
+    const double along = edge[0][0] + nx + t * dx;
+    meet(along, along);
+  }
+  return near;
+}
+
+// Takes from the rows all that is nearer than `inset` to an edge: what stays is the inner offset.
+void cut_inset(Rows& rows, const std::vector<Edge>& edges, double distance, double inset) {
+  std::vector<std::vector<Stretch>> taken(rows.stretches.size());
+  const auto count = static_cast<std::int64_t>(taken.size());
+  for (const Edge& edge : edges) {
+    const std::int64_t first = row_from(edge[0][1] - inset, distance) - rows.first;
+    const std::int64_t end = row_from(edge[1][1] + inset, distance) - rows.first;
+    for (std::int64_t i = std::max<std::int64_t>(first, 0); i < std::min(end, count); ++i) {
+      const Stretch near = near_edge(edge, row_across(rows.first + i, distance), inset);
+      if (near.from < near.to) taken[static_cast<std::size_t>(i)].push_back(near);
+    }
+  }
+  for (std::size_t i = 0; i < taken.size(); ++i) {
+    std::sort(taken[i].begin(), taken[i].end(),
+              [](const Stretch& a, const Stretch& b) { return a.from < b.from; });
+    std::vector<Stretch> left;
+    for (const Stretch& whole : rows.stretches[i]) {
+      double from = whole.from;
+      for (const Stretch& gone : taken[i]) {
+        if (gone.to <= from) continue;
+        if (gone.from >= whole.to) break;
+        if (gone.from > from) left.push_back({from, gone.from});
+        from = gone.to;
+      }
+      if (from < whole.to) left.push_back({from, whole.to});
+    }
+    rows.stretches[i] = std::move(left);
+  }
 }
 
 // Draws the stretches on by `anchor`, no further than the stretch of `within` they lie in, and
@@ -132,13 +201,13 @@ void drop_short(Rows& rows, double shortest) {
 // Strings stretches together, row by row upwards, for as long as a join is found.
 class Chainer {
  public:
-  Chainer(Rows& rows, const Turn& turn, double distance, bool joins, const Region& within)
+  Chainer(Rows& rows, const Turn& turn, double distance, bool joins, const Region& region)
       : rows_(rows),
         turn_(turn),
         distance_(distance),
         joins_(joins),
         boundary_(Length::from_mm(1)) {
-    if (joins_) boundary_.add(within);
+    if (joins_) boundary_.add(region);
   }
 
   [[nodiscard]] std::vector<std::vector<Point>> chains() {
@@ -157,10 +226,7 @@ class Chainer {
     return turn_.to_plane(along, (number + 0.5) * distance_);
   }
 
-  // The ends lie on the boundary that a join must not cross: it is asked a hair nearer the middle.
-  [[nodiscard]] bool inside(Point a, Point b) const {
-    return !boundary_.crosses({between(a, b, 0.02), between(a, b, 0.98)});
-  }
+  [[nodiscard]] bool inside(Point a, Point b) const { return !boundary_.crosses({a, b}); }
 
   [[nodiscard]] std::vector<Point> chain(std::size_t row, Stretch& first) {
     first.used = true;
@@ -210,12 +276,17 @@ std::vector<Road> LineFill::fill(const FillArea& area) const {
   const Turn turn(angle_degrees_ + (area.layer % 2 == 0 ? 0 : 90));
   const auto distance = static_cast<double>(area.distance.units());
   const auto width = static_cast<double>(area.width.units());
-  Rows rows = cut_rows(area.region, turn, distance);
+  const std::vector<Edge> edges = turned_edges(area.region, turn);
+  Rows rows = cut_rows(edges, distance);
+  if (area.inset > Length()) {
+    cut_inset(rows, edges, distance, static_cast<double>(area.inset.units()));
+  }
   drop_short(rows, kStretchMinWidths * width);
   if (area.anchor > Length()) {
-    draw_on(rows, cut_rows(area.within, turn, distance), static_cast<double>(area.anchor.units()));
+    draw_on(rows, cut_rows(turned_edges(area.within, turn), distance),
+            static_cast<double>(area.anchor.units()));
   }
-  Chainer chainer(rows, turn, distance, joins_ == Joins::kNearEnds, area.within);
+  Chainer chainer(rows, turn, distance, joins_ == Joins::kNearEnds, area.region);
   for (std::vector<Point>& points : chainer.chains()) {
     points.erase(std::unique(points.begin(), points.end()), points.end());
     if (points.size() < 2) continue;

@@ -2,9 +2,9 @@
 // at their ends.
 //
 //     ╱╲  ╱╱╲          rows of one grid, turned by the fill angle, at the area's distance;
-//    ╱╱ ╲╱╱  ╲         a row's stretches inside `region` become roads, drawn on by `anchor`
-//    ╲╱  ╲╲  ╱         inside `within`; the next row's nearest end is joined to a road's end
-//     ╲╱  ╲╲╱          where the join is short and stays inside `within`
+//    ╱╱ ╲╱╱  ╲         a row's stretches `inset` deep inside `region` become roads, drawn
+//    ╲╱  ╲╲  ╱         on by `anchor` inside `within`; the next row's nearest end is joined to a
+//     ╲╱  ╲╲╱          road's end where the join is short and stays inside the region
 //
 // The grid is fixed to the plane, not to the area: rows of one layer lie over those of the next
 // but one.

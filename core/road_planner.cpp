@@ -4,11 +4,12 @@
 #include <iterator>
 #include <utility>
 
-#include "core/boolean.h"        // intersect
+#include "core/boolean.h"        // clean, intersect, subtract
 #include "core/line_fill.h"      // LineFill
 #include "core/perimeters.h"     // perimeters
 #include "core/rest_fill.h"      // rest_roads
 #include "core/road_order.h"     // printing_order
+#include "core/simplified.h"     // simplified
 #include "core/skirt.h"          // skirt_roads
 #include "core/slice_offsets.h"  // perimeter_spacing
 #include "core/wall_fill.h"      // wall_roads
@@ -39,16 +40,16 @@ std::vector<Road> RoadPlanner::plan(const SplitLayer& layer) const {
   Perimeters around = perimeters(slice, offsets, settings_);
   std::vector<Road> roads = std::move(around.roads);
   append(rest_roads(around.rest, RestEdges::kPart, height, settings_), roads);
-  append(wall_roads(intersect(layer.solid, offsets.interior), slice.index, height, settings_),
-         roads);
-  if (settings_.loose_density > 0 && !layer.loose.empty()) {
-    const Region inside = intersect(layer.loose, offsets.interior);
+  const Region loose = simplified(layer.loose, settings_.simplify_tolerance);
+  append(wall_roads(subtract(offsets.interior, loose), slice.index, height, settings_), roads);
+  if (settings_.loose_density > 0 && !loose.empty()) {
+    const Region inside = intersect(loose, offsets.interior);
     const Length spacing = perimeter_spacing(settings_, height);
     const LineFill pattern(settings_.fill_angle_degrees, LineFill::Joins::kNone);
     append(
         pattern.fill({inside, road_room(layer, settings_), slice.index, RoadKind::kLoose,
                       settings_.road_width, Length::from_mm(spacing.mm() / settings_.loose_density),
-                      settings_.loose_anchor}),
+                      Length(), settings_.loose_anchor}),
         roads);
   }
   if (roads.empty()) return roads;

@@ -11,6 +11,8 @@
 #include "core/perimeters.h"        // roads_near_core
 #include "core/polyline.h"          // length_mm
 #include "core/rest_fill.h"         // rest_roads
+#include "core/segment_grid.h"      // SegmentGrid
+#include "core/simplified.h"        // simplified
 #include "core/slice_offsets.h"     // narrow_half, perimeter_spacing
 #include "core/voronoi_mountain.h"  // VoronoiMountain
 
@@ -23,20 +25,25 @@ constexpr double kBandRoads = 3;
 
 // Depth below the edge at which rows end, as a share of their distance; half would lay exactly what
 // joined rows need, and leave notches between two joins.
-constexpr double kRowEndShare = 0.25;
+constexpr double kRowEndShare = 0.15;
 
 // Rows are at most this share of a bead's width apart.
-constexpr double kRowDistanceMaxWidths = 0.97;
+constexpr double kRowDistanceMaxWidths = 0.95;
+
+// Beads of neighbouring rows overlap by this at least.
+constexpr double kTouchMm = 0.005;
 
 // What the width may change to make what is laid equal to what the piece holds.
 constexpr double kWidthChangeMax = 0.12;
 
+// Pieces thinner than this share of the narrowest road are hairs that beads at either side cover.
+constexpr double kHairShare = 0.25;
+
+// What the opening leaves is a band from this many squares of a road on.
+constexpr double kBandSquaresMin = 4;
+
 // Beads overlap by this much where they are taken from a region: rounding leaves no hairs.
 constexpr Length kSeam = Length::from_units(100);
-
-// A band smaller than this many squares of a road, or thinner than half the narrowest one, stays
-// with its neighbour.
-constexpr double kBandSquaresMin = 4;
 
 Length scaled(Length length, double factor) { return Length::from_mm(length.mm() * factor); }
 
@@ -63,37 +70,61 @@ class WallFill {
         spacing_(perimeter_spacing(settings, height)) {}
 
   [[nodiscard]] std::vector<Road> fill(const Region& wall) {
-    split(wall);
-    for (Island& piece : islands(wide_)) fill_rows(region_of(std::move(piece)));
-    if (!bands_.empty()) fill_bands();
+    for (Island& island : islands(wall)) {
+      const Region piece = region_of(std::move(island));
+      if (breadth_mm(piece) < kHairShare * settings_.road_width_min.mm()) continue;
+      fill_piece(piece);
+    }
     return std::move(roads_);
   }
 
  private:
-  // The wall's opening, grown by a hair more than it was shrunk, is wide; what is left over and
-  // worth it are bands.
-  void split(const Region& wall) {
+  // The piece's opening is wide; what is left over and worth it are bands.
+  void fill_piece(const Region& piece) {
     const Length half = scaled(spacing_, kBandRoads / 2);
-    const Region middle = offset(wall, half, settings_.arc_tolerance);
-    if (middle.empty()) {
-      bands_ = wall;
-      return;
+    const VoronoiMountain mountain(piece);
+    const Region middle = flatten(mountain.offset(half), settings_.arc_tolerance);
+    if (middle.empty()) return fill_band(piece, mountain);
+    if (!narrow_somewhere(piece, middle, half)) return fill_rows(piece);
+    // Grown by a hair more than it was shrunk, so that equal edges cancel.
+    const Length back = half + settings_.arc_tolerance * 2 + settings_.simplify_tolerance * 2;
+    const Region opening =
+        offset(simplified(middle, settings_.simplify_tolerance), -back, settings_.arc_tolerance);
+    std::vector<Ring> bands;
+    for (Island& island : islands(subtract(piece, opening))) {
+      const Region band = region_of(std::move(island));
+      if (band.area_mm2() < kBandSquaresMin * spacing_.mm() * spacing_.mm()) continue;
+      if (breadth_mm(band) < settings_.road_width_min.mm() / 2) continue;
+      bands.insert(bands.end(), band.rings().begin(), band.rings().end());
+      fill_band(band, VoronoiMountain(band));
     }
-    const Length back = half + settings_.arc_tolerance * 2;
-    const Region narrow = subtract(wall, offset(middle, -back, settings_.arc_tolerance));
-    std::vector<Ring> rings;
-    for (Island& island : islands(narrow)) {
-      const Region piece = region_of(std::move(island));
-      if (piece.area_mm2() < kBandSquaresMin * spacing_.mm() * spacing_.mm()) continue;
-      if (breadth_mm(piece) < settings_.road_width_min.mm() / 2) continue;
-      rings.insert(rings.end(), piece.rings().begin(), piece.rings().end());
-    }
-    bands_ = Region::from_clean_rings(std::move(rings));
-    wide_ = subtract(wall, bands_);
+    if (bands.empty()) return fill_rows(piece);
+    const Region rows = subtract(piece, Region::from_clean_rings(std::move(bands)));
+    for (Island& island : islands(rows)) fill_rows(region_of(std::move(island)));
   }
 
-  void fill_bands() {
-    const VoronoiMountain mountain(bands_);
+  // A cheap look at whether the opening leaves more than corners: a corner of more than 60° has
+  // the middle within twice its depth.
+  [[nodiscard]] static bool narrow_somewhere(const Region& piece, const Region& middle,
+                                             Length depth) {
+    const Length reach = depth * 2;
+    SegmentGrid grid(reach);
+    grid.add(middle);
+    for (const Ring& ring : piece.rings()) {
+      for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Point a = ring[i], b = ring[(i + 1) % ring.size()];
+        const int parts = 1 + static_cast<int>(distance_mm(a, b) / reach.mm());
+        for (int part = 0; part < parts; ++part) {
+          if (!grid.any_within(between(a, b, part / static_cast<double>(parts)), reach))
+            return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  // A road along each edge where there is room for two, and one of its own width in the middle.
+  void fill_band(const Region& band, const VoronoiMountain& mountain) {
     const auto at = [&](Length depth) {
       return flatten(mountain.offset(depth), settings_.arc_tolerance);
     };
@@ -102,8 +133,8 @@ class WallFill {
     const std::vector<Road> rings = roads_near_core(
         at(half), at(half + half_narrow), half_narrow * 2, settings_.road_width, RoadKind::kSolid);
     add(rings);
-    add(rest_roads(subtract(bands_, bead_cover(rings, spacing_ + kSeam)), RestEdges::kRoads,
-                   height_, settings_));
+    const Region rest = rings.empty() ? band : subtract(band, bead_cover(rings, spacing_ + kSeam));
+    add(rest_roads(rest, RestEdges::kRoads, height_, settings_));
   }
 
   // The piece's own row distance; the formula is in the header, p on both sides.
@@ -117,20 +148,19 @@ class WallFill {
 
   void fill_rows(const Region& piece) {
     const Length distance = row_distance(piece);
-    const Region within = offset(piece, scaled(distance, kRowEndShare), settings_.arc_tolerance);
     const LineFill pattern(settings_.fill_angle_degrees, LineFill::Joins::kNearEnds);
-    std::vector<Road> rows = pattern.fill(
-        {within, within, layer_, RoadKind::kSolid, settings_.road_width, distance, Length()});
-    const Length covered = std::max(distance, settings_.road_width);
-    const Region rest = subtract(piece, bead_cover(rows, covered));
+    std::vector<Road> rows =
+        pattern.fill({piece, piece, layer_, RoadKind::kSolid, settings_.road_width, distance,
+                      scaled(distance, kRowEndShare), Length()});
+    const Region rest = subtract(piece, bead_cover(rows, distance + kSeam));
     double laid_mm = 0;
     for (const Road& row : rows) laid_mm += length_mm(row);
     if (laid_mm > 0) {
       const double holds_mm2 = piece.area_mm2() - rest.area_mm2();
       const double w = settings_.road_width.mm();
+      const double least = std::max(w * (1 - kWidthChangeMax), distance.mm() + kTouchMm);
       const double width = width_of_area(holds_mm2 * height_.mm() / laid_mm, height_).mm();
-      const Length fitted =
-          Length::from_mm(std::clamp(width, w * (1 - kWidthChangeMax), w * (1 + kWidthChangeMax)));
+      const Length fitted = Length::from_mm(std::clamp(width, least, w * (1 + kWidthChangeMax)));
       for (Road& row : rows) row.width = fitted;
     }
     add(std::move(rows));
@@ -146,8 +176,6 @@ class WallFill {
   Length height_;
   const Settings& settings_;
   Length spacing_;
-  Region wide_;
-  Region bands_;
   std::vector<Road> roads_;
 };
 

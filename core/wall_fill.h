@@ -1,7 +1,7 @@
 // Fills the wall, without a void and without laying more than it holds.
 //
 //     wide parts     parallel roads at the fill angle, joined at their ends (line_fill.h)
-//     bands          where only some three roads fit side by side: a road along each edge
+//     bands          pieces where at most three roads fit side by side: a road along each edge
 //     rests          what both leave: roads of their own width (rest_fill.h)
 //
 // Joins lay material that the rows they connect have laid already, and rows that end before the
@@ -24,7 +24,8 @@
 
 namespace core {
 
-// COSTS: up to four mountains of the wall's outline, and booleans with the outlines of its roads.
+// COSTS: a mountain of each piece that is thin enough to be a band, and a boolean with the outlines
+// of its roads for each piece.
 [[nodiscard]] std::vector<Road> wall_roads(const Region& wall, LayerIndex layer, Length height,
                                            const Settings& settings);
 
