@@ -84,7 +84,6 @@ TEST_CASE("processor time goes to the stage that spent it") {
   CHECK_GE(clock.seconds(host::Stage::kSlice), 0.004);
   CHECK_GE(clock.seconds(host::Stage::kRoads), 0.014);
   CHECK_GE(clock.worst_layer_ms(host::Stage::kRoads), 12);
-  CHECK_LT(clock.worst_layer_ms(host::Stage::kRoads),
-           clock.seconds(host::Stage::kRoads) * 1e3);
+  CHECK_LT(clock.worst_layer_ms(host::Stage::kRoads), clock.seconds(host::Stage::kRoads) * 1e3);
   CHECK_EQ(clock.seconds(host::Stage::kSend), 0);
 }

@@ -1,0 +1,144 @@
+#include "host/print_job.h"
+
+#include <fmt/format.h>
+
+#include <atomic>
+#include <exception>
+#include <optional>
+#include <thread>
+#include <utility>
+
+#include "host/exit_codes.h"
+#include "host/limits.h"
+#include "host/monitor.h"
+#include "host/pipeline.h"
+
+namespace host {
+namespace {
+
+// Puts the pipeline's commands into the queue, each with its place in the print.
+class QueueFiller {
+ public:
+  explicit QueueFiller(CommandQueue& queue) : queue_(queue) {}
+
+  bool take(const core::Motion& motion, const std::optional<firmware_link::Command>& command) {
+    if (const auto* layer = std::get_if<core::BeginLayer>(&motion)) {
+      next_.layer = layer->index + 1;
+      next_.top = layer->top;
+    }
+    const auto* extrude = std::get_if<core::Extrude>(&motion);
+    if (extrude != nullptr) next_.filament_mm += extrude->filament_mm;
+    if (!command) return true;
+    next_.lays_road = extrude != nullptr;
+    next_.command = *command;
+    return queue_.push(next_, sizeof next_);
+  }
+
+ private:
+  CommandQueue& queue_;
+  QueuedCommand next_;
+};
+
+// What the geometry thread leaves behind.
+struct GeometryOutcome {
+  std::optional<std::string> error;
+  GeometryStatistics statistics;
+};
+
+GeometryOutcome run_geometry(const PrintJob& job, CommandQueue& queue, PipelineSignals& signals) {
+  GeometryOutcome outcome;
+  try {
+    QueueFiller filler(queue);
+    PipelineOutputs outputs;
+    outputs.on_motion = [&filler](const core::Motion& motion,
+                                  const std::optional<firmware_link::Command>& command) {
+      return filler.take(motion, command);
+    };
+    const core::Result<PipelineEnd> end =
+        run_pipeline(job.settings, job.part, outputs, signals, outcome.statistics);
+    if (!end.ok()) outcome.error = end.error().message;
+  } catch (const std::exception& error) {
+    outcome.error = std::string("the geometry gave up: ") + error.what();
+  }
+  if (outcome.error) {
+    queue.close();
+  } else {
+    queue.finish();
+  }
+  return outcome;
+}
+
+std::string where(const LinkOutcome& link, core::LayerIndex layers) {
+  if (link.layer == 0) return "before the first road";
+  return fmt::format("at layer {} of {}, height {:.2f} mm", link.layer, layers, link.height.mm());
+}
+
+std::string told(std::string message, const std::string& measures) {
+  return measures.empty() ? message : message + "; " + measures;
+}
+
+void conclude(const LinkOutcome& link, const GeometryOutcome& geometry, const PrintJob& job,
+              PrintOutcome& outcome) {
+  const core::LayerIndex layers = job.part.summary.layers;
+  switch (link.end) {
+    case LinkEnd::kDone:
+      outcome.exit_code = kExitDone;
+      outcome.message =
+          fmt::format("printed {} layers, {:.2f} m of filament in {}", geometry.statistics.layers,
+                      total_mm(geometry.statistics.filament_mm) / 1'000,
+                      duration_text(steady_seconds() - job.began_s));
+      return;
+    case LinkEnd::kUserStopped:
+    case LinkEnd::kUserHalted:
+      outcome.exit_code = kExitStopped;
+      outcome.message = told("stopped " + where(link, layers), link.measures);
+      return;
+    case LinkEnd::kGeometryEnded:
+      outcome.exit_code = kExitBadInput;
+      outcome.message = geometry.error.value_or("the geometry ended early");
+      if (link.layer > 0 || !link.measures.empty()) {
+        outcome.message = told(outcome.message + "; stopped " + where(link, layers), link.measures);
+      }
+      return;
+    case LinkEnd::kFaulted:
+      outcome.exit_code = kExitLinkFault;
+      outcome.message = told(link.reason + "; stopped " + where(link, layers), link.measures);
+      return;
+  }
+}
+
+}  // namespace
+
+PrintOutcome print_part(const PrintJob& job) {
+  CommandQueue queue({kQueuedCommandsMax, kQueuedBytesMax});
+  PipelineSignals signals;
+  std::atomic<bool> link_ended = false;
+  signals.stop_asked = [&link_ended] { return link_ended.load(); };
+
+  GeometryOutcome geometry;
+  std::thread thread([&] { geometry = run_geometry(job, queue, signals); });
+  LinkOutcome link;
+  MonitorOptions options;
+  options.layers = job.part.summary.layers;
+  options.began_s = job.began_s;
+  options.stop_count = job.stop_count;
+  options.slices_cut = [&signals] { return signals.slices_cut.load(); };
+  Monitor monitor(job.settings, std::move(options), job.port, queue, job.reporter);
+  try {
+    link = monitor.run();
+  } catch (const std::exception& error) {
+    // The session's state is not to be trusted any more; its controller is made safe from outside.
+    link = monitor.emergency(error.what());
+  }
+  link_ended.store(true);
+  queue.close();
+  thread.join();
+
+  PrintOutcome outcome;
+  conclude(link, geometry, job, outcome);
+  outcome.geometry = std::move(geometry.statistics);
+  outcome.link = monitor.statistics();
+  return outcome;
+}
+
+}  // namespace host

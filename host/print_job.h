@@ -1,0 +1,39 @@
+// Prints a part: geometry on a thread of its own, the link on the caller's, one queue between.
+//
+//     run_pipeline ──> MotionEncoder ──> [ bounded queue ] ──> Monitor ──> port
+//         geometry thread                                       caller's thread
+//
+// Whatever ends one side ends the other: an error of the part closes the queue and the link brings
+// the printer to a safe end; a fault of the link closes the queue and the geometry gives up.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "core/settings.h"            // Settings
+#include "firmware_link/byte_port.h"  // BytePort
+#include "host/part_file.h"           // OpenedPart
+#include "host/progress.h"            // Reporter
+#include "host/statistics.h"          // GeometryStatistics, LinkStatistics
+
+namespace host {
+
+struct PrintJob {
+  const core::Settings& settings;  // validated
+  OpenedPart& part;
+  firmware_link::BytePort& port;
+  Reporter& reporter;
+  std::function<int()> stop_count;  // signals so far; asked all the time
+  double began_s = 0;               // steady_seconds() when the program began
+};
+
+struct PrintOutcome {
+  int exit_code = 0;
+  std::string message;  // one line: what was printed, or where and why it ended and what was done
+  GeometryStatistics geometry;
+  LinkStatistics link;
+};
+
+[[nodiscard]] PrintOutcome print_part(const PrintJob& job);
+
+}  // namespace host

@@ -1,0 +1,123 @@
+// A print in one process: a part, the print job, and a virtual controller that notes what it
+// executed and whose wire can be cut.
+#pragma once
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "firmware_link/virtual_port.h"
+#include "host/gcode_writer.h"
+#include "host/part_file.h"
+#include "host/pipeline.h"
+#include "host/port_clock.h"
+#include "host/print_job.h"
+#include "tests/support/part_folder.h"
+
+namespace print_test {
+
+// Passes everything on until it is told to break.
+class BreakablePort final : public firmware_link::BytePort {
+ public:
+  explicit BreakablePort(firmware_link::BytePort& inner) : inner_(inner) {}
+
+  void unplug() { unplugged_ = true; }
+  // The controller's next words.
+  void say(std::string text) { words_ = std::move(text); }
+
+  [[nodiscard]] std::size_t write(std::span<const std::byte> bytes) override {
+    return unplugged_ ? 0 : inner_.write(bytes);
+  }
+  [[nodiscard]] std::size_t read(std::span<std::byte> into, int timeout_ms) override {
+    if (unplugged_) return 0;
+    if (words_.empty()) return inner_.read(into, timeout_ms);
+    const std::size_t count = std::min(into.size(), words_.size());
+    std::memcpy(into.data(), words_.data(), count);
+    words_.erase(0, count);
+    return count;
+  }
+  [[nodiscard]] firmware_link::PortState state() const override {
+    return unplugged_ ? firmware_link::PortState::kLost : inner_.state();
+  }
+
+ private:
+  firmware_link::BytePort& inner_;
+  bool unplugged_ = false;
+  std::string words_;
+};
+
+struct Rig {
+  core::Settings settings;
+  host::OpenedPart part;
+  std::vector<std::string> executed;  // numbered commands, as the controller took them
+  std::function<void()> on_executed;  // after each
+  std::function<int()> stop_count = [] { return 0; };
+  std::unique_ptr<firmware_link::VirtualPort> port;
+  std::unique_ptr<BreakablePort> wire;
+
+  Rig(const core::Settings& with, const std::string& path) : settings(with) {
+    core::Result<host::OpenedPart> opened = host::open_part(path, settings);
+    if (!opened.ok()) FAIL(opened.error().message);
+    part = std::move(opened).value();
+    firmware_link::VirtualControllerOptions options;
+    options.bed_x_mm = settings.bed_x.mm();
+    options.bed_y_mm = settings.bed_y.mm();
+    options.executed = [this](const firmware_link::ExecutedCommand& command) {
+      if (command.number) executed.emplace_back(command.text);
+      if (on_executed) on_executed();
+    };
+    port = std::make_unique<firmware_link::VirtualPort>(options, host::steady_port_clock(), 0);
+    wire = std::make_unique<BreakablePort>(*port);
+  }
+
+  [[nodiscard]] host::PrintOutcome print() {
+    host::Reporter reporter({.quiet = true, .json = false, .stdout_taken = false});
+    return host::print_part(
+        {settings, part, *wire, reporter, [this] { return stop_count(); }, host::steady_seconds()});
+  }
+
+  [[nodiscard]] firmware_link::VirtualControllerState controller() {
+    return port->controller().state();
+  }
+
+  [[nodiscard]] std::int64_t count(std::string_view begin) const {
+    return std::count_if(executed.begin(), executed.end(), [begin](const std::string& text) {
+      return text.compare(0, begin.size(), begin) == 0;
+    });
+  }
+};
+
+// What `rind slice` writes, comments and empty lines left out.
+inline std::vector<std::string> sliced_lines(const core::Settings& settings,
+                                             const std::string& path) {
+  core::Result<host::OpenedPart> part = host::open_part(path, settings);
+  REQUIRE(part.ok());
+  std::string text;
+  host::GcodeWriter writer;
+  host::PipelineOutputs outputs;
+  outputs.on_motion = [&](const core::Motion& motion,
+                          const std::optional<firmware_link::Command>& command) {
+    writer.write(motion, command, text);
+    return true;
+  };
+  host::PipelineSignals signals;
+  host::GeometryStatistics statistics;
+  const auto end = host::run_pipeline(settings, part.value(), outputs, signals, statistics);
+  REQUIRE(end.ok());
+  std::vector<std::string> lines;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t line_end = text.find('\n', at);
+    if (text[at] != ';') lines.push_back(text.substr(at, line_end - at));
+    at = line_end + 1;
+  }
+  return lines;
+}
+
+}  // namespace print_test
