@@ -45,13 +45,21 @@ Edges edges_of(const std::vector<Ring>& rings, Direction direction = Direction::
   return edges;
 }
 
-// Boost repeats the first point at the end.
+// Boost repeats the first point at the end, and leaves points on straight runs.
 template <typename Polygon>
 void add_ring(const Polygon& boundary, std::vector<Ring>& rings) {
   Ring ring;
   ring.reserve(boundary.size());
-  for (const BoostPoint& p : boundary) ring.push_back({p.x(), p.y()});
-  while (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
+  for (const BoostPoint& boost_point : boundary) {
+    const Point p{boost_point.x(), boost_point.y()};
+    while (ring.size() > 1 && cross(ring[ring.size() - 2], ring.back(), p) == 0) ring.pop_back();
+    if (ring.empty() || ring.back() != p) ring.push_back(p);
+  }
+  if (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
+  while (ring.size() > 2 && cross(ring[ring.size() - 2], ring.back(), ring.front()) == 0) {
+    ring.pop_back();
+  }
+  if (ring.size() > 2 && cross(ring.back(), ring[0], ring[1]) == 0) ring.erase(ring.begin());
   if (ring.size() >= 3 && doubled_area_units(ring) != 0) rings.push_back(std::move(ring));
 }
 

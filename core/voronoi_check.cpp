@@ -76,12 +76,37 @@ bool links_agree(const VoronoiDiagram& diagram) {
   return true;
 }
 
+// How far left of the site's line the vertex is, times the site's length. Infinity is outside.
+double left_of(const VoronoiSite& site, const VoronoiDiagram& diagram, std::uint32_t vertex) {
+  if (vertex == VoronoiEdge::kInfinity) return -1;
+  return (static_cast<double>(site.b.x) - site.a.x) * (diagram.vertices[vertex].y - site.a.y) -
+         (static_cast<double>(site.b.y) - site.a.y) * (diagram.vertices[vertex].x - site.a.x);
+}
+
+// Where a contour runs straight on through a corner, the corner's cell is a line across it, and
+// Boost has no vertex in the corner.
+bool passes_through_corner(const VoronoiDiagram& diagram, std::uint32_t edge) {
+  if (diagram.edges[edge].primary) return false;
+  const VoronoiSite& a = diagram.site_of(edge);
+  const VoronoiSite& b = diagram.site_of(diagram.edges[edge].twin);
+  const VoronoiSite& straight = a.is_corner() ? b : a;
+  return left_of(straight, diagram, diagram.edges[edge].from) *
+             left_of(straight, diagram, diagram.to(edge)) <
+         0;
+}
+
 // Every edge of the contours has a cell, whose border runs through both its ends and so keeps the
 // inside apart from the outside.
 bool cells_hold_their_sites(const VoronoiDiagram& diagram, std::size_t ring_edges) {
   std::vector<std::uint8_t> ends_seen(diagram.sites.size(), 0);
-  for (const VoronoiEdge& edge : diagram.edges) {
+  for (std::uint32_t i = 0; i < diagram.edges.size(); ++i) {
+    const VoronoiEdge& edge = diagram.edges[i];
     const VoronoiSite& site = diagram.sites[edge.site];
+    if (!site.is_corner() && passes_through_corner(diagram, i)) {
+      const Point corner = diagram.site_of(edge.twin).a;
+      if (corner == site.a) ends_seen[edge.site] |= 1;
+      if (corner == site.b) ends_seen[edge.site] |= 2;
+    }
     if (edge.from == VoronoiEdge::kInfinity) continue;
     const VoronoiVertex& vertex = diagram.vertices[edge.from];
     const auto at = [&](Point p) {
@@ -120,8 +145,7 @@ bool measure_heights(const std::vector<Ring>& rings, VoronoiDiagram& diagram) {
     if (site.is_corner()) {
       inside = distance > kOnContour && sectors.inside(site.a, vertex.x, vertex.y);
     } else {
-      inside = (static_cast<double>(site.b.x) - site.a.x) * (vertex.y - site.a.y) >
-               (static_cast<double>(site.b.y) - site.a.y) * (vertex.x - site.a.x);
+      inside = left_of(site, diagram, static_cast<std::uint32_t>(i)) > 0;
     }
     vertex.height = inside ? distance : -distance;
   }
@@ -139,6 +163,7 @@ bool vertices_are_nearest(const VoronoiDiagram& diagram) {
     }
     const VoronoiSite& ahead = diagram.site_of(diagram.edges[edge.next].twin);
     if (distance_to(ahead, vertex.x, vertex.y) < radius - tolerance) return false;
+    if (passes_through_corner(diagram, i)) continue;
     const std::uint32_t to = diagram.to(i);
     if (to == VoronoiEdge::kInfinity) {
       if (vertex.height > kOnContour) return false;

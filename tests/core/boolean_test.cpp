@@ -87,6 +87,13 @@ TEST_CASE("operations on squares have the areas that they should") {
   CHECK_EQ(core::exclusive_or(a, b).area_mm2(), doctest::Approx(24));
 }
 
+TEST_CASE("no points are left on straight runs") {
+  const Region a = region_from_text("0:0 4:0 4:4 0:4");
+  CHECK_EQ(core::unite(a, region_from_text("4:0 8:0 8:4 4:4")).point_count(), 4u);
+  CHECK_EQ(core::unite(a, region_from_text("4:1 8:1 8:3 4:3")).point_count(), 8u);
+  CHECK_EQ(core::intersect(a, region_from_text("1:1 3:1 3:3 1:3")).point_count(), 4u);
+}
+
 TEST_CASE("a square cut from the middle leaves a hole") {
   const Region ring =
       core::subtract(region_from_text("0:0 4:0 4:4 0:4"), region_from_text("1:1 3:1 3:3 1:3"));

@@ -155,6 +155,7 @@ TEST_CASE("touching contours, needles and slots") {
                units(kTolerance) + kRounding);
     }
     CHECK_EQ(mountain.fallbacks(), 0);
+    CHECK_EQ(mountain.retries(), 0);
   }
 }
 
@@ -207,6 +208,42 @@ TEST_CASE("small regions, where everything is rounding") {
     fallbacks += mountain.fallbacks();
   }
   MESSAGE("diagrams turned: " << retries << ", capsules: " << fallbacks);
+}
+
+TEST_CASE("shapes full of coincidences: boxes on a lattice, needles, circles about few centres") {
+  for (std::uint64_t seed = 1; seed <= 45; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    std::vector<Ring> rings;
+    for (int i = 0; i < 7; ++i) {
+      const int x = random.integer(0, 8), y = random.integer(0, 8);
+      if (seed % 3 == 0) {
+        const int width = random.integer(1, 4), height = random.integer(1, 4);
+        rings.push_back(test::rectangle(x, y, x + width, y + height));
+      } else if (seed % 3 == 1) {
+        const double angle = random.between(0, 6.28);
+        const core::Point tip{static_cast<std::int32_t>(std::lround(90'000 * std::cos(angle))),
+                              static_cast<std::int32_t>(std::lround(90'000 * std::sin(angle)))};
+        rings.push_back({{x * 100, y * 100}, tip, {tip.x + x - 4, tip.y + y - 4}});
+      } else {
+        const int corners = random.integer(3, 48), radius = random.integer(1, 3);
+        rings.push_back(test::random_blob(random, corners, x / 4, y / 4, radius, 0));
+      }
+    }
+    const Region region = core::clean(rings, core::FillRule::kNonZero);
+    const VoronoiMountain mountain(region);
+    for (const double depth_mm : {0.0002, 0.03, 0.5, -0.0002, -0.5, -3.0}) {
+      CAPTURE(depth_mm);
+      const Length depth = Length::from_mm(depth_mm);
+      const Region result = make_offset(mountain, depth);
+      CHECK(test::is_clean(result));
+      check_by_distance(region, depth, result, random, 100);
+      check_corners(region, depth, result);
+    }
+    // Straight runs through corners and corners that touch are no reason to turn.
+    if (seed % 3 == 0) CHECK_EQ(mountain.retries(), 0);
+    CHECK_EQ(mountain.fallbacks(), 0);
+  }
 }
 
 TEST_CASE("two erosions make one") {
