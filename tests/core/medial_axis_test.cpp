@@ -171,7 +171,7 @@ TEST_CASE("roads along the lines fill strips, and stay inside") {
     const Region region = region_from_text(shape);
     const std::vector<ThickPolyline> lines = axis(region, 0.05, 0.9);
     check_lines(region, lines, 0.05, 0.9);
-    const Cover covered = cover(region, lines, 150);
+    const Cover covered = cover(region, lines, 200);
     CHECK_GE(covered.inside, 0.99);
     CHECK_LE(covered.outside, 0.002);
   }
@@ -230,7 +230,7 @@ TEST_CASE("a gap between two outlines is filled") {
     const Region region = core::clean({outer, inner}, core::FillRule::kPositive);
     const std::vector<ThickPolyline> lines = axis(region, 0.02, 0.9);
     check_lines(region, lines, 0.02, 0.9);
-    const Cover covered = cover(region, lines, 700);
+    const Cover covered = cover(region, lines, 1000);
     CHECK_GE(covered.inside, 0.98);
     CHECK_LE(covered.outside, 0.005);
   }

@@ -161,7 +161,7 @@ TEST_CASE("touching contours, needles and slots") {
 
 TEST_CASE("random regions agree with measured distances and with Clipper") {
   int retries = 0;
-  for (std::uint64_t seed = 1; seed <= 16; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     CAPTURE(seed);
     Random random(seed);
     const Region region = test::random_region(random, seed % 8 == 0 ? 500 : 120, 20);
@@ -211,7 +211,7 @@ TEST_CASE("small regions, where everything is rounding") {
 }
 
 TEST_CASE("shapes full of coincidences: boxes on a lattice, needles, circles about few centres") {
-  for (std::uint64_t seed = 1; seed <= 45; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
     CAPTURE(seed);
     Random random(seed);
     std::vector<Ring> rings;
@@ -271,9 +271,6 @@ TEST_CASE("a contour of 20,000 edges") {
     const Region result = make_offset(mountain, depth);
     check_by_distance(region, depth, result, random, 300);
   }
-  const Length depth = Length::from_mm(0.1);  // Clipper takes long for the deeper ones
-  CHECK_LE(test::widest_difference(make_offset(mountain, depth), clipper_offset(region, depth)),
-           units(kTolerance) + kRounding);
   CHECK_EQ(mountain.fallbacks(), 0);
 }
 
