@@ -25,7 +25,8 @@ class GapCloser {
       : chains_(std::move(chains)),
         joined_(2 * chains_.size(), kFree),
         other_end_(2 * chains_.size()),
-        length_units_(2 * chains_.size()) {
+        length_units_(2 * chains_.size()),
+        gap_units_(2 * chains_.size(), 0) {
     for (End end = 0; end < other_end_.size(); ++end) {
       other_end_[end] = end ^ 1;
       length_units_[end] = chains_[end / 2].length_units();
@@ -133,15 +134,17 @@ class GapCloser {
       if (rule == Rule::kEndToBegin && a % 2 == b % 2) continue;
       const double gap = std::sqrt(static_cast<double>(squared));
       const bool onto_itself = other_end_[a] == b;
-      const double length = onto_itself ? length_units_[a] : length_units_[a] + length_units_[b];
-      const bool wide = onto_itself || rule == Rule::kEndToBegin;
-      if (wide && gap > kGapShareMax * length) continue;
+      const double length = length_units_[a] + (onto_itself ? 0 : length_units_[b]);
+      const double gaps = gap + gap_units_[a] + (onto_itself ? 0 : gap_units_[b]);
+      const bool limited = onto_itself || rule == Rule::kEndToBegin;
+      if (limited && gaps > kGapShareMax * length) continue;
       joined_[a] = b;
       joined_[b] = a;
       const End first = other_end_[a], last = other_end_[b];
       other_end_[first] = last;
       other_end_[last] = first;
-      length_units_[first] = length_units_[last] = length + gap;
+      length_units_[first] = length_units_[last] = length;
+      gap_units_[first] = gap_units_[last] = gaps;
     }
   }
 
@@ -172,7 +175,8 @@ class GapCloser {
   std::vector<Chain> chains_;
   std::vector<End> joined_;           // the end this one is joined to
   std::vector<End> other_end_;        // of the run of joined chains that ends here
-  std::vector<double> length_units_;  // of that run
+  std::vector<double> length_units_;  // of that run's chains
+  std::vector<double> gap_units_;     // of the gaps between them
 };
 
 }  // namespace

@@ -58,8 +58,9 @@ struct Chains {
 //   - up to `gap_max` any two ends;
 //   - beyond it, only where one chain ends and another (or itself) begins, so that the part stays
 //     on its side, among the kWideGapChainsMax longest chains;
-//   - never by a line longer than kGapShareMax of what it joins: that would make a body out of a
-//     sheet. One facet missing from a box leaves a chain around the rest of it, and is closed.
+//   - no chain onto itself, and beyond gap_max nothing at all, where the gaps would be longer than
+//     kGapShareMax of what is there: that would make a body out of a sheet. One facet missing from
+//     a box leaves a chain around the rest of it, and is closed.
 // Chains that do not come to be closed are dropped. Adds to `defects`.
 //
 // COSTS: O(n log n) each for the doublings of distance from one unit to gap_max.
