@@ -41,15 +41,21 @@ void VirtualPlanner::push(const PlannerMove& move, Instant now, bool pause_was_a
   count_max_ = std::max(count_max_, count_);
   moved_before_ = true;
   if (count_ == 1) start(now);
+  // The block that runs needn't stop at its end any more.
+  if (count_ == 2) running_until_ = std::max(now + Duration(1), end_of_first(running_since_));
 }
 
 void VirtualPlanner::start(Instant when) {
+  running_since_ = when;
+  running_until_ = end_of_first(when);
+}
+
+Instant VirtualPlanner::end_of_first(Instant begin) {
   const Block& block = at(0);
   const double exit = count_ > 1 ? at(1).entry_speed_mm_s : 0;
   const double seconds = seconds_of(block.move.length_mm, block.entry_speed_mm_s,
                                     block.move.speed_mm_s, exit, block.move.acceleration_mm_s2);
-  running_since_ = when;
-  running_until_ = when + Duration(std::max<std::int64_t>(1, std::llround(seconds * 1e6)));
+  return begin + Duration(std::max<std::int64_t>(1, std::llround(seconds * 1e6)));
 }
 
 void VirtualPlanner::advance(Instant now) {

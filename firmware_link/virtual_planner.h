@@ -53,6 +53,7 @@ class VirtualPlanner {
 
   [[nodiscard]] Block& at(std::size_t i) { return blocks_[(first_ + i) % blocks_.size()]; }
   void start(Instant when);
+  [[nodiscard]] Instant end_of_first(Instant begin);
 
   std::array<Block, kPlannerBlocks> blocks_{};
   std::size_t first_ = 0;
