@@ -7,8 +7,10 @@
 
 #include "core/boolean.h"
 #include "core/geometry.h"
+#include "core/plane_sweep.h"
 #include "core/units.h"
 #include "core/voronoi_mountain.h"
+#include "tests/support/mesh.h"
 #include "tests/support/random_regions.h"
 
 namespace test {
@@ -18,7 +20,7 @@ using core::Length;
 using core::Region;
 using core::Ring;
 
-constexpr int kRoundPoints = 48;
+constexpr int kRoundPoints = 36;
 constexpr double kLayerHeightMm = 0.2;
 
 struct Round {
@@ -56,6 +58,10 @@ LayerStack round_stack(const std::string& name, int layers, double wall_mm, Shap
     stack.inners.push_back(region_of(round));
   }
   return stack;
+}
+
+Region inner_offset(const Region& slice) {
+  return core::offset(slice, Length::from_mm(0.8), Length::from_mm(0.02));
 }
 
 }  // namespace
@@ -126,7 +132,6 @@ LayerStack unlike_stack(int layers, std::uint64_t seed) {
 
 LayerStack wandering_stack(int layers, std::uint64_t seed) {
   Random random(seed);
-  const Length wall = Length::from_mm(0.8), arc_tolerance = Length::from_mm(0.02);
   struct Blob {
     std::uint64_t seed;
     double x_mm, y_mm, radius_mm, drift_mm, growth_mm;
@@ -151,8 +156,23 @@ LayerStack wandering_stack(int layers, std::uint64_t seed) {
       const Region piece = core::clean({ring}, core::FillRule::kNonZero);
       slice = blob.hole ? core::subtract(slice, piece) : core::unite(slice, piece);
     }
-    stack.inners.push_back(core::offset(slice, wall, arc_tolerance));
+    stack.inners.push_back(inner_offset(slice));
     stack.slices.push_back(std::move(slice));
+  }
+  return stack;
+}
+
+LayerStack sliced_stack(const std::string& name, const parts::Part& part, int layers) {
+  std::vector<core::Triangle> triangles = triangles_of(part);
+  std::int64_t top = 0;
+  for (const core::Triangle& triangle : triangles) top = std::max(top, triangle.highest_z());
+  core::PlaneSweep::Options options = exact_options();
+  options.layer_height = Length::from_units(top / layers);
+  options.simplify_tolerance = Length::from_mm(0.05);
+  LayerStack stack{name, {}, {}};
+  for (core::Slice& slice : sweep(std::move(triangles), options).slices) {
+    stack.inners.push_back(inner_offset(slice.region));
+    stack.slices.push_back(std::move(slice.region));
   }
   return stack;
 }

@@ -5,8 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "core/region.h"  // Region
-#include "core/slice.h"   // Layer
+#include "core/region.h"             // Region
+#include "core/slice.h"              // Layer
+#include "tools/parts/part_maker.h"  // Part
 
 namespace test {
 
@@ -23,7 +24,7 @@ LayerStack upside_down(LayerStack stack);
 // The lowest `layers` layers.
 LayerStack prefix(LayerStack stack, std::size_t layers);
 
-// Bodies of revolution and the like, polygons of 48 points; the inner offset is known exactly:
+// Bodies of revolution and the like, polygons of 36 points; the inner offset is known exactly:
 // cylinder, cone, sphere, hourglass, tube that leans, stairs.
 std::vector<LayerStack> round_stacks(int layers, double wall_mm);
 
@@ -33,5 +34,8 @@ LayerStack unlike_stack(int layers, std::uint64_t seed);
 // Islands with holes that wander and waver from layer to layer, as a part's slices do; the inner
 // offsets, at 0.8 mm, are the mountain's.
 LayerStack wandering_stack(int layers, std::uint64_t seed);
+
+// A mesh cut into about `layers` slices, with the mountain's inner offsets at 0.8 mm.
+LayerStack sliced_stack(const std::string& name, const parts::Part& part, int layers);
 
 }  // namespace test
