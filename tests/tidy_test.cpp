@@ -155,6 +155,7 @@ TEST_CASE("no work is put off, no machine is named") {
   CHECK_EQ(found(std::string("a\n// TO") + "DO later\n"), 1);
   CHECK_EQ(found(std::string("FIX") + "ME"), 1);
   CHECK_EQ(found(std::string("XX") + "X"), 1);
+  CHECK_EQ(found(std::string("/tmp/XX") + "XXXX"), 0);
   CHECK_EQ(found(std::string("see /wo") + "rk/a"), 1);
   CHECK_EQ(found(std::string("see ../sha") + "red/a"), 1);
   hold_everywhere(test::check_words);
@@ -225,4 +226,5 @@ TEST_CASE("no header is dead") {
   CHECK_EQ(test::check_dead_headers({used, user}).size(), 0);
   CHECK_EQ(test::check_dead_headers({used, own, user}).size(), 1);
   CHECK_EQ(test::check_dead_headers({used}).size(), 1);
+  for (const std::string& complaint : test::check_dead_headers(sources())) FAIL_CHECK(complaint);
 }
