@@ -20,8 +20,9 @@ double volume_mm3(const core::Region& region, core::Length height) {
 }
 
 // Nothing where all beads lie on the bed; else what leaves it, and what to do.
-core::Status check_on_bed(const core::Settings& settings, const core::Slice& slice,
+core::Status check_on_bed(const Job& job, const core::Slice& slice,
                           const std::vector<core::Road>& roads) {
+  const core::Settings& settings = job.settings;
   for (const core::Road& road : roads) {
     const std::int64_t reach = road.width.units() / 2;
     for (const core::Point point : road.points) {
@@ -31,13 +32,13 @@ core::Status check_on_bed(const core::Settings& settings, const core::Slice& sli
       const bool skirt = road.kind == core::RoadKind::kSkirt;
       return core::Error{
           core::ErrorCode::kOutOfBounds,
-          fmt::format("layer {}: {} at ({:.2f}, {:.2f}) mm leaves the bed of {:g} x {:g} mm; {}",
-                      slice.index + 1, skirt ? "the skirt" : "a road",
-                      core::Length::from_units(point.x).mm(),
-                      core::Length::from_units(point.y).mm(), settings.bed_x.mm(),
-                      settings.bed_y.mm(),
-                      skirt ? "set skirt_loops=0 or a smaller skirt_distance"
-                            : "move the part or set bed_x and bed_y")};
+          fmt::format(
+              "{}, layer {}: {} at ({:.2f}, {:.2f}) mm leaves the bed of {:g} x {:g} mm; {}",
+              job.part_path, slice.index + 1, skirt ? "the skirt" : "a road",
+              core::Length::from_units(point.x).mm(), core::Length::from_units(point.y).mm(),
+              settings.bed_x.mm(), settings.bed_y.mm(),
+              skirt ? "set skirt_loops=0 or a smaller skirt_distance"
+                    : "move the part or set bed_x and bed_y")};
     }
   }
   return {};
@@ -45,16 +46,16 @@ core::Status check_on_bed(const core::Settings& settings, const core::Slice& sli
 
 class Pipeline {
  public:
-  Pipeline(const core::Settings& settings, OpenedPart& part, const PipelineOutputs& outputs,
-           PipelineSignals& signals, GeometryStatistics& statistics)
-      : settings_(settings),
-        part_(part),
+  Pipeline(Job& job, const PipelineOutputs& outputs, PipelineSignals& signals,
+           GeometryStatistics& statistics)
+      : job_(job),
+        settings_(job.settings),
         outputs_(outputs),
         signals_(signals),
         statistics_(statistics),
-        splitter_(core::wall_layers(settings)),
-        planner_(settings),
-        builder_(settings),
+        splitter_(core::wall_layers(job.settings)),
+        planner_(job.settings),
+        builder_(job.settings),
         motion_clock_(core::MotionModel{}),
         sink_([this](const core::Motion& motion) { send(motion); }) {}
 
@@ -68,7 +69,7 @@ class Pipeline {
   core::Result<PipelineEnd> feed() {
     while (!stopped()) {
       clock().enter(Stage::kSlice);
-      core::Result<std::optional<core::Slice>> next = part_.layers->next();
+      core::Result<std::optional<core::Slice>> next = job_.part.layers->next();
       if (!next.ok()) return next.error();
       if (!next.value().has_value()) return drain();
       core::Slice slice = *std::move(next).value();
@@ -101,9 +102,9 @@ class Pipeline {
     if (wants_roads() && statistics_.roads == 0) {
       return core::Error{
           core::ErrorCode::kBadPart,
-          fmt::format("no road fits anywhere: at every height the part is narrower than "
+          fmt::format("{}: no road fits anywhere: at every height the part is narrower than "
                       "road_width_min ({:g} mm); is it in millimetres?",
-                      settings_.road_width_min.mm())};
+                      job_.part_path, settings_.road_width_min.mm())};
     }
     clock().enter(Stage::kEncode);
     if (outputs_.on_motion) builder_.finish(sink_);
@@ -119,7 +120,7 @@ class Pipeline {
 
     clock().enter(Stage::kRoads);
     const std::vector<core::Road> roads = planner_.plan(layer);
-    if (core::Status status = check_on_bed(settings_, slice, roads); !status.ok()) return status;
+    if (core::Status status = check_on_bed(job_, slice, roads); !status.ok()) return status;
     statistics_.roads += static_cast<std::int64_t>(roads.size());
     keep(outputs_.on_roads ? outputs_.on_roads(layer, roads) : true);
     clock().enter(Stage::kEncode);
@@ -135,7 +136,7 @@ class Pipeline {
 
   void close_statistics() {
     clock().enter(Stage::kNone);
-    const PartCounters used = part_.counters();
+    const PartCounters used = job_.part.counters();
     clock().set_seconds(Stage::kRead, used.read_cpu_s);
     clock().set_seconds(Stage::kSort, used.sort_cpu_s);
     clock().set_seconds(Stage::kSlice, used.slice_cpu_s);
@@ -155,8 +156,8 @@ class Pipeline {
   }
   StageClock& clock() { return statistics_.clock; }
 
+  Job& job_;
   const core::Settings& settings_;
-  OpenedPart& part_;
   const PipelineOutputs& outputs_;
   PipelineSignals& signals_;
   GeometryStatistics& statistics_;
@@ -173,10 +174,9 @@ class Pipeline {
 
 }  // namespace
 
-core::Result<PipelineEnd> run_pipeline(const core::Settings& settings, OpenedPart& part,
-                                       const PipelineOutputs& outputs, PipelineSignals& signals,
-                                       GeometryStatistics& statistics) {
-  return Pipeline(settings, part, outputs, signals, statistics).run();
+core::Result<PipelineEnd> run_pipeline(Job& job, const PipelineOutputs& outputs,
+                                       PipelineSignals& signals, GeometryStatistics& statistics) {
+  return Pipeline(job, outputs, signals, statistics).run();
 }
 
 }  // namespace host

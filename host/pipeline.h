@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/motion.h"            // Motion
@@ -26,6 +27,13 @@
 #include "host/statistics.h"        // GeometryStatistics
 
 namespace host {
+
+// A part and how it is to be printed.
+struct Job {
+  core::Settings settings;  // REQUIRES: validated, check_user_gcode() fine
+  OpenedPart part;          // used up by the run
+  std::string part_path;    // for messages
+};
 
 // What is done with what comes out; any may be empty, and what nobody wants is not computed.
 // Returning false stops the pipeline.
@@ -48,11 +56,8 @@ enum class PipelineEnd { kDone, kStopped };
 //
 // Errors are the source's own, and: no road fits anywhere (nothing was sent to on_motion then);
 // a road would leave the bed (told on the first layer, before anything was sent).
-// REQUIRES: settings validated, check_user_gcode() fine. COSTS: at most T + 1 layers and 2T partial
-// intersections held.
-[[nodiscard]] core::Result<PipelineEnd> run_pipeline(const core::Settings& settings,
-                                                     OpenedPart& part,
-                                                     const PipelineOutputs& outputs,
+// COSTS: at most T + 1 layers and 2T partial intersections held.
+[[nodiscard]] core::Result<PipelineEnd> run_pipeline(Job& job, const PipelineOutputs& outputs,
                                                      PipelineSignals& signals,
                                                      GeometryStatistics& statistics);
 

@@ -45,7 +45,8 @@ struct GeometryOutcome {
   GeometryStatistics statistics;
 };
 
-GeometryOutcome run_geometry(const PrintJob& job, CommandQueue& queue, PipelineSignals& signals) {
+GeometryOutcome run_geometry(const PrintRequest& request, CommandQueue& queue,
+                             PipelineSignals& signals) {
   GeometryOutcome outcome;
   try {
     QueueFiller filler(queue);
@@ -55,7 +56,7 @@ GeometryOutcome run_geometry(const PrintJob& job, CommandQueue& queue, PipelineS
       return filler.take(motion, command);
     };
     const core::Result<PipelineEnd> end =
-        run_pipeline(job.settings, job.part, outputs, signals, outcome.statistics);
+        run_pipeline(request.job, outputs, signals, outcome.statistics);
     if (!end.ok()) outcome.error = end.error().message;
   } catch (const std::exception& error) {
     outcome.error = std::string("the geometry gave up: ") + error.what();
@@ -77,16 +78,16 @@ std::string told(std::string message, const std::string& measures) {
   return measures.empty() ? message : message + "; " + measures;
 }
 
-void conclude(const LinkOutcome& link, const GeometryOutcome& geometry, const PrintJob& job,
+void conclude(const LinkOutcome& link, const GeometryOutcome& geometry, const PrintRequest& request,
               PrintOutcome& outcome) {
-  const core::LayerIndex layers = job.part.summary.layers;
+  const core::LayerIndex layers = request.job.part.summary.layers;
   switch (link.end) {
     case LinkEnd::kDone:
       outcome.exit_code = kExitDone;
       outcome.message =
           fmt::format("printed {} layers, {:.2f} m of filament in {}", geometry.statistics.layers,
                       total_mm(geometry.statistics.filament_mm) / 1'000,
-                      duration_text(steady_seconds() - job.began_s));
+                      duration_text(steady_seconds() - request.began_s));
       return;
     case LinkEnd::kUserStopped:
     case LinkEnd::kUserHalted:
@@ -109,21 +110,21 @@ void conclude(const LinkOutcome& link, const GeometryOutcome& geometry, const Pr
 
 }  // namespace
 
-PrintOutcome print_part(const PrintJob& job) {
+PrintOutcome print_part(const PrintRequest& request) {
   CommandQueue queue({kQueuedCommandsMax, kQueuedBytesMax});
   PipelineSignals signals;
   std::atomic<bool> link_ended = false;
   signals.stop_asked = [&link_ended] { return link_ended.load(); };
 
   GeometryOutcome geometry;
-  std::thread thread([&] { geometry = run_geometry(job, queue, signals); });
+  std::thread thread([&] { geometry = run_geometry(request, queue, signals); });
   LinkOutcome link;
   MonitorOptions options;
-  options.layers = job.part.summary.layers;
-  options.began_s = job.began_s;
-  options.stop_count = job.stop_count;
+  options.layers = request.job.part.summary.layers;
+  options.began_s = request.began_s;
+  options.stop_count = request.stop_count;
   options.slices_cut = [&signals] { return signals.slices_cut.load(); };
-  Monitor monitor(job.settings, std::move(options), job.port, queue, job.reporter);
+  Monitor monitor(request.job.settings, std::move(options), request.port, queue, request.reporter);
   try {
     link = monitor.run();
   } catch (const std::exception& error) {
@@ -135,7 +136,7 @@ PrintOutcome print_part(const PrintJob& job) {
   thread.join();
 
   PrintOutcome outcome;
-  conclude(link, geometry, job, outcome);
+  conclude(link, geometry, request, outcome);
   outcome.geometry = std::move(geometry.statistics);
   outcome.link = monitor.statistics();
   return outcome;

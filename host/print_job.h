@@ -10,17 +10,15 @@
 #include <functional>
 #include <string>
 
-#include "core/settings.h"            // Settings
 #include "firmware_link/byte_port.h"  // BytePort
-#include "host/part_file.h"           // OpenedPart
+#include "host/pipeline.h"            // Job
 #include "host/progress.h"            // Reporter
 #include "host/statistics.h"          // GeometryStatistics, LinkStatistics
 
 namespace host {
 
-struct PrintJob {
-  const core::Settings& settings;  // validated
-  OpenedPart& part;
+struct PrintRequest {
+  Job& job;
   firmware_link::BytePort& port;
   Reporter& reporter;
   std::function<int()> stop_count;  // signals so far; asked all the time
@@ -34,6 +32,6 @@ struct PrintOutcome {
   LinkStatistics link;
 };
 
-[[nodiscard]] PrintOutcome print_part(const PrintJob& job);
+[[nodiscard]] PrintOutcome print_part(const PrintRequest& request);
 
 }  // namespace host

@@ -4,11 +4,11 @@
 
 #include <string>
 
-#include "core/result.h"     // Result
-#include "core/settings.h"   // Settings
-#include "host/options.h"    // Options
-#include "host/part_file.h"  // OpenedPart
-#include "host/progress.h"   // Reporter
+#include "core/result.h"    // Result
+#include "core/settings.h"  // Settings
+#include "host/options.h"   // Options
+#include "host/pipeline.h"  // Job
+#include "host/progress.h"  // Reporter
 #include "host/statistics.h"
 
 namespace host {
@@ -23,11 +23,6 @@ int settings_command(const Options& options, Reporter& reporter);
 // Profile, then the command line's assignments, then the check that all fit together.
 [[nodiscard]] core::Result<core::Settings> load_settings_of(const Options& options,
                                                             Reporter& reporter);
-
-struct Job {
-  core::Settings settings;
-  OpenedPart part;
-};
 
 // Settings and part, both checked: nothing that can be known beforehand is wrong with them.
 [[nodiscard]] core::Result<Job> open_job(const Options& options, Reporter& reporter);

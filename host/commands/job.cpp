@@ -44,7 +44,7 @@ core::Result<Job> open_job(const Options& options, Reporter& reporter) {
   if (!part.ok()) return part.error();
   const PartSummary& summary = part.value().summary;
   for (const std::string& warning : summary.warnings) reporter.note("warning", warning);
-  return Job{std::move(settings).value(), std::move(part).value()};
+  return Job{std::move(settings).value(), std::move(part).value(), part_title(options.part)};
 }
 
 void report_defects(const DefectLog& defects, Reporter& reporter) {

@@ -86,8 +86,7 @@ int plan_command(const Options& options, Reporter& reporter) {
   PipelineSignals signals;
   signals.stop_asked = [] { return stop_signal_count() > 0; };
   GeometryStatistics statistics;
-  const core::Result<PipelineEnd> end =
-      run_pipeline(job.settings, job.part, outputs, signals, statistics);
+  const core::Result<PipelineEnd> end = run_pipeline(job, outputs, signals, statistics);
   if (!end.ok()) return fail(end.error(), reporter);
   if (end.value() == PipelineEnd::kStopped) {
     reporter.error("stopped", kExitStopped);

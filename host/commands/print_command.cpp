@@ -62,8 +62,7 @@ int print_command(const Options& options, Reporter& reporter) {
   }
 
   set_at_stake(true);
-  const PrintOutcome outcome =
-      print_part({job.settings, job.part, *port, reporter, stop_signal_count, began_s});
+  const PrintOutcome outcome = print_part({job, *port, reporter, stop_signal_count, began_s});
   set_at_stake(false);
   report_defects(outcome.geometry.defects, reporter);
   if (outcome.exit_code == kExitDone) {

@@ -36,8 +36,7 @@ int show_command(const Options& options, Reporter& reporter) {
   PipelineSignals signals;
   signals.stop_asked = [] { return stop_signal_count() > 0; };
   GeometryStatistics statistics;
-  const core::Result<PipelineEnd> end =
-      run_pipeline(job.settings, job.part, outputs, signals, statistics);
+  const core::Result<PipelineEnd> end = run_pipeline(job, outputs, signals, statistics);
   if (!end.ok()) return fail(end.error(), reporter);
   if (svg.empty()) {
     reporter.error("stopped; " + options.output + " is not written", kExitStopped);

@@ -108,8 +108,7 @@ int slice_command(const Options& options, Reporter& reporter) {
   PipelineSignals signals;
   signals.stop_asked = [] { return stop_signal_count() > 0; };
   GeometryStatistics statistics;
-  const core::Result<PipelineEnd> end =
-      run_pipeline(job.settings, job.part, file.outputs(), signals, statistics);
+  const core::Result<PipelineEnd> end = run_pipeline(job, file.outputs(), signals, statistics);
 
   int exit_code = kExitDone;
   if (!end.ok()) {

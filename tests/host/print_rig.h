@@ -53,19 +53,21 @@ class BreakablePort final : public firmware_link::BytePort {
   std::string words_;
 };
 
+inline host::Job open(const core::Settings& settings, const std::string& path) {
+  core::Result<host::OpenedPart> part = host::open_part(path, settings);
+  if (!part.ok()) FAIL(part.error().message);
+  return {settings, std::move(part).value(), path};
+}
+
 struct Rig {
-  core::Settings settings;
-  host::OpenedPart part;
+  host::Job job;
   std::vector<std::string> executed;  // numbered commands, as the controller took them
   std::function<void()> on_executed;  // after each
   std::function<int()> stop_count = [] { return 0; };
   std::unique_ptr<firmware_link::VirtualPort> port;
   std::unique_ptr<BreakablePort> wire;
 
-  Rig(const core::Settings& with, const std::string& path) : settings(with) {
-    core::Result<host::OpenedPart> opened = host::open_part(path, settings);
-    if (!opened.ok()) FAIL(opened.error().message);
-    part = std::move(opened).value();
+  Rig(const core::Settings& settings, const std::string& path) : job(open(settings, path)) {
     firmware_link::VirtualControllerOptions options;
     options.bed_x_mm = settings.bed_x.mm();
     options.bed_y_mm = settings.bed_y.mm();
@@ -80,7 +82,7 @@ struct Rig {
   [[nodiscard]] host::PrintOutcome print() {
     host::Reporter reporter({.quiet = true, .json = false, .stdout_taken = false});
     return host::print_part(
-        {settings, part, *wire, reporter, [this] { return stop_count(); }, host::steady_seconds()});
+        {job, *wire, reporter, [this] { return stop_count(); }, host::steady_seconds()});
   }
 
   [[nodiscard]] firmware_link::VirtualControllerState controller() {
@@ -97,8 +99,7 @@ struct Rig {
 // What `rind slice` writes, comments and empty lines left out.
 inline std::vector<std::string> sliced_lines(const core::Settings& settings,
                                              const std::string& path) {
-  core::Result<host::OpenedPart> part = host::open_part(path, settings);
-  REQUIRE(part.ok());
+  host::Job job = open(settings, path);
   std::string text;
   host::GcodeWriter writer;
   host::PipelineOutputs outputs;
@@ -109,7 +110,7 @@ inline std::vector<std::string> sliced_lines(const core::Settings& settings,
   };
   host::PipelineSignals signals;
   host::GeometryStatistics statistics;
-  const auto end = host::run_pipeline(settings, part.value(), outputs, signals, statistics);
+  const auto end = host::run_pipeline(job, outputs, signals, statistics);
   REQUIRE(end.ok());
   std::vector<std::string> lines;
   for (std::size_t at = 0; at < text.size();) {

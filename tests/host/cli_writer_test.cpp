@@ -1,0 +1,30 @@
+#include "host/cli_writer.h"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "core/boolean.h"
+
+TEST_CASE("walls and insides are closed polylines, outer ones counter-clockwise") {
+  core::SplitLayer layer;
+  layer.layer.slice.bottom = core::Length::from_mm(0.4);
+  layer.layer.slice.height = core::Length::from_mm(0.2);
+  layer.loose =
+      core::Region::from_clean_rings({{{10'000, 10'000}, {20'000, 10'000}, {20'000, 20'000}}});
+  layer.solid =
+      core::Region::from_clean_rings({{{0, 0}, {40'000, 0}, {40'000, 30'005}},
+                                      {{20'000, 20'000}, {20'000, 10'000}, {10'000, 10'000}}});
+  std::string text;
+  host::write_cli_header(3, text);
+  host::write_cli_layer(layer, text);
+  host::write_cli_end(text);
+  CHECK_EQ(text,
+           "$$HEADERSTART\n$$ASCII\n$$UNITS/1.0\n$$VERSION/200\n$$LAYERS/3\n"
+           "$$LABEL/1,\"solid\"\n$$LABEL/2,\"loose\"\n$$HEADEREND\n$$GEOMETRYSTART\n"
+           "$$LAYER/0.6\n"
+           "$$POLYLINE/1,1,4,0,0,4,0,4,3.0005,0,0\n"
+           "$$POLYLINE/1,0,4,2,2,2,1,1,1,2,2\n"
+           "$$POLYLINE/2,1,4,1,1,2,1,2,2,1,1\n"
+           "$$GEOMETRYEND\n");
+}
