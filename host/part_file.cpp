@@ -1,7 +1,5 @@
 #include "host/part_file.h"
 
-#include <time.h>
-
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -11,6 +9,7 @@
 #include "host/formats/stl.h"  // StlReader
 #include "host/input_file.h"   // InputFile
 #include "host/mesh_sorter.h"  // MeshSorter
+#include "host/stage_clock.h"  // thread_cpu_seconds
 
 namespace host {
 namespace {
@@ -25,17 +24,11 @@ using core::Triangle;
 // So many triangles are read, then sorted, between two looks at the clock.
 constexpr std::size_t kBatchTriangles = 1024;
 
-double thread_cpu_s() {
-  timespec now{};
-  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
 // Adds the processor time of its own life.
 class CpuTimer {
  public:
-  explicit CpuTimer(double& seconds) : seconds_(seconds), begin_s_(thread_cpu_s()) {}
-  ~CpuTimer() { seconds_ += thread_cpu_s() - begin_s_; }
+  explicit CpuTimer(double& seconds) : seconds_(seconds), begin_s_(thread_cpu_seconds()) {}
+  ~CpuTimer() { seconds_ += thread_cpu_seconds() - begin_s_; }
   CpuTimer(const CpuTimer&) = delete;
   CpuTimer& operator=(const CpuTimer&) = delete;
 
@@ -114,10 +107,10 @@ class MeshLayers : public LayerSource {
   }
 
   [[nodiscard]] Result<std::optional<core::Slice>> next() override {
-    const double begin_s = thread_cpu_s(), sort_before_s = counters_.sort_cpu_s;
+    const double begin_s = thread_cpu_seconds(), sort_before_s = counters_.sort_cpu_s;
     Result<std::optional<core::Slice>> slice = sweep_->next();
     const double sorted_s = counters_.sort_cpu_s - sort_before_s;
-    counters_.slice_cpu_s += thread_cpu_s() - begin_s - sorted_s;
+    counters_.slice_cpu_s += thread_cpu_seconds() - begin_s - sorted_s;
     counters_.peak_triangles_held = sweep_->peak_triangles_held();
     return slice;
   }
