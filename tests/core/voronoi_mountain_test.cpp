@@ -134,9 +134,13 @@ TEST_CASE("touching contours, needles and slots") {
       "0:0 10:0 10:10 0:10, 3:3 3:5 5:5 5:3, 5:5 5:7 7:7 7:5",  // holes that touch
       "0:0 20:0 20:0.001",                                      // a needle
       "0:0 20:0 20:5 10.0001:5 10.00005:0.5 10:5 0:5",          // a slot
-      "0:0 10:0 10:2 0:2",                                      // an axis at one height
-      "0:0 5:0 10:0 10:10 5:10 0:10 0:5",                       // straight corners
-      "0:0 6:0 6:3 0:3, 7:0 13:0 13:3 7:3",                     // two islands
+      // Two spikes, tip to tip: the ridge between the tips is cut twice.
+      "0:0 4.9:0 5:4.8 5.1:0 10:0 10:10 5.1:10 5:5.2 4.9:10 0:10",
+      // A spike towards a wall: so is a parabola.
+      "0:0 4.9:0 5:9.6 5.1:0 10:0 10:10 0:10",
+      "0:0 10:0 10:2 0:2",                   // an axis at one height
+      "0:0 5:0 10:0 10:10 5:10 0:10 0:5",    // straight corners
+      "0:0 6:0 6:3 0:3, 7:0 13:0 13:3 7:3",  // two islands
       "0:0 30:0 30:30 0:30, 10:10 10:20 20:20 20:10, 12:12 18:12 18:18 12:18",
   };
   Random random(1);
