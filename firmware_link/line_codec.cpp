@@ -36,11 +36,9 @@ class TextWriter {
   }
 
   void word(char letter, std::int64_t value, int decimals) {
-    // write_fixed may use 21 bytes on its way, two more come before it.
-    LINK_CHECK(size() + 23 <= kTextBytesMax);
-    *at_++ = ' ';
-    *at_++ = letter;
-    at_ = write_fixed(at_, value, decimals);
+    std::array<char, 2 + 21> part{' ', letter};
+    const char* end = write_fixed(part.data() + 2, value, decimals);
+    literal({part.data(), static_cast<std::size_t>(end - part.data())});
   }
 
   [[nodiscard]] std::string_view text() const { return {begin_, size()}; }

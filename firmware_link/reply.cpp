@@ -120,6 +120,9 @@ Reply read_reply(std::string_view line) {
   rest = line;
   if (take_prefix(rest, "Resend:") || take_prefix(rest, "rs ")) {
     // A number that doesn't read asks for nothing that could be sent.
+    // "rs N12" is said too.
+    rest = without_leading_blanks(rest);
+    (void)take_prefix(rest, "N");
     Reply reply = plain(Kind::kResend, rest);
     reply.number = leading_number<std::int64_t>(rest);
     return reply;
