@@ -206,6 +206,10 @@ TEST_CASE("spurs into wide corners go, sharp corners are followed") {
       axis(region_from_text("0:0 5:0 8:0.2 5:0.4 0:0.4"), 0.05, 1);
   REQUIRE_EQ(sharp.size(), 1u);
   CHECK_GT(length_mm(sharp[0]), 6.5);
+  const std::vector<ThickPolyline> pointed =
+      axis(region_from_text("0:0 5:0 5.746:0.2 5:0.4 0:0.4"), 0.05, 1);  // 30°
+  REQUIRE_EQ(pointed.size(), 1u);
+  CHECK_GT(length_mm(pointed[0]), 5.3);
 }
 
 TEST_CASE("random regions: every point's width is what was measured") {

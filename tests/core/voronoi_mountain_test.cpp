@@ -126,6 +126,17 @@ TEST_CASE("a reflex corner gives a clockwise arc about itself") {
   CHECK_EQ(arcs, 1);
 }
 
+TEST_CASE("a ridge that dips below the offset is cut twice, and parts the contours") {
+  // Two spikes, tip to tip, and a spike towards a wall: gaps of 0.4 mm between two rooms.
+  for (const std::string shape : {"0:0 4.9:0 5:4.8 5.1:0 10:0 10:10 5.1:10 5:5.2 4.9:10 0:10",
+                                  "0:0 4.9:0 5:9.6 5.1:0 10:0 10:10 0:10"}) {
+    CAPTURE(shape);
+    const VoronoiMountain mountain(region_from_text(shape));
+    CHECK_EQ(mountain.offset(Length::from_mm(0.19)).size(), 1u);
+    CHECK_EQ(mountain.offset(Length::from_mm(0.45)).size(), 2u);
+  }
+}
+
 TEST_CASE("touching contours, needles and slots") {
   const std::string shapes[] = {
       "0:0 4:0 4:4 0:4, 4:4 8:4 8:8 4:8",                       // corner to corner
