@@ -102,6 +102,15 @@ TEST_CASE("it does not matter where a ring starts") {
   }
 }
 
+TEST_CASE("the points it starts from are left out like others") {
+  // The lowest point stands out by less than the tolerance.
+  const Ring square = test::rectangle(0, 0, 1, 1);
+  Ring ring = square;
+  ring.push_back({-30, 5'000});
+  CHECK_EQ(simplify(ring, Length::from_units(50)), square);
+  CHECK_EQ(simplify(ring, Length::from_units(20)).size(), 5);
+}
+
 TEST_CASE("what has no area vanishes") {
   CHECK(simplify({}, Length::from_units(50)).empty());
   CHECK(simplify({{0, 0}, {0, 0}, {0, 0}}, Length::from_units(50)).empty());

@@ -210,6 +210,14 @@ TEST_CASE("what is wrong in a text is said with its line") {
   check_refused(broken("endfacet\n", std::string(1'000'000, 'x')), ErrorCode::kBadPart, {"'xxx"});
 }
 
+TEST_CASE("lines are counted alike, whatever ends them") {
+  std::string text = text_box();
+  text.replace(text.rfind("vertex"), 6, "corner");
+  for (const std::string end : {"\n", "\r", "\r\n"}) {
+    check_refused(read(replaced(text, "\n", end)), ErrorCode::kBadPart, {"facet 12 (line 83)"});
+  }
+}
+
 TEST_CASE("coordinates that are no place: the facet is named") {
   for (const std::string value : {"nan", "inf", "-infinity", "1e999"}) {
     CAPTURE(value);
