@@ -116,6 +116,9 @@ template <typename... Readers>
 struct Overloaded : Readers... {
   using Readers::operator()...;
 };
+// clang 14 does not deduce aggregates.
+template <typename... Readers>
+Overloaded(Readers...) -> Overloaded<Readers...>;
 
 core::Error bad(std::string message) { return {core::ErrorCode::kBadSetting, std::move(message)}; }
 
