@@ -32,4 +32,8 @@ inline constexpr int kDiagramTurnsMax = 4;
 // How far that slow way's chords stay from the true arcs.
 inline constexpr double kCapsuleToleranceUnits = 5;
 
+// Region operations that a layer of a ball-shaped wall costs at most: 2T intersections of its
+// window's offsets, and a subtraction.
+inline constexpr int kBallOperationsMax = kWindowLayersMax;
+
 }  // namespace core

@@ -6,6 +6,8 @@
 namespace core {
 
 int wall_layers(const Settings& settings) {
+  const bool overridden = settings.wall_shape == WallShape::kCylinder && settings.wall_layers > 0;
+  if (overridden) return settings.wall_layers;
   const std::int64_t w = settings.wall_thickness.units();
   const std::int64_t h = settings.layer_height.units();
   return static_cast<int>(std::max<std::int64_t>(1, (2 * w + h) / (2 * h)));

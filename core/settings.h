@@ -11,14 +11,27 @@ namespace core {
 
 // The shape of the wall's inner side (wall_splitter.h).
 enum class WallShape {
+  kBall,      // one thickness in three dimensions, on any slope
   kCylinder,  // the paper's: one depth for all layers of the window
+};
+
+// How the inside of a part is built. The others are there to compare with.
+enum class BuildStyle {
+  kThinWall,  // dense wall, loose inside
+  kRegular,   // dense everywhere
+  kFast,      // three perimeters around a loose inside where a layer is wholly hidden by T layers
+              // above and below, dense elsewhere (wall_style.h)
 };
 
 struct Settings {
   // Layers and the wall.
   Length layer_height = Length::from_units(2'000);
   Length wall_thickness = Length::from_units(8'000);
-  WallShape wall_shape = WallShape::kCylinder;
+  WallShape wall_shape = WallShape::kBall;
+  int wall_layers = 0;  // T of a cylinder; 0: from the wall's thickness
+  BuildStyle style = BuildStyle::kThinWall;
+  Length loose_width_min = Length::from_units(9'000);  // narrower tongues of the inside: solid
+  double loose_area_min_mm2 = 1;                       // smaller islands of it: solid
 
   // Roads.
   Length nozzle_diameter = Length::from_units(4'000);
@@ -73,7 +86,7 @@ struct Settings {
   Length park_lift = Length::from_units(100'000);  // nozzle off the part at the end and at a stop
 };
 
-// T: how many layers the wall reaches up and down, ⌊w/h + ½⌋, at least 1.
+// T: how many layers the wall reaches up and down: wall_layers, or ⌊w/h + ½⌋, at least 1.
 [[nodiscard]] int wall_layers(const Settings& settings);
 
 }  // namespace core

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "core/offset_contours.h"  // OffsetContours
@@ -34,9 +35,20 @@ struct Slice {
   [[nodiscard]] Length top() const { return bottom + height; }
 };
 
+// A slice's inner offset at one depth.
+struct InnerOffset {
+  Length depth;
+  Region region;
+};
+
 // What is cut from one slice's mountain, once, for all later stages.
 struct SliceOffsets {
-  Region wall_inner;                       // I(S): the inner offset at the wall's depth
+  // Equal for equal slices that follow one another, and only for them (slice_offsets.h).
+  std::int64_t content = 0;
+
+  // I(S) at the wall's depths, the deepest first: one where the wall is a cylinder, one for each
+  // distance in layers where it is a ball (wall_depths.h).
+  std::vector<InnerOffset> wall_inners;
   std::vector<OffsetContours> perimeters;  // centre lines of the perimeters, from the outside in
   std::vector<Region> perimeter_cores;     // where each perimeter has room (perimeters.h)
   Region interior;                         // what the perimeters leave to be filled
@@ -44,7 +56,7 @@ struct SliceOffsets {
 
 struct Layer {
   Slice slice;
-  SliceOffsets offsets;
+  std::shared_ptr<const SliceOffsets> offsets;  // shared by equal slices that follow one another
 };
 
 // solid ∪ loose = layer.slice.region, solid ∩ loose = ∅.

@@ -1,9 +1,11 @@
 #include "core/slice_offsets.h"
 
 #include <numbers>
+#include <utility>
 
 #include "core/offset_contours.h"   // flatten
 #include "core/voronoi_mountain.h"  // VoronoiMountain
+#include "core/wall_depths.h"       // wall_depths
 
 namespace core {
 
@@ -21,7 +23,9 @@ Length narrow_half(const Settings& settings, Length layer_height) {
   return Length::from_mm(kNarrowShare / 2 * perimeter_spacing(settings, layer_height).mm());
 }
 
-SliceOffsets slice_offsets(const Slice& slice, const Settings& settings, OffsetCounters& counters) {
+namespace {
+
+SliceOffsets cut_offsets(const Slice& slice, const Settings& settings, OffsetCounters& counters) {
   SliceOffsets cut;
   if (slice.region.empty()) return cut;
   const VoronoiMountain mountain(slice.region);
@@ -33,7 +37,9 @@ SliceOffsets slice_offsets(const Slice& slice, const Settings& settings, OffsetC
   const Length half_spacing =
       Length::from_units(perimeter_spacing(settings, slice.height).units() / 2);
   const Length half_narrow = narrow_half(settings, slice.height);
-  cut.wall_inner = at(settings.wall_thickness);
+  for (const Length depth : wall_depths(settings, slice.height)) {
+    cut.wall_inners.push_back({depth, at(depth)});
+  }
   Length inner_edge;
   for (int number = 1; number <= settings.perimeters; ++number) {
     const Length depth = perimeter_depth(settings, slice.height, number);
@@ -43,6 +49,21 @@ SliceOffsets slice_offsets(const Slice& slice, const Settings& settings, OffsetC
   }
   cut.interior = inner_edge == Length() ? slice.region : at(inner_edge);
   return cut;
+}
+
+}  // namespace
+
+std::shared_ptr<const SliceOffsets> OffsetCutter::cut(const Slice& slice) {
+  if (last_ && slice.height == last_height_ && slice.region == last_region_) {
+    ++counters_.reused;
+    return last_;
+  }
+  auto offsets = std::make_shared<SliceOffsets>(cut_offsets(slice, settings_, counters_));
+  offsets->content = last_ ? last_->content + 1 : 0;
+  last_region_ = slice.region;
+  last_height_ = slice.height;
+  last_ = std::move(offsets);
+  return last_;
 }
 
 }  // namespace core

@@ -12,6 +12,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 
 #include "core/settings.h"  // Settings
 #include "core/slice.h"     // Slice, SliceOffsets
@@ -22,6 +23,7 @@ namespace core {
 struct OffsetCounters {
   std::int64_t mountains = 0;
   std::int64_t retries = 0;
+  std::int64_t reused = 0;  // slices that equalled the one before and shared its offsets
 };
 
 // Distance of neighbouring roads of the user's width. The formula is above.
@@ -37,8 +39,25 @@ inline constexpr double kNarrowShare = 0.6;
 // Half of that distance: how much deeper than its centre line a perimeter's core lies.
 [[nodiscard]] Length narrow_half(const Settings& settings, Length layer_height);
 
-// COSTS: one mountain, and a walk over it for each depth: wall_inner, two a perimeter, interior.
-[[nodiscard]] SliceOffsets slice_offsets(const Slice& slice, const Settings& settings,
-                                         OffsetCounters& counters);
+// Cuts slice after slice. One that equals the slice before it, point by point, shares its offsets,
+// so that a prismatic part costs one mountain.
+class OffsetCutter {
+ public:
+  // REQUIRES: settings in their ranges.
+  explicit OffsetCutter(const Settings& settings) : settings_(settings) {}
+
+  // COSTS: one mountain, and a walk over it for each depth: the wall's (wall_depths.h), two a
+  // perimeter, the interior; for an equal slice, a comparison. ENSURES: never null.
+  [[nodiscard]] std::shared_ptr<const SliceOffsets> cut(const Slice& slice);
+
+  [[nodiscard]] const OffsetCounters& counters() const { return counters_; }
+
+ private:
+  Settings settings_;
+  OffsetCounters counters_;
+  Region last_region_;
+  Length last_height_;
+  std::shared_ptr<const SliceOffsets> last_;
+};
 
 }  // namespace core

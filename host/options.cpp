@@ -56,7 +56,8 @@ void add_settings(CLI::App& command, Options& options) {
   add_shortcut(command, options, "--layer-height", "layer_height", "MM", "thickness of a layer");
   add_shortcut(command, options, "--wall-thickness", "wall_thickness", "MM",
                "how deep below the surface everything is dense");
-  add_shortcut(command, options, "--wall", "wall_shape", "SHAPE", "shape of the wall: cylinder");
+  add_shortcut(command, options, "--wall", "wall_shape", "SHAPE",
+               "shape of the wall: ball or cylinder");
   add_shortcut(command, options, "--loose-density", "loose_density", "SHARE",
                "share of the inside that is filled, 0 to 1");
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 #include "core/motion_builder.h"
@@ -10,6 +11,7 @@
 #include "core/road_planner.h"
 #include "core/slice_offsets.h"
 #include "core/wall_splitter.h"
+#include "core/wall_style.h"
 #include "host/motion_encoder.h"
 
 namespace host {
@@ -49,13 +51,15 @@ class Pipeline {
   Pipeline(Job& job, const PipelineOutputs& outputs, PipelineSignals& signals,
            GeometryStatistics& statistics)
       : job_(job),
-        settings_(job.settings),
+        settings_(core::with_style(job.settings)),
         outputs_(outputs),
         signals_(signals),
         statistics_(statistics),
-        splitter_(core::wall_layers(job.settings)),
-        planner_(job.settings),
-        builder_(job.settings),
+        cutter_(settings_),
+        splitter_(settings_),
+        style_(settings_),
+        planner_(settings_),
+        builder_(settings_),
         motion_clock_(core::MotionModel{}),
         sink_([this](const core::Motion& motion) { send(motion); }) {}
 
@@ -78,12 +82,14 @@ class Pipeline {
       statistics_.defects.add(slice);
 
       clock().enter(Stage::kOffset);
-      core::SliceOffsets offsets = core::slice_offsets(slice, settings_, offset_counters_);
+      std::shared_ptr<const core::SliceOffsets> offsets = cutter_.cut(slice);
       clock().enter(Stage::kWindow);
       std::optional<core::SplitLayer> settled =
           splitter_.push({std::move(slice), std::move(offsets)});
-      if (settled) {
-        if (core::Status status = settle(*settled); !status.ok()) return status.error();
+      while (settled) {
+        if (core::Status status = settle(*std::move(settled)); !status.ok()) return status.error();
+        clock().enter(Stage::kWindow);
+        settled = splitter_.next();
       }
       clock().end_layer();
     }
@@ -93,9 +99,9 @@ class Pipeline {
   core::Result<PipelineEnd> drain() {
     while (!stopped()) {
       clock().enter(Stage::kWindow);
-      const std::optional<core::SplitLayer> settled = splitter_.finish();
+      std::optional<core::SplitLayer> settled = splitter_.finish();
       if (!settled) break;
-      if (core::Status status = settle(*settled); !status.ok()) return status.error();
+      if (core::Status status = settle(*std::move(settled)); !status.ok()) return status.error();
       clock().end_layer();
     }
     if (stopped()) return PipelineEnd::kStopped;
@@ -111,7 +117,8 @@ class Pipeline {
     return stopped() ? PipelineEnd::kStopped : PipelineEnd::kDone;
   }
 
-  core::Status settle(const core::SplitLayer& layer) {
+  core::Status settle(core::SplitLayer split) {
+    const core::SplitLayer layer = style_.apply(std::move(split));
     const core::Slice& slice = layer.layer.slice;
     statistics_.solid_mm3 += volume_mm3(layer.solid, slice.height);
     statistics_.loose_mm3 += volume_mm3(layer.loose, slice.height);
@@ -144,7 +151,7 @@ class Pipeline {
     const core::WallSplitter::Usage window = splitter_.usage();
     statistics_.peak_layers_held = static_cast<std::int64_t>(window.layers_held_peak);
     statistics_.peak_regions_held = static_cast<std::int64_t>(window.regions_held_peak);
-    statistics_.mountain_retries = offset_counters_.retries;
+    statistics_.mountain_retries = cutter_.counters().retries;
     statistics_.filament_mm = builder_.totals().filament_mm;
     statistics_.time_s = motion_clock_.seconds();
   }
@@ -157,13 +164,14 @@ class Pipeline {
   StageClock& clock() { return statistics_.clock; }
 
   Job& job_;
-  const core::Settings& settings_;
+  const core::Settings settings_;
   const PipelineOutputs& outputs_;
   PipelineSignals& signals_;
   GeometryStatistics& statistics_;
 
-  core::OffsetCounters offset_counters_;
+  core::OffsetCutter cutter_;
   core::WallSplitter splitter_;
+  core::WallStyle style_;
   core::RoadPlanner planner_;
   core::MotionBuilder builder_;
   core::MotionClock motion_clock_;

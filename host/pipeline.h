@@ -1,6 +1,6 @@
 // The way of the data, from slices to commands, one layer at a time:
 //
-//     LayerSource ─> slice_offsets ─> WallSplitter ─> RoadPlanner ─> MotionBuilder ─> MotionEncoder
+//     LayerSource ─> OffsetCutter ─> WallSplitter ─> RoadPlanner ─> MotionBuilder ─> MotionEncoder
 //       slice          its offsets      T layers later  roads          motions          commands
 //                                       wall + inside     │               └──────┬───────┘
 //                                           │             │                      │

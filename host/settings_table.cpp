@@ -26,8 +26,9 @@ using core::Status;
 using Lines = std::vector<std::string>;
 
 // Which field, and with it how its values are written.
-using Member = std::variant<Length Settings::*, double Settings::*, int Settings::*,
-                            bool Settings::*, core::WallShape Settings::*, Lines Settings::*>;
+using Member =
+    std::variant<Length Settings::*, double Settings::*, int Settings::*, bool Settings::*,
+                 core::WallShape Settings::*, core::BuildStyle Settings::*, Lines Settings::*>;
 
 struct Setting {
   std::string_view key;
@@ -39,14 +40,30 @@ struct Setting {
 };
 
 using S = Settings;
+
+// Names of an enumeration's values, in its order.
+constexpr std::array<std::string_view, 2> names_of(core::WallShape) { return {"ball", "cylinder"}; }
+constexpr std::array<std::string_view, 3> names_of(core::BuildStyle) {
+  return {"thin-wall", "regular", "fast"};
+}
+
 constexpr double kBedMaxMm = core::kCoordinateMax / core::kUnitsPerMm / 2;  // the part lies within
 
 constexpr std::array kTable = {
     Setting{"layer_height", &S::layer_height, "mm", 0.01, 2, "height of every layer"},
     Setting{"wall_thickness", &S::wall_thickness, "mm", 0.05, 100,
             "how thick the dense wall is, sideways, up and down"},
-    Setting{"wall_shape", &S::wall_shape, "", 0, 0,
-            "inner side of the wall: cylinder, one depth for all layers of the window"},
+    Setting{
+        "wall_shape", &S::wall_shape, "", 0, 0,
+        "inner side of the wall: ball, as thick on any slope; cylinder, one depth for all layers"},
+    Setting{"wall_layers", &S::wall_layers, "", 0, 64,
+            "layers a cylinder reaches up and down; 0: as many as the wall is thick"},
+    Setting{"style", &S::style, "", 0, 0,
+            "thin-wall; to compare with: regular, dense everywhere; fast, loose in hidden layers"},
+    Setting{"loose_width_min", &S::loose_width_min, "mm", 0, 20,
+            "narrower parts of the inside are made solid"},
+    Setting{"loose_area_min_mm2", &S::loose_area_min_mm2, "mm²", 0, 10'000,
+            "smaller islands of the inside are made solid"},
     Setting{"nozzle_diameter", &S::nozzle_diameter, "mm", 0.05, 5, "bore of the nozzle"},
     Setting{"filament_diameter", &S::filament_diameter, "mm", 0.5, 10, "of the filament as bought"},
     Setting{"road_width", &S::road_width, "mm", 0.05, 10, "of every road that fits whole"},
@@ -129,7 +146,12 @@ const Setting* find(std::string_view key) {
 }
 
 std::string range_text(const Setting& setting) {
-  if (std::holds_alternative<core::WallShape S::*>(setting.member)) return "cylinder";
+  if (std::holds_alternative<core::WallShape S::*>(setting.member)) {
+    return fmt::format("{}", fmt::join(names_of(core::WallShape{}), ", "));
+  }
+  if (std::holds_alternative<core::BuildStyle S::*>(setting.member)) {
+    return fmt::format("{}", fmt::join(names_of(core::BuildStyle{}), ", "));
+  }
   if (std::holds_alternative<bool S::*>(setting.member)) return "0 or 1";
   if (std::holds_alternative<Lines S::*>(setting.member)) {
     return fmt::format("up to {} lines of {} bytes", kVerbatimLinesMax, kVerbatimBytesMax);
@@ -152,6 +174,23 @@ core::Error explain(const Setting& setting, const core::Error& error) {
   return bad(fmt::format("{}: {}; expected {}", setting.key, error.message, range_text(setting)));
 }
 
+template <typename Enumeration>
+Status choose(Enumeration& field, const Setting& setting, std::string_view text) {
+  constexpr auto kNames = names_of(Enumeration{});
+  const auto found = std::find(kNames.begin(), kNames.end(), trimmed(text));
+  if (found == kNames.end()) {
+    return bad(fmt::format("{}: \"{}\" is not one of: {}", setting.key, trimmed(text),
+                           range_text(setting)));
+  }
+  field = static_cast<Enumeration>(found - kNames.begin());
+  return {};
+}
+
+template <typename Enumeration>
+std::string name_of(Enumeration value) {
+  return std::string(names_of(value)[static_cast<std::size_t>(value)]);
+}
+
 Status assign(Settings& settings, const Setting& setting, std::string_view text) {
   const auto assign_to = [&](auto& field, const auto& read) -> Status {
     if (!read.ok()) return explain(setting, read.error());
@@ -171,14 +210,8 @@ Status assign(Settings& settings, const Setting& setting, std::string_view text)
                    if (status.ok()) settings.*field = Length::from_mm(mm);
                    return status;
                  },
-                 [&](core::WallShape S::*field) -> Status {
-                   if (trimmed(text) != "cylinder") {
-                     return bad(fmt::format("{}: \"{}\" is not one of: {}", setting.key,
-                                            trimmed(text), range_text(setting)));
-                   }
-                   settings.*field = core::WallShape::kCylinder;
-                   return {};
-                 },
+                 [&](core::WallShape S::*field) { return choose(settings.*field, setting, text); },
+                 [&](core::BuildStyle S::*field) { return choose(settings.*field, setting, text); },
                  [&](Lines S::*field) -> Status {
                    core::Result<Lines> lines = read_lines(text);
                    if (!lines.ok()) return explain(setting, lines.error());
@@ -193,7 +226,8 @@ std::string value_text(const Settings& settings, const Setting& setting) {
                                [&](int S::*f) { return write_number(settings.*f); },
                                [&](bool S::*f) { return std::string(settings.*f ? "1" : "0"); },
                                [&](Length S::*f) { return write_number((settings.*f).mm()); },
-                               [&](core::WallShape S::*) { return std::string("cylinder"); },
+                               [&](core::WallShape S::*f) { return name_of(settings.*f); },
+                               [&](core::BuildStyle S::*f) { return name_of(settings.*f); },
                                [&](Lines S::*f) { return write_lines(settings.*f); }},
                     setting.member);
 }

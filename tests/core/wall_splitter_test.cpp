@@ -114,8 +114,9 @@ TEST_CASE("solid and loose make up the slice and share nothing") {
       CHECK_LE(test::widest_difference(core::unite(layer.solid, layer.loose), slice), kSliverUnits);
       CHECK_LE(test::widest_difference(core::intersect(layer.solid, layer.loose), Region()),
                kSliverUnits);
-      CHECK_LE(test::widest_difference(core::subtract(layer.loose, layer.layer.offsets.wall_inner),
-                                       Region()),
+      CHECK_LE(test::widest_difference(
+                   core::subtract(layer.loose, layer.layer.offsets->wall_inners.front().region),
+                   Region()),
                kSliverUnits);
     }
   }
@@ -162,7 +163,9 @@ TEST_CASE("a constant stack is loose between its caps, and nowhere else") {
         CHECK(layer.loose.empty());
         CHECK_EQ(layer.solid, layer.layer.slice.region);
       } else {
-        CHECK_EQ(test::widest_difference(layer.loose, layer.layer.offsets.wall_inner), 0);
+        CHECK_EQ(
+            test::widest_difference(layer.loose, layer.layer.offsets->wall_inners.front().region),
+            0);
       }
     }
   }
@@ -194,7 +197,8 @@ TEST_CASE("layers pass through whole and in order, whatever the height") {
         CHECK_EQ(layers[n].layer.slice.index, expected.slice.index);
         CHECK_EQ(layers[n].layer.slice.bottom, expected.slice.bottom);
         CHECK_EQ(layers[n].layer.slice.region, expected.slice.region);
-        CHECK_EQ(layers[n].layer.offsets.wall_inner, expected.offsets.wall_inner);
+        CHECK_EQ(layers[n].layer.offsets->wall_inners.front().region,
+                 expected.offsets->wall_inners.front().region);
       }
     }
   }

@@ -67,8 +67,8 @@ TEST_CASE("every field of core::Settings has its row, in the same order") {
   REQUIRE(header.good());
   std::vector<std::string> fields;
   const std::regex field(
-      "^  (?:Length|double|int|bool|WallShape|std::vector<std::string>) "
-      "([a-z_]+)(?: = .*)?(?:;.*)?$");
+      "^  (?:Length|double|int|bool|WallShape|BuildStyle|std::vector<std::string>) "
+      "([a-z0-9_]+)(?: = .*)?(?:;.*)?$");
   for (std::string line; std::getline(header, line);) {
     std::smatch match;
     if (std::regex_match(line, match, field)) fields.push_back(match[1]);
@@ -162,6 +162,9 @@ TEST_CASE("numbers as users write them") {
   for (const char* no : {"0", "false", "No", "OFF"}) CHECK_FALSE(set_to("centre", no).centre);
   for (const char* yes : {"1", "TRUE", "yes", "on"}) CHECK(set_to("centre", yes).centre);
   CHECK_EQ(set_to("wall_shape", "cylinder").wall_shape, core::WallShape::kCylinder);
+  CHECK_EQ(set_to("wall_shape", " ball ").wall_shape, core::WallShape::kBall);
+  CHECK_EQ(set_to("style", "regular").style, core::BuildStyle::kRegular);
+  CHECK_EQ(set_to("style", "fast").style, core::BuildStyle::kFast);
 }
 
 TEST_CASE("an error says what was read") {
@@ -173,7 +176,7 @@ TEST_CASE("an error says what was read") {
   CHECK(contains(error_of("perimeters", "2.5"), "\"2.5\" is not a whole number"));
   CHECK(contains(error_of("perimeters", "3%"), "\"3%\" is not a whole number"));
   CHECK(contains(error_of("loose_density", "20"), "0% … 100%"));
-  CHECK(contains(error_of("wall_shape", "cube"), "\"cube\" is not one of: cylinder"));
+  CHECK(contains(error_of("wall_shape", "cube"), "\"cube\" is not one of: ball, cylinder"));
   CHECK(contains(error_of("centre", "maybe"), "\"maybe\""));
   CHECK(contains(error_of("road_width", "50%"), "\"%\""));
 }

@@ -72,7 +72,10 @@ core::Layer layer_of(const LayerStack& stack, std::size_t n) {
   layer.slice.height = Length::from_mm(kLayerHeightMm);
   layer.slice.bottom = layer.slice.height * layer.slice.index;
   layer.slice.region = stack.slices[n];
-  layer.offsets.wall_inner = stack.inners[n];
+  core::SliceOffsets offsets;
+  offsets.content = layer.slice.index;
+  offsets.wall_inners.push_back({Length(), stack.inners[n]});
+  layer.offsets = std::make_shared<core::SliceOffsets>(std::move(offsets));
   return layer;
 }
 
