@@ -1,8 +1,8 @@
 // A cheap exact answer to "is this clean already?", so that the costly way is taken only when it
 // must be.
 //
-// Edges are laid into a uniform grid of about one cell an edge, and tested against the others in
-// their cells with exact integer products. Two edges may meet only in the corner they share.
+// Two edges may meet only in the corner they share (chain_sweep.h). Where contours may touch, edges
+// are laid into a uniform grid of about one cell an edge. Integer products, so all is exact.
 #pragma once
 
 #include <vector>
@@ -13,11 +13,12 @@ namespace core {
 
 // True: from_clean_rings(rings) holds. False: not known; rings that merely touch give false too.
 // REQUIRES: coordinates within ±kCoordinateMax.
-// COSTS: O(points) on contours, O(points²) when most edges lie in one heap.
+// COSTS: as keep_clear() in chain_sweep.h.
 [[nodiscard]] bool surely_clean(const std::vector<Ring>& rings);
 
 // The rings, with a corner added wherever another's corner lies within an edge.
-// REQUIRES: clean rings. COSTS: as surely_clean().
+// REQUIRES: clean rings. COSTS: O(points) on contours, O(points²) when most edges lie
+// in one heap.
 [[nodiscard]] std::vector<Ring> split_at_touches(const std::vector<Ring>& rings);
 
 }  // namespace core

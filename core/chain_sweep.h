@@ -1,0 +1,22 @@
+// Whether contours keep clear of themselves and of one another, exactly and fast.
+//
+// Contours are cut into chains of at most 16 edges that go one way in x and one way in y. A chain
+// cannot meet itself, and two chains only where their boxes overlap, which for the chains of one
+// smooth contour is nowhere but at their common corner. Chains are swept upward by the lower sides
+// of their boxes. The winding number about each ring's lowest corner is counted on the way.
+#pragma once
+
+#include <vector>
+
+#include "core/geometry.h"  // Ring
+
+namespace core {
+
+// True when edges meet in nothing but the corner they share, outer contours turn counter-clockwise
+// and stand outside all others or in a hole, and holes the other way: the rings are clean.
+// False otherwise, also for rings that touch and may be clean all the same.
+// REQUIRES: coordinates within ±kCoordinateMax.
+// COSTS: O(n log n + n · chains at one height); O(n²) when most edges lie in one heap.
+[[nodiscard]] bool keep_clear(const std::vector<Ring>& rings);
+
+}  // namespace core
