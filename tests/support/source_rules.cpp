@@ -45,7 +45,7 @@ constexpr std::array kLibraries = {
     Library{"fmt/", {"host/", "tools/"}},
     Library{"benchmark/", {"tools/"}},
     Library{"doctest/", {"tests/"}},
-    Library{"polyclipping/", {"tests/"}},
+    Library{"polyclipping/", {"tests/", "tools/bench_"}},
 };
 
 // What the inner rooms do without: the outermost one knows threads, clocks and files.
