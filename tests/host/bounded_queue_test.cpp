@@ -36,7 +36,7 @@ TEST_CASE("items leave in the order they came, and all of them") {
 }
 
 TEST_CASE("a full queue makes the filling side wait, by items and by bytes") {
-  for (const std::size_t bytes : {1, 50}) {
+  for (const std::size_t bytes : {std::size_t{1}, std::size_t{50}}) {
     CAPTURE(bytes);
     BoundedQueue<int> queue({4, 100});
     const int room = bytes == 1 ? 4 : 2;

@@ -39,10 +39,9 @@ def main():
     rind, make_part = sys.argv[1:]
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)
-        check(rind, make_part, folder, "box", [])
-        check(rind, make_part, folder, "pyramid_short", ["--layer-height", "0.4"])
+        check(rind, make_part, folder, "box", ["--layer-height", "0.25"])
         check(rind, make_part, folder, "tube",
-              ["--layer-height", "0.3", "--set", "retraction_lift=0.4"])
+              ["--layer-height", "0.4", "--set", "retraction_lift=0.4"])
 
 
 main()

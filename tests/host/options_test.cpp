@@ -86,8 +86,9 @@ TEST_CASE("what can't be understood is refused with exit code 2 and the reason")
       {{"plan", "p.stl", "--colour"}, "--colour"},
       {{"plan", "p.stl", "q.stl"}, "q.stl"},
   };
-  for (const auto& [words, reason] : cases) {
-    const OptionsExit refused = parse_bad(words);
+  for (const auto& each : cases) {
+    const OptionsExit refused = parse_bad(each.first);
+    const std::string& reason = each.second;
     CAPTURE(refused.text);
     CAPTURE(reason);
     CHECK_EQ(refused.exit_code, host::kExitUsage);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -78,9 +79,10 @@ TEST_CASE("what the controller executes is what the file says") {
                                                       : std::vector<parts::Facet>{facet};
                                  })},
   };
-  for (const auto& [name, part] : cases) {
+  for (const auto& each : cases) {
+    const std::string name = each.first;
     CAPTURE(name);
-    const std::string path = folder.add(name, part);
+    const std::string path = folder.add(name, each.second);
     const std::vector<std::string> sliced = print_test::sliced_lines(coarse(), path);
     Rig rig(coarse(), path);
     const host::PrintOutcome outcome = rig.print();
@@ -92,7 +94,7 @@ TEST_CASE("what the controller executes is what the file says") {
     REQUIRE_EQ(executed.size(), sliced.size());
     for (std::size_t i = 0; i < sliced.size(); ++i) REQUIRE_EQ(executed[i], sliced[i]);
     CHECK_GT(rig.count("G1 "), 50);
-    CHECK_EQ(outcome.geometry.defects.layers() > 0, std::string(name) == "hole.stl");
+    CHECK_EQ(outcome.geometry.defects.layers() > 0, name == "hole.stl");
 
     const firmware_link::VirtualControllerTotals& totals = rig.port->controller().totals();
     CHECK_EQ(totals.cold_extrusions, 0);
@@ -113,10 +115,10 @@ TEST_CASE("what the controller executes is what the file says") {
 TEST_CASE("a signal in mid-print lifts the nozzle and turns the heaters off") {
   const PartFolder folder;
   const std::string path = folder.add("box.stl", parts::box({5, 5, 0}, 12, 9, 4));
-  for (const std::size_t commands : {20, 100, 200}) {
+  for (const std::int64_t commands : {20, 100, 200}) {
     CAPTURE(commands);
     Rig rig(coarse(), path);
-    rig.stop_count = [&] { return rig.executed.size() > commands ? 1 : 0; };
+    rig.stop_count = [&] { return std::ssize(rig.executed) > commands ? 1 : 0; };
     const host::PrintOutcome outcome = rig.print();
     CAPTURE(outcome.message);
     CHECK_EQ(outcome.exit_code, host::kExitStopped);

@@ -162,10 +162,11 @@ TEST_CASE("a mended part is printed, and what was mended is told with its height
          return number == 7 ? std::vector<parts::Facet>{facet, facet}
                             : std::vector<parts::Facet>{facet};
        })}};
-  for (const auto& [name, part] : faulty) {
+  for (const auto& each : faulty) {
+    const std::string& name = each.first;
     CAPTURE(name);
     const std::string stats = folder.file("stats.json");
-    const ProgramRun run = rind("slice " + folder.add(name, part) + " -o " +
+    const ProgramRun run = rind("slice " + folder.add(name, each.second) + " -o " +
                                 folder.file("out.gcode") + kCoarse + " --stats " + stats);
     CAPTURE(run.output);
     CHECK_EQ(run.exit_code, 0);
