@@ -46,7 +46,7 @@ class WallFold {
     RIND_CHECK(!finished_);
     std::optional<Inner> shared = shared_.push(std::move(inner));
     const bool starts_part = pushed_ < wall_layers_;
-    const bool window_full = pushed_ >= 2 * wall_layers_;
+    const bool window_full = pushed_ >= std::int64_t{2} * wall_layers_;
     RIND_CHECK(shared.has_value() == window_full);
     ++pushed_;
     if (starts_part) {

@@ -133,7 +133,7 @@ core::Status apply_prusa(const Line& line, LoadedSettings& loaded) {
   }
   ++loaded.set_count;
   for (const SettingText& setting : *ours) {
-    const core::Status status = set_setting(loaded.settings, setting.key, setting.text);
+    core::Status status = set_setting(loaded.settings, setting.key, setting.text);
     if (!status.ok()) return status;
   }
   return {};
@@ -159,8 +159,7 @@ Result<LoadedSettings> read_settings(std::string_view text, const std::string& n
                                   "bundle of profiles, export a single configuration",
                                   line.section));
     }
-    const core::Status status =
-        loaded.from_prusa ? apply_prusa(line, loaded) : apply_ours(line, loaded);
+    core::Status status = loaded.from_prusa ? apply_prusa(line, loaded) : apply_ours(line, loaded);
     if (!status.ok()) return error_at(name, line.number, status.error().message);
   }
   return loaded;

@@ -142,6 +142,7 @@ std::optional<Translated> from_prusa(std::string_view key, std::string_view text
 
 std::vector<std::string_view> prusa_keys() {
   std::vector<std::string_view> keys;
+  keys.reserve(kAliases.size());
   for (const Alias& alias : kAliases) keys.push_back(alias.theirs);
   return keys;
 }

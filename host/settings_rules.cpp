@@ -23,7 +23,7 @@ core::Error bad(std::string message) { return {core::ErrorCode::kBadSetting, std
 Status every_value_in_range(const Settings& settings) {
   Settings copy = settings;
   for (const SettingRow& row : describe_settings(settings)) {
-    const Status status = set_setting(copy, row.key, row.value);
+    Status status = set_setting(copy, row.key, row.value);
     if (!status.ok()) return status;
   }
   return {};
@@ -83,7 +83,7 @@ Status part_has_a_place(const Settings& settings) {
 Status validate_settings(const Settings& settings) {
   for (const auto rule :
        {every_value_in_range, wall_fits_window, road_fits_nozzle, part_has_a_place}) {
-    const Status status = rule(settings);
+    Status status = rule(settings);
     if (!status.ok()) return status;
   }
   return {};

@@ -194,7 +194,7 @@ std::string name_of(Enumeration value) {
 Status assign(Settings& settings, const Setting& setting, std::string_view text) {
   const auto assign_to = [&](auto& field, const auto& read) -> Status {
     if (!read.ok()) return explain(setting, read.error());
-    const Status checked = in_range(setting, static_cast<double>(read.value()));
+    Status checked = in_range(setting, static_cast<double>(read.value()));
     if (checked.ok()) field = static_cast<std::decay_t<decltype(field)>>(read.value());
     return checked;
   };
@@ -206,7 +206,7 @@ Status assign(Settings& settings, const Setting& setting, std::string_view text)
                  [&](bool S::*field) { return assign_to(settings.*field, read_switch(text)); },
                  [&](Length S::*field) -> Status {
                    double mm = 0;
-                   const Status status = assign_to(mm, read_number(text, setting.unit));
+                   Status status = assign_to(mm, read_number(text, setting.unit));
                    if (status.ok()) settings.*field = Length::from_mm(mm);
                    return status;
                  },
@@ -252,6 +252,7 @@ std::string nearest_key(std::string_view key) {
   std::vector<std::string_view> keys = prusa_keys();
   // Ours first: they win where both are as near.
   std::vector<std::string_view> ours;
+  ours.reserve(kTable.size());
   for (const Setting& setting : kTable) ours.push_back(setting.key);
   keys.insert(keys.begin(), ours.begin(), ours.end());
   return std::string(*std::min_element(keys.begin(), keys.end(), [&](auto a, auto b) {
@@ -279,7 +280,7 @@ Status set_setting(Settings& settings, std::string_view key, std::string_view te
   for (const SettingText& ours : *translated) {
     const Setting* setting = find(ours.key);
     RIND_CHECK(setting != nullptr);
-    const Status status = assign(changed, *setting, ours.text);
+    Status status = assign(changed, *setting, ours.text);
     if (!status.ok()) return status;
   }
   settings = std::move(changed);
@@ -289,6 +290,7 @@ Status set_setting(Settings& settings, std::string_view key, std::string_view te
 std::vector<SettingRow> describe_settings(const Settings& settings) {
   const Settings defaults;
   std::vector<SettingRow> rows;
+  rows.reserve(kTable.size());
   for (const Setting& setting : kTable) {
     rows.push_back({std::string(setting.key), value_text(settings, setting),
                     std::string(setting.unit == "%" ? "share" : setting.unit),
