@@ -46,9 +46,10 @@ TEST_CASE("answers are told apart by their beginning") {
       {"Marlin bugfix-2.1.x", Kind::kUnknown},
       {"", Kind::kUnknown},
   };
-  for (const auto& [line, kind] : kLines) {
+  for (const auto& one : kLines) {
+    const std::string line = one.first;
     CAPTURE(line);
-    CHECK(read_reply(line).kind == kind);
+    CHECK(read_reply(line).kind == one.second);
   }
 }
 
