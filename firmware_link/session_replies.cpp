@@ -182,7 +182,7 @@ void Session::acknowledged(const Reply& reply, Instant now) {
 }
 
 void Session::resend_asked(const Reply& reply, Instant now) {
-  skip_next_ok_ = true;
+  skip_next_ok_ = rules_.numbered;
   quiet_since_ = now;
   if (!rules_.numbered || !reply.number || *reply.number < 0 || *reply.number > kResyncLineNumber ||
       !window_.can_restart(*reply.number + numbering_base_)) {

@@ -132,8 +132,7 @@ bool VirtualController::Firmware::wait_over() {
       return wait_until_ <= now_;
     case Waiting::kPlannerSlot:
       if (planner_.full()) return false;
-      planner_.push(*pending_move_, now_, pause_was_asked_);
-      pause_was_asked_ = false;
+      plan(*pending_move_);
       pending_move_.reset();
       return true;
     case Waiting::kPlannerEmpty:
@@ -244,6 +243,10 @@ void VirtualController::Firmware::queue_move(double length_mm, const std::array<
     wait(Waiting::kPlannerSlot);
     return;
   }
+  plan(block);
+}
+
+void VirtualController::Firmware::plan(const PlannerMove& block) {
   planner_.push(block, now_, pause_was_asked_);
   pause_was_asked_ = false;
 }

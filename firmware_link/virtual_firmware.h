@@ -104,6 +104,7 @@ class VirtualController::Firmware {
   void move(std::string_view text, double arc_length_mm);
   void arc(std::int64_t code, std::string_view text);
   void queue_move(double length_mm, const std::array<double, 3>& delta, double filament_mm);
+  void plan(const PlannerMove& block);
   void dwell(std::string_view text);
   void home(std::string_view text);
   void set_position(std::string_view text);

@@ -81,6 +81,7 @@ TEST_CASE("temperatures in their dialects") {
   CHECK(klipper.nozzle_target_celsius == 40);
   CHECK(klipper.bed_celsius == 25.5);
   CHECK_FALSE(read_reply(" T:nan /inf B:").temperatures.nozzle_celsius.has_value());
+  CHECK(read_reply("ok CHT:30.00 /0.00 T:25.45 /0.00").temperatures.nozzle_celsius == 25.45);
   CHECK_FALSE(read_reply("ok").temperatures.nozzle_celsius.has_value());
 }
 

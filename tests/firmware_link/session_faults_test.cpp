@@ -145,9 +145,13 @@ TEST_CASE("damage both ways, at a rate where a line seldom gets through, ends wi
 TEST_CASE("numbering that starts anew survives damage") {
   SessionOptions options;
   options.line_number_max = 20;
-  const Damage down{5e-4, 5e-4, 5e-4, 0.01, 0.01, 0.01, 100};
-  Damage up = down;
-  up.distance = 60;
+  Damage down;
+  Damage up;
+  SUBCASE("all of it") {
+    down = up = {5e-4, 5e-4, 5e-4, 0.01, 0.01, 0.01, 100};
+    up.distance = 60;
+  }
+  SUBCASE("an ok too many before the numbers end") { up.duplicate_line = 0.15; }
   const Outcome outcome = check_damage(down, up, real(), options);
   CHECK(outcome.finished > kSeeds / 2);
 }

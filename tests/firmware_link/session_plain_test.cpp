@@ -1,0 +1,117 @@
+// The session with a controller of the other kind: one `ok` for each line, no numbers, nothing ever
+// repeated, long silence normal.
+#include <doctest/doctest.h>
+
+#include <chrono>
+#include <memory>
+#include <string>
+
+#include "firmware_link/marlin_dialect.h"
+#include "firmware_link/session.h"
+
+using namespace firmware_link;
+using namespace std::chrono_literals;
+
+namespace {
+
+class PlainDialect final : public Dialect {
+ public:
+  std::string_view name() const override { return "plain"; }
+  LinkRules rules() const override {
+    LinkRules rules;
+    rules.numbered = false;
+    rules.silence_max = 300s;
+    rules.idle_talk_max = 600s;
+    return rules;
+  }
+  Meaning meaning_of(const Reply& reply) const override {
+    return MarlinDialect().meaning_of(reply);
+  }
+};
+
+struct ByHand {
+  Instant now{};
+  Session session{std::make_unique<PlainDialect>(), {}, Instant{}};
+
+  ByHand() {
+    pass(3s);
+    CHECK(output() == "\nM115\n");
+    say("ok FIRMWARE_NAME:Klipper FIRMWARE_VERSION:?\n");
+    CHECK(output() == "M115\n");
+    say("FIRMWARE_NAME:Klipper FIRMWARE_VERSION:?\nok\n");
+    CHECK(session.state() == SessionState::kStreaming);
+    CHECK(session.firmware_name() == "Klipper");
+  }
+  void say(const std::string& text) {
+    session.input(std::as_bytes(std::span(text.data(), text.size())), now);
+  }
+  void pass(Duration duration) {
+    for (const Instant end = now + duration; now < end; now += 20ms) session.tick(now);
+  }
+  std::string output() {
+    const auto span = session.output();
+    const std::string text(reinterpret_cast<const char*>(span.data()), span.size());
+    session.written(span.size(), now);
+    return text;
+  }
+  void take(std::int64_t x_um) {
+    Move move;
+    move.x_um = x_um;
+    session.take(move, now);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("lines go as they are, one ok each, and long silence is borne") {
+  ByHand hand;
+  for (int i = 1; i <= 5; ++i) hand.take(1000 * i);
+  CHECK_FALSE(hand.session.can_take());
+  CHECK(hand.output() == "G0 X1\nG0 X2\nG0 X3\nG0 X4\n");
+  hand.pass(250s);
+  CHECK(hand.output().empty());
+  hand.say("ok\n");
+  CHECK(hand.output() == "G0 X5\n");
+  hand.say("ok\nok\nok\nok\n");
+  hand.session.finish(hand.now);
+  CHECK(hand.session.state() == SessionState::kFinished);
+  CHECK(hand.session.statistics().commands_acknowledged == 5);
+}
+
+TEST_CASE("nothing is ever repeated") {
+  ByHand hand;
+  hand.take(1000);
+  (void)hand.output();
+  hand.say("Resend: 1\n");
+  hand.pass(1s);
+  CHECK(hand.output().empty());
+  CHECK(hand.session.statistics().resends_ignored == 1);
+  hand.pass(301s);
+  CHECK(hand.output().empty());
+  CHECK(hand.session.state() == SessionState::kFaulted);
+  CHECK(hand.session.reason() == "the controller has not answered for 300 s");
+}
+
+TEST_CASE("a stop drops what has not left, and waits for what has") {
+  ByHand hand;
+  for (int i = 1; i <= 5; ++i) hand.take(1000 * i);
+  (void)hand.output();
+  const Command off = SetFan{};
+  hand.session.stop_now({&off, 1}, hand.now);
+  CHECK(hand.output().empty());
+  hand.say("ok\n");
+  CHECK(hand.output() == "M107\n");
+  hand.say("ok\nok\nok\n");
+  CHECK(hand.session.state() == SessionState::kStopping);
+  hand.say("ok\n");
+  CHECK(hand.session.state() == SessionState::kStopped);
+  CHECK(hand.session.statistics().commands_acknowledged == 4);
+}
+
+TEST_CASE("an alarm ends the print at once") {
+  ByHand hand;
+  hand.take(1000);
+  hand.say("!! Move out of range: 999.000 0.000 0.500 [0.000]\nok\n");
+  CHECK(hand.session.state() == SessionState::kFaulted);
+  CHECK(hand.session.reason().find("Move out of range") != std::string::npos);
+}
