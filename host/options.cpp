@@ -58,6 +58,10 @@ void add_settings(CLI::App& command, Options& options) {
                "how deep below the surface everything is dense");
   add_shortcut(command, options, "--wall", "wall_shape", "SHAPE",
                "shape of the wall: ball or cylinder");
+  add_shortcut(command, options, "--wall-layers", "wall_layers", "N",
+               "layers a cylinder-shaped wall reaches up and down");
+  add_shortcut(command, options, "--style", "style", "STYLE",
+               "thin-wall, or to compare with: regular, fast");
   add_shortcut(command, options, "--loose-density", "loose_density", "SHARE",
                "share of the inside that is filled, 0 to 1");
 }
