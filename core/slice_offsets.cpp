@@ -2,10 +2,10 @@
 
 #include <numbers>
 #include <utility>
+#include <vector>
 
-#include "core/offset_contours.h"   // flatten
-#include "core/voronoi_mountain.h"  // VoronoiMountain
-#include "core/wall_depths.h"       // wall_depths
+#include "core/offset_contours.h"  // flatten
+#include "core/wall_depths.h"      // wall_depths
 
 namespace core {
 
@@ -23,42 +23,46 @@ Length narrow_half(const Settings& settings, Length layer_height) {
   return Length::from_mm(kNarrowShare / 2 * perimeter_spacing(settings, layer_height).mm());
 }
 
-namespace {
-
-SliceOffsets cut_offsets(const Slice& slice, const Settings& settings, OffsetCounters& counters) {
+SliceOffsets OffsetCutter::cut_offsets(const Slice& slice) {
   SliceOffsets cut;
   if (slice.region.empty()) return cut;
-  const VoronoiMountain mountain(slice.region);
-  ++counters.mountains;
-  counters.retries += mountain.retries();
-  const auto at = [&](Length depth) {
-    return flatten(mountain.offset(depth), settings.arc_tolerance);
-  };
   const Length half_spacing =
-      Length::from_units(perimeter_spacing(settings, slice.height).units() / 2);
-  const Length half_narrow = narrow_half(settings, slice.height);
-  for (const Length depth : wall_depths(settings, slice.height)) {
-    cut.wall_inners.push_back({depth, at(depth)});
-  }
+      Length::from_units(perimeter_spacing(settings_, slice.height).units() / 2);
+  const Length half_narrow = narrow_half(settings_, slice.height);
+  const std::vector<Length> walls = wall_depths(settings_, slice.height);
+  // The wall's depths; centre line and core of each perimeter; the interior's.
+  std::vector<Length> depths = walls;
   Length inner_edge;
-  for (int number = 1; number <= settings.perimeters; ++number) {
-    const Length depth = perimeter_depth(settings, slice.height, number);
-    cut.perimeters.push_back(mountain.offset(depth));
-    cut.perimeter_cores.push_back(at(depth + half_narrow));
+  for (int number = 1; number <= settings_.perimeters; ++number) {
+    const Length depth = perimeter_depth(settings_, slice.height, number);
+    depths.push_back(depth);
+    depths.push_back(depth + half_narrow);
     inner_edge = depth + half_spacing;
   }
-  cut.interior = inner_edge == Length() ? slice.region : at(inner_edge);
+  depths.push_back(inner_edge);
+  std::vector<OffsetContours> contours(depths.size());
+  foot_.offset(slice.region, depths, contours);
+  ++counters_.mountains;
+  counters_.retries = foot_.retries() + foot_.fallbacks();
+
+  const auto flat = [&](const OffsetContours& at) { return flatten(at, settings_.arc_tolerance); };
+  for (std::size_t i = 0; i < walls.size(); ++i) {
+    cut.wall_inners.push_back({walls[i], flat(contours[i])});
+  }
+  for (std::size_t i = walls.size(); i + 1 < contours.size(); i += 2) {
+    cut.perimeters.push_back(std::move(contours[i]));
+    cut.perimeter_cores.push_back(flat(contours[i + 1]));
+  }
+  cut.interior = inner_edge == Length() ? slice.region : flat(contours.back());
   return cut;
 }
-
-}  // namespace
 
 std::shared_ptr<const SliceOffsets> OffsetCutter::cut(const Slice& slice) {
   if (last_ && slice.height == last_height_ && slice.region == last_region_) {
     ++counters_.reused;
     return last_;
   }
-  auto offsets = std::make_shared<SliceOffsets>(cut_offsets(slice, settings_, counters_));
+  auto offsets = std::make_shared<SliceOffsets>(cut_offsets(slice));
   offsets->content = last_ ? last_->content + 1 : 0;
   last_region_ = slice.region;
   last_height_ = slice.height;

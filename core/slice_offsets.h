@@ -14,12 +14,13 @@
 #include <cstdint>
 #include <memory>
 
-#include "core/settings.h"  // Settings
-#include "core/slice.h"     // Slice, SliceOffsets
+#include "core/mountain_foot.h"  // MountainFoot
+#include "core/settings.h"       // Settings
+#include "core/slice.h"          // Slice, SliceOffsets
 
 namespace core {
 
-// How often diagrams were built and, having failed their check, built again (voronoi_mountain.h).
+// How often mountains were cut, and how many depths needed more than one try (mountain_foot.h).
 struct OffsetCounters {
   std::int64_t mountains = 0;
   std::int64_t retries = 0;
@@ -40,20 +41,23 @@ inline constexpr double kNarrowShare = 0.6;
 [[nodiscard]] Length narrow_half(const Settings& settings, Length layer_height);
 
 // Cuts slice after slice. One that equals the slice before it, point by point, shares its offsets,
-// so that a prismatic part costs one mountain.
+// so that a prismatic part costs one mountain. Keeps the scratch memory from cut to cut.
 class OffsetCutter {
  public:
   // REQUIRES: settings in their ranges.
   explicit OffsetCutter(const Settings& settings) : settings_(settings) {}
 
-  // COSTS: one mountain, and a walk over it for each depth: the wall's (wall_depths.h), two a
-  // perimeter, the interior; for an equal slice, a comparison. ENSURES: never null.
+  // COSTS: one cut of the mountain's foot at all depths: the wall's (wall_depths.h), two a
+  // perimeter, the interior's; for an equal slice, a comparison. ENSURES: never null.
   [[nodiscard]] std::shared_ptr<const SliceOffsets> cut(const Slice& slice);
 
   [[nodiscard]] const OffsetCounters& counters() const { return counters_; }
 
  private:
+  [[nodiscard]] SliceOffsets cut_offsets(const Slice& slice);
+
   Settings settings_;
+  MountainFoot foot_;
   OffsetCounters counters_;
   Region last_region_;
   Length last_height_;

@@ -5,6 +5,7 @@
 #include "core/capsule_offset.h"   // capsule_offset
 #include "core/contact_check.h"    // split_at_touches
 #include "core/limits.h"           // kDiagramTurnsMax
+#include "core/mountain_foot.h"    // MountainFoot
 #include "core/offset_walk.h"      // walk_offset
 #include "core/voronoi_diagram.h"  // make_voronoi_diagram
 
@@ -79,7 +80,7 @@ int VoronoiMountain::fallbacks() const { return diagram_->fallbacks; }
 Region offset(const Region& region, Length depth, Length arc_tolerance) {
   if (region.empty() || depth == Length()) return region;
   if (depth > Length() && deeper_than_any_point(region, depth)) return {};
-  return flatten(VoronoiMountain(region).offset(depth), arc_tolerance);
+  return flatten(MountainFoot().offset(region, depth), arc_tolerance);
 }
 
 }  // namespace core

@@ -44,7 +44,8 @@ class VoronoiMountain {
   std::unique_ptr<Diagram> diagram_;
 };
 
-// The flattened offset of `region` at `depth`, for callers that need only one.
+// The flattened offset of `region` at `depth`, for callers that need only one. The foot of the
+// mountain does it (mountain_foot.h): no diagram is built unless that fails.
 [[nodiscard]] Region offset(const Region& region, Length depth, Length arc_tolerance);
 
 }  // namespace core
