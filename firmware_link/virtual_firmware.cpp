@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdarg>
-#include <cstdio>
 
 #include "firmware_link/check.h"
 #include "firmware_link/virtual_texts.h"  // kBanner
@@ -200,16 +198,6 @@ void VirtualController::Firmware::print(std::string_view text) {
   // step() begins nothing with less than half the room left, and nothing says as much at once.
   LINK_CHECK(text.size() <= answers_.room());
   for (const char c : text) answers_.push(c);
-}
-
-void VirtualController::Firmware::print_format(const char* format, ...) {
-  char text[256];
-  va_list arguments;
-  va_start(arguments, format);
-  const int size = std::vsnprintf(text, sizeof text, format, arguments);
-  va_end(arguments);
-  LINK_CHECK(size >= 0 && static_cast<std::size_t>(size) < sizeof text);
-  print({text, static_cast<std::size_t>(size)});
 }
 
 void VirtualController::Firmware::print_temperatures() {

@@ -102,7 +102,7 @@ void VirtualController::Firmware::line_error(std::string_view what) {
 void VirtualController::Firmware::flush_and_request_resend() {
   receive_.clear();
   ++totals_.resends_asked;
-  print_format("Resend: %lld\nok\n", static_cast<long long>(last_number_ + 1));
+  print_format("Resend: %lld\nok\n", static_cast<long long>(last_number_) + 1);
 }
 
 }  // namespace firmware_link

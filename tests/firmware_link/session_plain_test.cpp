@@ -65,7 +65,7 @@ struct ByHand {
 
 TEST_CASE("lines go as they are, one ok each, and long silence is borne") {
   ByHand hand;
-  for (int i = 1; i <= 5; ++i) hand.take(1000 * i);
+  for (int i = 1; i <= 5; ++i) hand.take(std::int64_t{1000} * i);
   CHECK_FALSE(hand.session.can_take());
   CHECK(hand.output() == "G0 X1\nG0 X2\nG0 X3\nG0 X4\n");
   hand.pass(250s);
@@ -94,7 +94,7 @@ TEST_CASE("nothing is ever repeated") {
 
 TEST_CASE("a stop drops what has not left, and waits for what has") {
   ByHand hand;
-  for (int i = 1; i <= 5; ++i) hand.take(1000 * i);
+  for (int i = 1; i <= 5; ++i) hand.take(std::int64_t{1000} * i);
   (void)hand.output();
   const Command off = SetFan{};
   hand.session.stop_now({&off, 1}, hand.now);

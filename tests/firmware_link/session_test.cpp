@@ -243,7 +243,7 @@ TEST_CASE("other errors are warnings") {
 
 TEST_CASE("ADVANCED_OK's number acknowledges all up to it, so that a lost ok costs nothing") {
   ByHand hand;
-  for (int i = 1; i <= 3; ++i) hand.take(1000 * i);
+  for (int i = 1; i <= 3; ++i) hand.take(std::int64_t{1000} * i);
   (void)hand.take_output();
   hand.say("ok N4 P12 B3\n");
   CHECK(hand.session.statistics().commands_acknowledged == 3);
