@@ -1,0 +1,60 @@
+// All rings of one operation on one sheet, and the region where their winding numbers say "inside".
+//
+//     rings ──> edges ──> grid ──> nodes ──> chains ──> boundary ──> rings
+//     contour_edges  edge_grid  snap_rounding  chain_graph  boundary_walk  ring_tracer
+//
+// Everything is rounded once, at the crossings, by at most half a unit in x and in y; everything
+// that decides topology is exact integer arithmetic. Corners that nothing comes near stay as they
+// are, and rings that meet nothing are copied whole.
+//
+// One Overlay does one operation after another and keeps its memory in between, so that in the
+// steady state only the result is allocated.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/boundary_walk.h"
+#include "core/chain_graph.h"
+#include "core/contour_edges.h"
+#include "core/edge_grid.h"
+#include "core/region.h"
+#include "core/ring_tracer.h"
+#include "core/snap_rounding.h"
+#include "core/winding_ray.h"
+#include "core/winding_rule.h"
+
+namespace core {
+
+class Overlay {
+ public:
+  // REQUIRES: every operand is clean. Two operands: rings that stand alike in both are found and
+  // taken as one.
+  // COSTS: near-linear in edges + crossings (snap_rounding.h).
+  [[nodiscard]] Region combine(const Region& a, std::int32_t weight_a, const Region& b,
+                               std::int32_t weight_b, const WindingRule& rule);
+
+  // Any number of operands, each weighted 1.
+  [[nodiscard]] Region combine(const std::vector<const Region*>& operands, const WindingRule& rule);
+
+  // Rings of any kind, weighted 1.
+  [[nodiscard]] Region combine(const std::vector<Ring>& rings, const WindingRule& rule);
+
+ private:
+  void add_in_common(const Region& a, const Region& b);
+  [[nodiscard]] Region run(const WindingRule& rule);
+  void copy_free_rings(const WindingRule& rule, std::vector<Ring>& rings);
+
+  ContourEdges edges_;
+  EdgeGrid grid_;
+  SnapRounding snapped_;
+  ChainGraph graph_;
+  WindingRay ray_;
+  BoundaryWalk walk_;
+  RingTracer tracer_;
+  OperandWeights weights_;
+  std::vector<std::uint8_t> common_a_;  // by ring of a: stands alike in b
+  std::vector<std::uint8_t> common_b_;
+};
+
+}  // namespace core

@@ -1,0 +1,23 @@
+// Which winding numbers count as inside. Every operation on regions is one of these questions:
+//
+//     rings weighted 1 each                winding > 0     union
+//     operands a, b, … (k of them)         winding >= k    intersection
+//     a weighted 1, b weighted -1          winding > 0     a − b
+//     a weighted 1, b weighted -1          winding != 0    a xor b
+#pragma once
+
+#include <cstdint>
+
+namespace core {
+
+struct WindingRule {
+  enum class Kind { kAtLeast, kNonZero };
+  Kind kind = Kind::kAtLeast;
+  std::int32_t least = 1;
+
+  [[nodiscard]] bool inside(std::int32_t winding) const {
+    return kind == Kind::kNonZero ? winding != 0 : winding >= least;
+  }
+};
+
+}  // namespace core
