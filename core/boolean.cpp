@@ -1,85 +1,22 @@
 #include "core/boolean.h"
 
-#include <boost/polygon/polygon.hpp>
+#include <algorithm>
 
-#include "core/check.h"          // RIND_CHECK
-#include "core/contact_check.h"  // surely_clean
-#include "core/limits.h"         // kCoordinateMax
+#include "core/check.h"    // RIND_CHECK
+#include "core/limits.h"   // kCoordinateMax
+#include "core/overlay.h"  // Overlay
 
 namespace core {
 namespace {
 
-namespace polygon = boost::polygon;
-using BoostPoint = polygon::point_data<int>;
-using PolygonSet = polygon::polygon_set_data<int>;
-using Edges = std::vector<PolygonSet::element_type>;
-using Operation = polygon::arbitrary_boolean_op<int>;
-
-enum class Direction { kAsIs, kReversed };
-
-// Boost re-orients whole polygons on insertion; edges with their own sign keep the winding numbers
-// that the rings really have.
-void add_edges(const std::vector<Ring>& rings, Direction direction, Edges& edges) {
-  for (const Ring& ring : rings) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      Point a = ring[i];
-      Point b = ring[i + 1 == ring.size() ? 0 : i + 1];
-      if (a == b) continue;
-      int count = direction == Direction::kAsIs ? 1 : -1;
-      if (a.x == b.x) count = -count;
-      if (b < a) {
-        std::swap(a, b);
-        count = -count;
-      }
-      edges.push_back({{BoostPoint(a.x, a.y), BoostPoint(b.x, b.y)}, count});
-    }
-  }
-}
-
-Edges edges_of(const std::vector<Ring>& rings, Direction direction = Direction::kAsIs) {
-  Edges edges;
-  std::size_t count = 0;
-  for (const Ring& ring : rings) count += ring.size();
-  edges.reserve(count);
-  add_edges(rings, direction, edges);
-  return edges;
-}
-
-// Boost repeats the first point at the end, and leaves points on straight runs.
-template <typename Polygon>
-void add_ring(const Polygon& boundary, std::vector<Ring>& rings) {
-  Ring ring;
-  ring.reserve(boundary.size());
-  for (const BoostPoint& boost_point : boundary) {
-    const Point p{boost_point.x(), boost_point.y()};
-    while (ring.size() > 1 && cross(ring[ring.size() - 2], ring.back(), p) == 0) ring.pop_back();
-    if (ring.empty() || ring.back() != p) ring.push_back(p);
-  }
-  if (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
-  while (ring.size() > 2 && cross(ring[ring.size() - 2], ring.back(), ring.front()) == 0) {
-    ring.pop_back();
-  }
-  if (ring.size() > 2 && cross(ring.back(), ring[0], ring[1]) == 0) ring.erase(ring.begin());
-  if (ring.size() >= 3 && doubled_area_units(ring) != 0) rings.push_back(std::move(ring));
-}
-
-Region combine(const Edges& a, const Edges& b, Operation::BOOLEAN_OP_TYPE type) {
-  PolygonSet result;
-  Operation operation;
-  operation.execute(result, a.begin(), a.end(), b.begin(), b.end(), type);
-  std::vector<polygon::polygon_with_holes_data<int>> pieces;
-  result.get(pieces);
-  std::vector<Ring> rings;
-  for (const auto& piece : pieces) {
-    add_ring(piece.self_.coords_, rings);
-    for (const auto& hole : piece.holes_) add_ring(hole.coords_, rings);
-  }
-  return Region::from_clean_rings(std::move(rings));
-}
+constexpr WindingRule kAnywhere{WindingRule::Kind::kAtLeast, 1};
+constexpr WindingRule kInBoth{WindingRule::Kind::kAtLeast, 2};
+constexpr WindingRule kNotCancelled{WindingRule::Kind::kNonZero, 0};
 
 Region both(const Region& a, const Region& b) {
   std::vector<Ring> rings = a.rings();
   rings.insert(rings.end(), b.rings().begin(), b.rings().end());
+  sort_rings(rings);
   return Region::from_clean_rings(std::move(rings));
 }
 
@@ -87,46 +24,90 @@ bool apart(const Region& a, const Region& b) { return !a.box().overlaps(b.box())
 
 }  // namespace
 
-Region clean(const std::vector<Ring>& rings, FillRule rule) {
+BooleanScratch::BooleanScratch() : overlay_(std::make_unique<Overlay>()) {}
+BooleanScratch::~BooleanScratch() = default;
+BooleanScratch::BooleanScratch(BooleanScratch&&) noexcept = default;
+BooleanScratch& BooleanScratch::operator=(BooleanScratch&&) noexcept = default;
+
+Region clean(const std::vector<Ring>& rings, FillRule rule, BooleanScratch& scratch) {
   for (const Ring& ring : rings) {
     for (const Point p : ring) {
       RIND_CHECK(p.x >= -kCoordinateMax && p.x <= kCoordinateMax);
       RIND_CHECK(p.y >= -kCoordinateMax && p.y <= kCoordinateMax);
     }
   }
-  if (surely_clean(rings)) return Region::from_clean_rings(rings);
-  const Edges edges = edges_of(rings);
-  // Boost counts a point as covered where its winding number is above 0: where it is below, the
-  // same rings turned round cover it.
-  const Edges turned = rule == FillRule::kNonZero ? edges_of(rings, Direction::kReversed) : Edges();
-  return combine(edges, turned, Operation::BOOLEAN_OR);
+  return scratch.overlay().combine(rings, rule == FillRule::kNonZero ? kNotCancelled : kAnywhere);
 }
 
-Region unite(const Region& a, const Region& b) {
+Region unite(const Region& a, const Region& b, BooleanScratch& scratch) {
   if (a.empty() || a == b) return b;
   if (b.empty()) return a;
   if (apart(a, b)) return both(a, b);
-  return combine(edges_of(a.rings()), edges_of(b.rings()), Operation::BOOLEAN_OR);
+  return scratch.overlay().combine(a, 1, b, 1, kAnywhere);
 }
 
-Region intersect(const Region& a, const Region& b) {
+Region intersect(const Region& a, const Region& b, BooleanScratch& scratch) {
   if (a.empty() || b.empty() || apart(a, b)) return {};
   if (a == b) return a;
-  return combine(edges_of(a.rings()), edges_of(b.rings()), Operation::BOOLEAN_AND);
+  return scratch.overlay().combine(a, 1, b, 1, kInBoth);
 }
 
-Region subtract(const Region& a, const Region& b) {
+Region subtract(const Region& a, const Region& b, BooleanScratch& scratch) {
   if (a.empty() || a == b) return {};
   if (b.empty() || apart(a, b)) return a;
-  return combine(edges_of(a.rings()), edges_of(b.rings()), Operation::BOOLEAN_NOT);
+  return scratch.overlay().combine(a, 1, b, -1, kAnywhere);
 }
 
-Region exclusive_or(const Region& a, const Region& b) {
+Region exclusive_or(const Region& a, const Region& b, BooleanScratch& scratch) {
   if (a == b) return {};
   if (a.empty()) return b;
   if (b.empty()) return a;
   if (apart(a, b)) return both(a, b);
-  return combine(edges_of(a.rings()), edges_of(b.rings()), Operation::BOOLEAN_XOR);
+  return scratch.overlay().combine(a, 1, b, -1, kNotCancelled);
+}
+
+Region intersect_all(std::span<const Region* const> operands, BooleanScratch& scratch) {
+  RIND_CHECK(!operands.empty());
+  std::vector<const Region*> different;
+  for (const Region* operand : operands) {
+    if (operand->empty()) return {};
+    const bool known = std::any_of(different.begin(), different.end(),
+                                   [&](const Region* other) { return *other == *operand; });
+    if (!known) different.push_back(operand);
+  }
+  if (different.size() == 1) return *different[0];
+  if (different.size() == 2) return intersect(*different[0], *different[1], scratch);
+  return scratch.overlay().intersect(different);
+}
+
+Region clean(const std::vector<Ring>& rings, FillRule rule) {
+  BooleanScratch scratch;
+  return clean(rings, rule, scratch);
+}
+
+Region unite(const Region& a, const Region& b) {
+  BooleanScratch scratch;
+  return unite(a, b, scratch);
+}
+
+Region intersect(const Region& a, const Region& b) {
+  BooleanScratch scratch;
+  return intersect(a, b, scratch);
+}
+
+Region subtract(const Region& a, const Region& b) {
+  BooleanScratch scratch;
+  return subtract(a, b, scratch);
+}
+
+Region exclusive_or(const Region& a, const Region& b) {
+  BooleanScratch scratch;
+  return exclusive_or(a, b, scratch);
+}
+
+Region intersect_all(std::span<const Region* const> operands) {
+  BooleanScratch scratch;
+  return intersect_all(operands, scratch);
 }
 
 }  // namespace core

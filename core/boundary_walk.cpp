@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "core/check.h"  // RIND_CHECK
-
 namespace core {
 namespace {
 
@@ -28,25 +26,27 @@ std::int32_t BoundaryWalk::change_at(const ContourEdges& edges, const ChainGraph
   return end % 2 == 0 ? weight : -weight;
 }
 
-void BoundaryWalk::run(const ContourEdges& edges, const SnapRounding& snapped,
+bool BoundaryWalk::run(const ContourEdges& edges, const SnapRounding& snapped,
                        const ChainGraph& graph, WindingRay& ray, const WindingRule& rule,
                        bool operands_clean) {
   pieces_.clear();
   next_.assign(2 * graph.chains().size(), kNoPiece);
   leaving_.assign(graph.node_count(), 0);
   walked_.assign(graph.node_count(), 0);
+  known_.clear();
   for (NodeIndex node = 0; node < graph.node_count(); ++node) {
     if (walked_[node] != 0 || graph.spokes(node).empty()) continue;
     if (!operands_clean || !start_at_corner(edges, graph, node, ray)) {
       walk_from(edges, graph, node, ray.winding_at(snapped.nodes()[node]), rule);
     }
-    spread(edges, graph, rule);
+    if (!spread(edges, graph, rule)) return false;
   }
-  for (const BoundaryPiece piece : pieces_) RIND_CHECK(next_[piece] != kNoPiece);
+  return std::all_of(pieces_.begin(), pieces_.end(),
+                     [this](BoundaryPiece piece) { return next_[piece] != kNoPiece; });
 }
 
-// From a corner of some chain that begins here and is alone on its course, where the ray ends sooner
-// than from a node.
+// From a corner of some chain that begins here and is alone on its course, where the ray ends
+// sooner than from a node.
 bool BoundaryWalk::start_at_corner(const ContourEdges& edges, const ChainGraph& graph,
                                    NodeIndex node, WindingRay& ray) {
   const std::span<const Spoke> spokes = graph.spokes(node);
@@ -63,7 +63,7 @@ bool BoundaryWalk::start_at_corner(const ContourEdges& edges, const ChainGraph& 
   return false;
 }
 
-void BoundaryWalk::spread(const ContourEdges& edges, const ChainGraph& graph,
+bool BoundaryWalk::spread(const ContourEdges& edges, const ChainGraph& graph,
                           const WindingRule& rule) {
   while (!known_.empty()) {
     const Known known = known_.back();
@@ -79,9 +79,10 @@ void BoundaryWalk::spread(const ContourEdges& edges, const ChainGraph& graph,
           found = found || first == known.end;
           if (!found) winding -= change;
         });
-    RIND_CHECK(found);
+    if (!found) return false;
     walk_from(edges, graph, node, winding, rule);
   }
+  return true;
 }
 
 // winding: of the sector before the first bundle.

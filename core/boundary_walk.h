@@ -22,9 +22,12 @@ inline constexpr BoundaryPiece kNoPiece = UINT32_MAX;
 
 class BoundaryWalk {
  public:
+  // False: edges cross between nodes, so that there is no boundary to be had. That can only be
+  // when an operand was said to be clean and is not.
   // COSTS: O(chains + rays). Memory is kept for the next operation.
-  void run(const ContourEdges& edges, const SnapRounding& snapped, const ChainGraph& graph,
-           WindingRay& ray, const WindingRule& rule, bool operands_clean);
+  [[nodiscard]] bool run(const ContourEdges& edges, const SnapRounding& snapped,
+                         const ChainGraph& graph, WindingRay& ray, const WindingRule& rule,
+                         bool operands_clean);
 
   // In a fixed order, each once; of a bundle the first chain stands for all.
   [[nodiscard]] std::span<const BoundaryPiece> pieces() const { return pieces_; }
@@ -45,7 +48,8 @@ class BoundaryWalk {
                                      NodeIndex node, WindingRay& ray);
   void walk_from(const ContourEdges& edges, const ChainGraph& graph, NodeIndex node,
                  std::int32_t winding, const WindingRule& rule);
-  void spread(const ContourEdges& edges, const ChainGraph& graph, const WindingRule& rule);
+  [[nodiscard]] bool spread(const ContourEdges& edges, const ChainGraph& graph,
+                            const WindingRule& rule);
 
   std::vector<BoundaryPiece> pieces_;
   std::vector<BoundaryPiece> next_;     // by piece

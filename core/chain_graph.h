@@ -25,8 +25,8 @@ using ChainIndex = std::uint32_t;
 struct Chain {
   NodeIndex start = 0;
   NodeIndex end = 0;
-  EdgeIndex corner = 0;             // first corner between, if there is any
-  std::uint32_t corner_count = 0;   // goes on behind the ring's last corner at its first
+  EdgeIndex corner = 0;            // first corner between, if there is any
+  std::uint32_t corner_count = 0;  // goes on behind the ring's last corner at its first
   std::uint32_t ring = 0;
 };
 

@@ -3,17 +3,6 @@
 #include "core/check.h"  // RIND_DCHECK
 
 namespace core {
-namespace {
-
-// For edges a -> b -> c: whether the second runs back over the first.
-bool folds_back(Point a, Point b, Point c) {
-  if (cross(a, b, c) != 0) return false;
-  const std::int64_t dot = (std::int64_t{b.x} - a.x) * (std::int64_t{c.x} - b.x) +
-                           (std::int64_t{b.y} - a.y) * (std::int64_t{c.y} - b.y);
-  return dot <= 0;
-}
-
-}  // namespace
 
 void ContourEdges::clear() {
   points_.clear();
@@ -31,15 +20,15 @@ void ContourEdges::add(const Ring& ring, std::int32_t weight, std::uint32_t oper
 
 void ContourEdges::add_mended(const Ring& ring, std::int32_t weight, std::uint32_t operand) {
   const EdgeIndex first = index_end();
-  const auto drop_folds = [&](Point next) {
+  const auto drop_straight = [&](Point next) {
     while (points_.size() >= first + 2u &&
-           folds_back(points_[points_.size() - 2], points_.back(), next)) {
+           cross(points_[points_.size() - 2], points_.back(), next) == 0) {
       points_.pop_back();
     }
     return points_.size() == first || points_.back() != next;
   };
   for (const Point p : ring) {
-    if (drop_folds(p)) points_.push_back(p);
+    if (drop_straight(p)) points_.push_back(p);
   }
   // Around the joint, from both sides, until neither gives.
   std::size_t start = first;
@@ -47,10 +36,10 @@ void ContourEdges::add_mended(const Ring& ring, std::int32_t weight, std::uint32
     changed = false;
     const std::size_t size = points_.size();
     if (points_.back() == points_[start] ||
-        folds_back(points_[size - 2], points_.back(), points_[start])) {
+        cross(points_[size - 2], points_.back(), points_[start]) == 0) {
       points_.pop_back();
       changed = true;
-    } else if (folds_back(points_.back(), points_[start], points_[start + 1])) {
+    } else if (cross(points_.back(), points_[start], points_[start + 1]) == 0) {
       ++start;
       changed = true;
     }

@@ -37,7 +37,7 @@ class ContourEdges {
   void add(const Ring& ring, std::int32_t weight, std::uint32_t operand);
 
   // The same for a ring of any kind: repeated points go, and so do corners at which the ring runs
-  // straight back. That changes no winding number. What is left may be nothing.
+  // straight on or straight back. That changes no winding number. What is left may be nothing.
   void add_mended(const Ring& ring, std::int32_t weight, std::uint32_t operand);
 
   [[nodiscard]] std::span<const ContourRing> rings() const { return rings_; }

@@ -1,5 +1,7 @@
 #include "core/overlay.h"
 
+#include "core/check.h"  // RIND_CHECK
+
 namespace core {
 
 // Results of booleans stand in the order of their first points, so that equal rings are found like
@@ -40,15 +42,28 @@ Region Overlay::combine(const Region& a, std::int32_t weight_a, const Region& b,
   return run(rule);
 }
 
-Region Overlay::combine(const std::vector<const Region*>& operands, const WindingRule& rule) {
+// All that any operand covers outside the box that their boxes have in common is not in the result;
+// nor does a ring out there change what is inside.
+Region Overlay::intersect(std::span<const Region* const> operands) {
+  Box common = operands[0]->box();
+  for (const Region* operand : operands) {
+    const Box box = operand->box();
+    common.min = {std::max(common.min.x, box.min.x), std::max(common.min.y, box.min.y)};
+    common.max = {std::min(common.max.x, box.max.x), std::min(common.max.y, box.max.y)};
+  }
+  if (common.min.x > common.max.x || common.min.y > common.max.y) return {};
   edges_.clear();
   weights_.by_operand.assign(operands.size(), 1);
   weights_.third_in_common = false;
   weights_.clean = true;
   for (std::uint32_t i = 0; i < operands.size(); ++i) {
-    for (const Ring& ring : operands[i]->rings()) edges_.add(ring, 1, i);
+    for (const Ring& ring : operands[i]->rings()) {
+      Box box;
+      for (const Point p : ring) box.add(p);
+      if (box.overlaps(common)) edges_.add(ring, 1, i);
+    }
   }
-  return run(rule);
+  return run({WindingRule::Kind::kAtLeast, static_cast<std::int32_t>(operands.size())});
 }
 
 Region Overlay::combine(const std::vector<Ring>& rings, const WindingRule& rule) {
@@ -63,16 +78,23 @@ Region Overlay::combine(const std::vector<Ring>& rings, const WindingRule& rule)
 Region Overlay::run(const WindingRule& rule) {
   if (edges_.rings().empty()) return {};
   grid_.build(edges_);
-  snapped_.run(edges_, grid_, weights_.clean ? Meetings::kAcrossOperands : Meetings::kAll);
-  if (!weights_.clean) snapped_.add_node_to_rings_without(edges_);
-  graph_.build(edges_, snapped_);
-  ray_.reset(edges_, grid_, snapped_, weights_);
-  walk_.run(edges_, snapped_, graph_, ray_, rule, weights_.clean);
+  if (!find_boundary(rule)) {
+    weights_.clean = false;
+    RIND_CHECK(find_boundary(rule));
+  }
   std::vector<Ring> rings;
   tracer_.trace(edges_, snapped_, graph_, walk_, rings);
   if (weights_.clean) copy_free_rings(rule, rings);
   sort_rings(rings);
   return Region::from_clean_rings(std::move(rings));
+}
+
+bool Overlay::find_boundary(const WindingRule& rule) {
+  snapped_.run(edges_, grid_, weights_.clean ? Meetings::kAcrossOperands : Meetings::kAll);
+  if (!weights_.clean) snapped_.add_node_to_rings_without(edges_);
+  graph_.build(edges_, snapped_);
+  ray_.reset(edges_, grid_, snapped_, weights_);
+  return walk_.run(edges_, snapped_, graph_, ray_, rule, weights_.clean);
 }
 
 // A ring without nodes meets no other operand, but may touch other rings of its own.

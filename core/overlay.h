@@ -12,6 +12,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/boundary_walk.h"
@@ -28,14 +29,15 @@ namespace core {
 
 class Overlay {
  public:
-  // REQUIRES: every operand is clean. Two operands: rings that stand alike in both are found and
-  // taken as one.
+  // Rings that stand alike in both are found and taken as one.
+  // REQUIRES: every operand is clean. One that crosses itself after all is noticed, as a rule, and
+  // costs a second run in which everything may cross everything: the result is clean always.
   // COSTS: near-linear in edges + crossings (snap_rounding.h).
   [[nodiscard]] Region combine(const Region& a, std::int32_t weight_a, const Region& b,
                                std::int32_t weight_b, const WindingRule& rule);
 
-  // Any number of operands, each weighted 1.
-  [[nodiscard]] Region combine(const std::vector<const Region*>& operands, const WindingRule& rule);
+  // What all operands cover. REQUIRES: at least one.
+  [[nodiscard]] Region intersect(std::span<const Region* const> operands);
 
   // Rings of any kind, weighted 1.
   [[nodiscard]] Region combine(const std::vector<Ring>& rings, const WindingRule& rule);
@@ -43,6 +45,7 @@ class Overlay {
  private:
   void add_in_common(const Region& a, const Region& b);
   [[nodiscard]] Region run(const WindingRule& rule);
+  [[nodiscard]] bool find_boundary(const WindingRule& rule);
   void copy_free_rings(const WindingRule& rule, std::vector<Ring>& rings);
 
   ContourEdges edges_;

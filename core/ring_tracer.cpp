@@ -21,19 +21,14 @@ Ring canonical_ring(const Point* first, const Point* end, Turned turned) {
   } else {
     ring.insert(ring.end(), std::make_reverse_iterator(least + 1),
                 std::make_reverse_iterator(first));
-    ring.insert(ring.end(), std::make_reverse_iterator(end),
-                std::make_reverse_iterator(least + 1));
+    ring.insert(ring.end(), std::make_reverse_iterator(end), std::make_reverse_iterator(least + 1));
   }
   return ring;
 }
 
-bool ring_before(const Ring& a, const Ring& b) {
-  return a[0] != b[0] ? a[0] < b[0] : a[1] < b[1];
-}
+bool ring_before(const Ring& a, const Ring& b) { return a[0] != b[0] ? a[0] < b[0] : a[1] < b[1]; }
 
-void sort_rings(std::vector<Ring>& rings) {
-  std::sort(rings.begin(), rings.end(), ring_before);
-}
+void sort_rings(std::vector<Ring>& rings) { std::sort(rings.begin(), rings.end(), ring_before); }
 
 void RingTracer::trace(const ContourEdges& edges, const SnapRounding& snapped,
                        const ChainGraph& graph, const BoundaryWalk& walk,

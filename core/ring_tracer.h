@@ -27,8 +27,8 @@ class RingTracer {
 
   std::vector<Point> points_;  // of the ring that is being traced
   std::vector<NodeIndex> path_;
-  std::vector<std::uint32_t> place_;  // by node: its place in points_ + 1 while it is on the path
-  std::vector<std::uint8_t> traced_;  // by piece
+  std::vector<std::uint32_t> place_;   // by node: its place in points_ + 1 while it is on the path
+  std::vector<std::uint8_t> traced_;   // by piece
   std::vector<std::uint32_t> simple_;  // ascending: places in points_ of nodes passed only once
 };
 

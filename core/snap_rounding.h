@@ -1,6 +1,8 @@
-// Makes edges meet only at their ends, on the grid, without any of them crossing another on the way.
+// Makes edges meet only at their ends, on the grid, without any of them crossing another on the
+// way.
 //
-//      \   /              \   /          a crossing becomes a node: the middle of the pixel in which
+//      \   /              \   /          a crossing becomes a node: the middle of the pixel in
+//      which
 //       \ /                \ /           it lies; every edge that passes a node's pixel is bent to
 //        ×      ->          •            run through the node
 //       / \                / \.
@@ -12,8 +14,8 @@
 // one another, but no edge passes over a node or over another edge: the rounded drawing is the
 // limit of one in which pixels shrink to their middles and nothing ever crosses.
 //
-// Here only some end points become nodes. Call an edge bent when it passes a node's pixel beside its
-// middle. A node is
+// Here only some end points become nodes. Call an edge bent when it passes a node's pixel beside
+// its middle. A node is
 //   - the pixel of every crossing, and every end point that lies exactly on an edge it may meet;
 //   - every end point whose pixel is passed by a bent edge that does not end there;
 //   - an end of a bent edge whose pixel a third edge passes, bent or not, or that has become the

@@ -1,0 +1,197 @@
+#include "tests/support/boolean_case.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <functional>
+
+#include "core/reference_boolean.h"
+#include "core/units.h"
+#include "tests/support/region_checks.h"
+
+namespace test {
+namespace {
+
+using core::FillRule;
+using core::Point;
+using core::Region;
+using core::Ring;
+
+// Nearer to an edge than this nothing is said: rounding moves it by up to half a unit in x and y.
+constexpr double kClear = 0.72;
+constexpr double kWidthMax = 2;
+constexpr int kGridMiddle = 8;
+constexpr std::array<std::int32_t, 5> kScales = {1, 3, 50, 1000, 1 << 25};
+constexpr std::size_t kRingsMax = 4;
+
+bool filled(int winding, FillRule rule) {
+  return rule == FillRule::kNonZero ? winding != 0 : winding > 0;
+}
+
+// From rings of any kind, single points among them.
+bool clear_of(const std::vector<Ring>& rings, double x, double y) {
+  for (const Ring& ring : rings) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Point a = ring[i], b = ring[i + 1 == ring.size() ? 0 : i + 1];
+      const double dx = static_cast<double>(b.x) - a.x, dy = static_cast<double>(b.y) - a.y;
+      const double length = dx * dx + dy * dy;
+      const double along = length > 0 ? ((x - a.x) * dx + (y - a.y) * dy) / length : 0;
+      const double t = std::clamp(along, 0.0, 1.0);
+      const double ex = x - a.x - t * dx, ey = y - a.y - t * dy;
+      if (ex * ex + ey * ey < kClear * kClear) return false;
+    }
+  }
+  return true;
+}
+
+// Calls visit(x, y) for points all over the grid, none of them on its lines.
+template <typename Visit>
+void for_places(std::int32_t scale, Visit visit) {
+  for (int row = -kGridMiddle; row < kGridMiddle; row += 2) {
+    for (int column = -kGridMiddle; column < kGridMiddle; column += 2) {
+      const double shift = 0.13 * (row + kGridMiddle);
+      visit((column + 0.37 + shift - static_cast<int>(shift)) * scale, (row + 0.81) * scale);
+    }
+  }
+}
+
+struct Operands {
+  Region region[3];
+};
+
+Operands operands_of(const BooleanCase& input, core::BooleanScratch& scratch) {
+  Operands operands;
+  for (int i = 0; i < 3; ++i) {
+    std::vector<Ring> rings = input.rings[i];
+    if (i == 1 && input.shares_rings) {
+      rings = core::unite(core::clean(rings, input.rule, scratch), operands.region[0]).rings();
+    }
+    operands.region[i] = core::clean(rings, input.rule, scratch);
+  }
+  return operands;
+}
+
+std::string check_result(const char* name, const Region& result, const Operands& operands,
+                         std::int32_t scale, const std::function<bool(bool, bool, bool)>& wanted) {
+  if (!is_clean(result)) return std::string(name) + " is not clean";
+  std::string wrong;
+  for_places(scale, [&](double x, double y) {
+    bool in[3] = {};
+    for (int i = 0; i < 3; ++i) {
+      if (!clear_of(operands.region[i].rings(), x, y)) return;
+      in[i] = winding_number(operands.region[i].rings(), x, y) == 1;
+    }
+    if (winding_number(result.rings(), x, y) != (wanted(in[0], in[1], in[2]) ? 1 : 0)) {
+      wrong = std::string(name) + " is wrong at " + std::to_string(x) + ":" + std::to_string(y);
+    }
+  });
+  return wrong;
+}
+
+double widest_piece(const Region& region) {
+  double widest = 0;
+  for (const Ring& ring : region.rings()) {
+    const double area = core::doubled_area_units(ring);
+    const double perimeter = Region::from_clean_rings({ring}).perimeter_mm() * core::kUnitsPerMm;
+    if (area > 0) widest = std::max(widest, area / perimeter);
+  }
+  return widest;
+}
+
+}  // namespace
+
+BooleanCase boolean_case(std::span<const std::uint8_t> bytes) {
+  BooleanCase input;
+  if (bytes.empty()) return input;
+  input.scale = kScales[bytes[0] % kScales.size()];
+  input.rule = bytes[0] & 0x40 ? FillRule::kPositive : FillRule::kNonZero;
+  input.shares_rings = bytes[0] >= 0xE0;
+  // A byte is a point; one in sixteen ends the ring, and every second of those the operand.
+  int operand = 0, ends = 0;
+  Ring ring;
+  const auto end_ring = [&] {
+    std::vector<Ring>& rings = input.rings[operand];
+    if (!ring.empty() && rings.size() < kRingsMax) rings.push_back(ring);
+    ring.clear();
+  };
+  for (const std::uint8_t byte : bytes.subspan(1)) {
+    if (byte % 16 == 15) {
+      end_ring();
+      if (++ends % 2 == 0) operand = (operand + 1) % 3;
+    } else {
+      ring.push_back(
+          {(byte % 16 - kGridMiddle) * input.scale, (byte / 16 - kGridMiddle) * input.scale});
+    }
+  }
+  end_ring();
+  return input;
+}
+
+std::string check_operations(const BooleanCase& input) {
+  core::BooleanScratch scratch;
+  const Operands operands = operands_of(input, scratch);
+  const Region &a = operands.region[0], &b = operands.region[1], &c = operands.region[2];
+  for (int i = 0; i < 3; ++i) {
+    if (!is_clean(operands.region[i])) return "clean() is not clean";
+    if (i == 1 && input.shares_rings) continue;
+    std::string wrong;
+    for_places(input.scale, [&](double x, double y) {
+      if (!clear_of(input.rings[i], x, y)) return;
+      const bool in = filled(winding_number(input.rings[i], x, y), input.rule);
+      if (winding_number(operands.region[i].rings(), x, y) != (in ? 1 : 0)) {
+        wrong = "clean() is wrong at " + std::to_string(x) + ":" + std::to_string(y);
+      }
+    });
+    if (!wrong.empty()) return wrong;
+  }
+  const std::array<const Region*, 3> all = {&a, &b, &c}, turned = {&c, &a, &b};
+  const struct {
+    const char* name;
+    Region result, other;
+    std::function<bool(bool, bool, bool)> wanted;
+  } operations[] = {
+      {"unite", core::unite(a, b, scratch), core::unite(b, a, scratch),
+       [](bool in_a, bool in_b, bool) { return in_a || in_b; }},
+      {"intersect", core::intersect(a, b, scratch), core::intersect(b, a, scratch),
+       [](bool in_a, bool in_b, bool) { return in_a && in_b; }},
+      {"subtract", core::subtract(a, b, scratch), core::subtract(a, b),
+       [](bool in_a, bool in_b, bool) { return in_a && !in_b; }},
+      {"exclusive_or", core::exclusive_or(a, b, scratch), core::exclusive_or(b, a, scratch),
+       [](bool in_a, bool in_b, bool) { return in_a != in_b; }},
+      {"intersect_all", core::intersect_all(all, scratch), core::intersect_all(turned, scratch),
+       [](bool in_a, bool in_b, bool in_c) { return in_a && in_b && in_c; }},
+  };
+  for (const auto& operation : operations) {
+    std::string wrong =
+        check_result(operation.name, operation.result, operands, input.scale, operation.wanted);
+    if (!wrong.empty()) return wrong;
+    if (operation.result != operation.other) {
+      return std::string(operation.name) + " depends on the order of its operands";
+    }
+  }
+  return {};
+}
+
+std::string check_against_reference(const BooleanCase& input) {
+  core::BooleanScratch scratch;
+  const Operands operands = operands_of(input, scratch);
+  const Region &a = operands.region[0], &b = operands.region[1];
+  namespace reference = core::reference;
+  const struct {
+    const char* name;
+    Region ours, theirs;
+  } pairs[] = {
+      {"clean", operands.region[2], reference::clean(input.rings[2], input.rule)},
+      {"unite", core::unite(a, b, scratch), reference::unite(a, b)},
+      {"intersect", core::intersect(a, b, scratch), reference::intersect(a, b)},
+      {"subtract", core::subtract(a, b, scratch), reference::subtract(a, b)},
+      {"exclusive_or", core::exclusive_or(a, b, scratch), reference::exclusive_or(a, b)},
+  };
+  for (const auto& pair : pairs) {
+    const double width = widest_piece(reference::exclusive_or(pair.ours, pair.theirs));
+    if (width > kWidthMax) return std::string(pair.name) + " differs by " + std::to_string(width);
+  }
+  return {};
+}
+
+}  // namespace test
