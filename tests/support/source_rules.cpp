@@ -32,7 +32,7 @@ struct Library {
 
 // A library's name occurs in one source, or in few; never in a header. Tests may use any.
 constexpr std::array kLibraries = {
-    Library{"boost/polygon/polygon.hpp", {"core/boolean.cpp"}},
+    Library{"boost/polygon/polygon.hpp", {"core/reference_boolean.cpp"}},
     Library{"boost/polygon/voronoi", {"core/voronoi_diagram.cpp"}},
     Library{"libserialport.h", {"firmware_link/serial_port.cpp", "firmware_link/ports.cpp"}},
     Library{"ini.h", {"host/settings_file.cpp"}},

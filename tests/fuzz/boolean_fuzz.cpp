@@ -1,0 +1,18 @@
+// Booleans on whatever libFuzzer thinks of. ctest replays random bytes through the same checks
+// (tests/core/overlay_test.cpp).
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+
+#include "tests/support/boolean_case.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  constexpr std::size_t kSizeMax = 200;
+  if (size > kSizeMax) return 0;
+  const std::string wrong = test::check_operations(test::boolean_case({data, size}));
+  if (!wrong.empty()) {
+    std::fprintf(stderr, "%s\n", wrong.c_str());
+    std::abort();
+  }
+  return 0;
+}
