@@ -16,10 +16,11 @@ std::size_t hash(Point p) {
   return static_cast<std::size_t>((both * 0x9E3779B97F4A7C15u) >> 32);
 }
 
-// Bitwise, because branches that nothing predicts cost more than comparisons.
+// Added up, because branches that nothing predicts cost more than comparisons.
 bool apart(const Box& box, Point c, Point d) {
-  return bool((box.max.x < std::min(c.x, d.x)) | (std::max(c.x, d.x) < box.min.x) |
-              (box.max.y < std::min(c.y, d.y)) | (std::max(c.y, d.y) < box.min.y));
+  return int{box.max.x < std::min(c.x, d.x)} + int{std::max(c.x, d.x) < box.min.x} +
+             int{box.max.y < std::min(c.y, d.y)} + int{std::max(c.y, d.y) < box.min.y} !=
+         0;
 }
 
 Box box_of(Point a, Point b) {
