@@ -5,6 +5,7 @@
 
 #include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "firmware_link/line_codec.h"
@@ -20,7 +21,7 @@ struct Bench {
   VirtualController controller;
 
   explicit Bench(VirtualControllerOptions options = {})
-      : controller(with_sink(options), Instant{}) {
+      : controller(with_sink(std::move(options)), Instant{}) {
     banner = hear();
   }
 

@@ -50,7 +50,7 @@ struct ByHand {
   }
   std::string output() {
     const auto span = session.output();
-    const std::string text(reinterpret_cast<const char*>(span.data()), span.size());
+    std::string text(reinterpret_cast<const char*>(span.data()), span.size());
     session.written(span.size(), now);
     return text;
   }
