@@ -134,7 +134,10 @@ CLI::App* add_show(CLI::App& app, Options& options) {
 
 std::optional<OutputFormat> format_of(const Options& options, const std::string& format) {
   std::string word = format;
-  if (word.empty() && options.output != "-") {
+  // What has no name to tell by gets what a printer reads.
+  const bool nameless = options.output == "-" || options.output.rfind("/dev/", 0) == 0;
+  if (word.empty() && nameless) return OutputFormat::kGcode;
+  if (word.empty()) {
     word = std::filesystem::path(options.output).extension().string();
     if (!word.empty()) word.erase(0, 1);
   }

@@ -65,7 +65,9 @@ TEST_CASE("the form of the output follows its name, or --format") {
   CHECK_EQ(parse_good({"slice", "p.stl", "-o", "-", "--format", "cli"}).format, OutputFormat::kCli);
   CHECK_EQ(parse_good({"slice", "-", "-o", "-", "--format", "gcode"}).part, "-");
 
-  CHECK(says(parse_bad({"slice", "p.stl", "-o", "-"}), "--format"));
+  CHECK_EQ(parse_good({"slice", "p.stl", "-o", "-"}).format, OutputFormat::kGcode);
+  CHECK_EQ(parse_good({"slice", "p.stl", "-o", "/dev/null"}).format, OutputFormat::kGcode);
+
   CHECK(says(parse_bad({"slice", "p.stl", "-o", "a.stl"}), "'a.stl' ends neither"));
   CHECK(says(parse_bad({"slice", "p.stl", "-o", "a"}), "--format"));
 }
