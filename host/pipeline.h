@@ -56,7 +56,7 @@ enum class PipelineEnd { kDone, kStopped };
 //
 // Errors are the source's own, and: no road fits anywhere (nothing was sent to on_motion then);
 // a road would leave the bed (told on the first layer, before anything was sent).
-// COSTS: at most T + 1 layers and 2T partial intersections held.
+// COSTS: at most 2T + 1 layers and 2T partial intersections held (wall_splitter.h).
 [[nodiscard]] core::Result<PipelineEnd> run_pipeline(Job& job, const PipelineOutputs& outputs,
                                                      PipelineSignals& signals,
                                                      GeometryStatistics& statistics);
