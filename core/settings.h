@@ -66,7 +66,7 @@ struct Settings {
   // Travel.
   double retraction_mm = 1;
   double retraction_speed_mm_s = 40;
-  Length retraction_travel_min = Length::from_units(20'000);  // shorter inside the part: none
+  Length retraction_travel_min = Length::from_units(50'000);  // shorter inside the part: none
   Length retraction_lift;                                     // 0: travel at the layer's height
 
   // Machine.

@@ -32,7 +32,9 @@ SliceOffsets OffsetCutter::cut_offsets(const Slice& slice) {
   const std::vector<Length> walls = wall_depths(settings_, slice.height);
   // The wall's depths; centre line and core of each perimeter; the interior's.
   std::vector<Length> depths = walls;
-  Length inner_edge;
+  // Without perimeters, rows that end kRowEndShare below the interior's edge stay within the part.
+  Length inner_edge = Length::from_mm(settings_.road_width.mm() / 2 -
+                                      kRowEndShare * perimeter_spacing(settings_, slice.height).mm());
   for (int number = 1; number <= settings_.perimeters; ++number) {
     const Length depth = perimeter_depth(settings_, slice.height, number);
     depths.push_back(depth);
@@ -53,7 +55,7 @@ SliceOffsets OffsetCutter::cut_offsets(const Slice& slice) {
     cut.perimeters.push_back(std::move(contours[i]));
     cut.perimeter_cores.push_back(flat(contours[i + 1]));
   }
-  cut.interior = inner_edge == Length() ? slice.region : flat(contours.back());
+  cut.interior = flat(contours.back());
   return cut;
 }
 

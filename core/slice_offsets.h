@@ -40,6 +40,10 @@ inline constexpr double kNarrowShare = 0.6;
 // Half of that distance: how much deeper than its centre line a perimeter's core lies.
 [[nodiscard]] Length narrow_half(const Settings& settings, Length layer_height);
 
+// Depth below the wall's edge at which its rows end, as a share of their distance (wall_fill.h);
+// half would lay exactly what joined rows need, and leave notches between two joins.
+inline constexpr double kRowEndShare = 0.15;
+
 // Cuts slice after slice. One that equals the slice before it, point by point, shares its offsets,
 // so that a prismatic part costs one mountain. Keeps the scratch memory from cut to cut.
 class OffsetCutter {

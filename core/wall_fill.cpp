@@ -23,10 +23,6 @@ namespace {
 // Up to this many roads side by side make a band.
 constexpr double kBandRoads = 3;
 
-// Depth below the edge at which rows end, as a share of their distance; half would lay exactly what
-// joined rows need, and leave notches between two joins.
-constexpr double kRowEndShare = 0.15;
-
 // Rows are at most this share of a bead's width apart.
 constexpr double kRowDistanceMaxWidths = 0.95;
 

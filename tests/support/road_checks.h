@@ -1,0 +1,28 @@
+// How tests look at roads: by sampling, with no part of what makes them.
+#pragma once
+
+#include <vector>
+
+#include "core/region.h"             // Region
+#include "core/road.h"               // Road
+#include "core/units.h"              // Length
+#include "tests/support/random_regions.h"  // Random
+
+namespace test {
+
+// Share of random points of the region that lie within half a road's width of its centre line.
+double covered_share(const core::Region& region, const std::vector<core::Road>& roads, int points,
+                     Random& random);
+
+// How far in mm the beads stick out of the region, at worst.
+double sticks_out_mm(const core::Region& region, const std::vector<core::Road>& roads);
+
+// Least distance in mm of any centre line's points from the region's contour; negative outside.
+double least_depth_mm(const core::Region& region, const std::vector<core::Road>& roads);
+
+// Volume laid over the layer's height.
+double laid_mm2(const std::vector<core::Road>& roads, core::Length height);
+
+double total_length_mm(const std::vector<core::Road>& roads);
+
+}  // namespace test
