@@ -17,13 +17,24 @@ Point rounded(double x, double y) {
   return {static_cast<std::int32_t>(std::lround(x)), static_cast<std::int32_t>(std::lround(y))};
 }
 
-void add_piece(Point a, Point b, double half, std::vector<Ring>& outlines) {
+struct Direction {
+  double x = 0;
+  double y = 0;
+};
+
+Direction direction(Point a, Point b) {
   const double dx = static_cast<double>(b.x) - a.x, dy = static_cast<double>(b.y) - a.y;
   const double length = std::hypot(dx, dy);
-  if (length == 0) return;
-  const double nx = -dy / length * half, ny = dx / length * half;
-  outlines.push_back({rounded(a.x - nx, a.y - ny), rounded(b.x - nx, b.y - ny),
-                      rounded(b.x + nx, b.y + ny), rounded(a.x + nx, a.y + ny)});
+  return length > 0 ? Direction{dx / length, dy / length} : Direction{1, 0};
+}
+
+bool sharp(Direction in, Direction out) { return in.x * out.x + in.y * out.y < kTurnCosine; }
+
+// What to go sideways at a point where a road comes in and goes out. Both pieces use it, so that
+// their outlines share their corners to the unit.
+Direction sideways(Direction in, Direction out, double half) {
+  const double share = half / (1 + in.x * out.x + in.y * out.y);
+  return {-(in.y + out.y) * share, (in.x + out.x) * share};
 }
 
 // Its sides, not its corners, touch the circle.
@@ -37,12 +48,6 @@ void add_octagon(Point centre, double half, std::vector<Ring>& outlines) {
   outlines.push_back(std::move(ring));
 }
 
-bool turns(Point a, Point b, Point c) {
-  const double ux = static_cast<double>(b.x) - a.x, uy = static_cast<double>(b.y) - a.y;
-  const double vx = static_cast<double>(c.x) - b.x, vy = static_cast<double>(c.y) - b.y;
-  return ux * vx + uy * vy < kTurnCosine * std::hypot(ux, uy) * std::hypot(vx, vy);
-}
-
 }  // namespace
 
 void add_bead_outlines(const Road& road, Length width, std::vector<Ring>& outlines) {
@@ -52,11 +57,16 @@ void add_bead_outlines(const Road& road, Length width, std::vector<Ring>& outlin
   const std::size_t pieces = road.closed ? count : count - 1;
   for (std::size_t i = 0; i < pieces; ++i) {
     const Point a = points[i], b = points[(i + 1) % count];
-    add_piece(a, b, half, outlines);
-    const bool last = i + 1 == pieces;
-    if ((!last || road.closed) && turns(a, b, points[(i + 2) % count])) {
-      add_octagon(b, half, outlines);
-    }
+    if (a == b) continue;
+    const Direction along = direction(a, b);
+    Direction in = along, out = along;
+    if (i > 0 || road.closed) in = direction(points[(i + count - 1) % count], a);
+    if (i + 1 < pieces || road.closed) out = direction(b, points[(i + 2) % count]);
+    if (sharp(along, out)) add_octagon(b, half, outlines);
+    const Direction at_a = sideways(sharp(in, along) ? along : in, along, half);
+    const Direction at_b = sideways(along, sharp(along, out) ? along : out, half);
+    outlines.push_back({rounded(a.x - at_a.x, a.y - at_a.y), rounded(b.x - at_b.x, b.y - at_b.y),
+                        rounded(b.x + at_b.x, b.y + at_b.y), rounded(a.x + at_a.x, a.y + at_a.y)});
   }
 }
 

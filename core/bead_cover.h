@@ -10,8 +10,12 @@
 
 namespace core {
 
-// Adds the outlines of a road's pieces at `width`: a rectangle each, and an octagon where the road
-// turns. They overlap; clean() unites them.
+// Beads that bound a rest are taken to be wider than their spacing by this, so that rounding and
+// the corners of curves leave no hairs between them; their round sides really reach farther.
+inline constexpr Length kBeadSeam = Length::from_units(300);
+
+// Adds the outlines of a road's pieces at `width`, mitred where it bends a little, with an octagon
+// where it turns. They overlap; clean() unites them.
 void add_bead_outlines(const Road& road, Length width, std::vector<Ring>& outlines);
 
 // Everything within `width` / 2 of the roads, ends cut off square.

@@ -14,10 +14,6 @@ namespace core {
 
 namespace {
 
-// Beads that lie side by side overlap by this much where they are taken from a region, so that
-// rounding leaves no hairs between them.
-constexpr Length kSeam = Length::from_units(100);
-
 // A point on a ring and whether the core is near it.
 struct Sample {
   Point point;
@@ -156,7 +152,7 @@ Perimeters perimeters(const Slice& slice, const SliceOffsets& offsets, const Set
   for (const Road& place : places) add_bead_outlines(place, place.width * 2, band_outlines);
   const Region band = clean(band_outlines, FillRule::kNonZero);
   const Region shell = subtract(slice.region, offsets.interior);
-  const Length covered = perimeter_spacing(settings, height) + kSeam;
+  const Length covered = perimeter_spacing(settings, height) + kBeadSeam;
   result.rest = subtract(intersect(shell, band), bead_cover(result.roads, covered));
   return result;
 }

@@ -5,8 +5,10 @@
 #include <numbers>
 #include <utility>
 
+#include "core/bead_cover.h"   // kBeadSeam
 #include "core/medial_axis.h"  // medial_axis
-#include "core/polyline.h"     // distance_mm
+#include "core/polyline.h"     // between, distance_mm
+#include "core/simplified.h"   // simplified
 
 namespace core {
 
@@ -14,13 +16,16 @@ namespace {
 
 // Between roads, room down to this share of the narrowest road gets one; it lays more than the room
 // holds, by a tenth of a millimetre's width at most. At the part's contour there is no such grace.
-constexpr double kRoomMinShare = 0.5;
+constexpr double kRoomMinShare = 0.35;
 
 // Room up to this many road widths gets one road; there is none wider in what rings and rows leave.
 constexpr double kRoomMaxWidths = 2;
 
 // Pieces of rest of less area than this many squares of the narrowest road stay empty.
-constexpr double kCrumbSquares = 1.5;
+constexpr double kCrumbSquares = 2;
+
+// Pieces thinner than this share of the narrowest road, on the whole, are hairs.
+constexpr double kHairShare = 0.15;
 
 // Pieces worth a road: not thin hairs, not crumbs.
 Region without_crumbs(const Region& rest, const Settings& settings) {
@@ -32,7 +37,7 @@ Region without_crumbs(const Region& rest, const Settings& settings) {
     Region piece = Region::from_clean_rings(std::move(rings));
     const double area = piece.area_mm2();
     if (area < kCrumbSquares * narrowest * narrowest) continue;
-    if (2 * area / piece.perimeter_mm() < kRoomMinShare * narrowest / 2) continue;
+    if (2 * area / piece.perimeter_mm() < kHairShare * narrowest) continue;
     kept.insert(kept.end(), piece.rings().begin(), piece.rings().end());
   }
   return Region::from_clean_rings(std::move(kept));
@@ -41,7 +46,8 @@ Region without_crumbs(const Region& rest, const Settings& settings) {
 class Cutter {
  public:
   Cutter(RestEdges edges, Length height, const Settings& settings) : settings_(settings) {
-    if (edges == RestEdges::kRoads) side_mm_ = height.mm() * (1 - std::numbers::pi / 4);
+    if (edges == RestEdges::kRoads)
+      side_mm_ = height.mm() * (1 - std::numbers::pi / 4) + kBeadSeam.mm();
   }
 
   // One road as long as the room stays within kWidthStep, then the next from where it ended.
@@ -113,7 +119,7 @@ class Cutter {
 std::vector<Road> rest_roads(const Region& rest, RestEdges edges, Length layer_height,
                              const Settings& settings) {
   std::vector<Road> roads;
-  const Region pieces = without_crumbs(rest, settings);
+  const Region pieces = without_crumbs(simplified(rest, settings.simplify_tolerance * 2), settings);
   if (pieces.empty()) return roads;
   const double share = edges == RestEdges::kRoads ? kRoomMinShare : 1;
   const Length narrowest = Length::from_mm(share * settings.road_width_min.mm());

@@ -38,9 +38,6 @@ constexpr double kHairShare = 0.25;
 // What the opening leaves is a band from this many squares of a road on.
 constexpr double kBandSquaresMin = 4;
 
-// Beads overlap by this much where they are taken from a region: rounding leaves no hairs.
-constexpr Length kSeam = Length::from_units(100);
-
 Length scaled(Length length, double factor) { return Length::from_mm(length.mm() * factor); }
 
 Region region_of(Island island) {
@@ -124,13 +121,23 @@ class WallFill {
     const auto at = [&](Length depth) {
       return flatten(mountain.offset(depth), settings_.arc_tolerance);
     };
-    const Length half = scaled(spacing_, 0.5);
+    const Length distance = ring_distance(band);
+    const Length half = scaled(distance, 0.5);
     const Length half_narrow = narrow_half(settings_, height_);
-    const std::vector<Road> rings = roads_near_core(
-        at(half), at(half + half_narrow), half_narrow * 2, settings_.road_width, RoadKind::kSolid);
+    const std::vector<Road> rings =
+        roads_near_core(at(half), at(half + half_narrow), half_narrow * 2,
+                        settings_.road_width + distance - spacing_, RoadKind::kSolid);
     add(rings);
-    const Region rest = rings.empty() ? band : subtract(band, bead_cover(rings, spacing_ + kSeam));
+    const Region rest =
+        rings.empty() ? band : subtract(band, bead_cover(rings, distance + kBeadSeam));
     add(rest_roads(rest, RestEdges::kRoads, height_, settings_));
+  }
+
+  // Two roads share what is left between them where that is too little for a third.
+  [[nodiscard]] Length ring_distance(const Region& band) const {
+    const double s = spacing_.mm(), half = breadth_mm(band) / 2;
+    return half > s && half < s + settings_.road_width_min.mm() / 2 ? Length::from_mm(half)
+                                                                    : spacing_;
   }
 
   // The piece's own row distance; the formula is in the header, p on both sides.
@@ -148,7 +155,7 @@ class WallFill {
     std::vector<Road> rows =
         pattern.fill({piece, piece, layer_, RoadKind::kSolid, settings_.road_width, distance,
                       scaled(distance, kRowEndShare), Length()});
-    const Region rest = subtract(piece, bead_cover(rows, distance + kSeam));
+    const Region rest = subtract(piece, bead_cover(rows, distance + kBeadSeam));
     double laid_mm = 0;
     for (const Road& row : rows) laid_mm += length_mm(row);
     if (laid_mm > 0) {
