@@ -8,6 +8,7 @@
 #include "core/offset_contours.h"  // flatten
 #include "core/polyline.h"         // between, distance_mm
 #include "core/segment_grid.h"     // SegmentGrid
+#include "core/simplify.h"         // simplify
 #include "core/slice_offsets.h"    // perimeter_depth
 
 namespace core {
@@ -104,12 +105,14 @@ std::vector<Road> narrow_places(const Region& line, const Region& next_core, Len
 }  // namespace
 
 std::vector<Road> roads_near_core(const Region& line, const Region& core, Length reach,
-                                  Length width, RoadKind kind) {
+                                  Length width, RoadKind kind, Length tolerance) {
   std::vector<Road> roads;
   if (core.empty()) return roads;
   SegmentGrid grid(reach);
   grid.add(core);
-  for (const Ring& ring : line.rings()) {
+  for (const Ring& whole : line.rings()) {
+    const Ring ring = simplify(whole, tolerance);
+    if (ring.size() < 3) continue;
     if (all_near(samples(ring, grid, reach, reach), true)) {
       roads.push_back({kind, width, true, ring});
       continue;
@@ -142,8 +145,8 @@ Perimeters perimeters(const Slice& slice, const SliceOffsets& offsets, const Set
     line = flatten(offsets.perimeters[i], settings.arc_tolerance);
     depth = next;
     const RoadKind kind = i == 0 ? RoadKind::kOuterPerimeter : RoadKind::kPerimeter;
-    std::vector<Road> roads =
-        roads_near_core(line, core, half_narrow * 2, settings.road_width, kind);
+    std::vector<Road> roads = roads_near_core(line, core, half_narrow * 2, settings.road_width,
+                                              kind, settings.arc_tolerance);
     result.roads.insert(result.roads.end(), roads.begin(), roads.end());
   }
   if (places.empty()) return result;

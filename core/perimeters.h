@@ -22,10 +22,12 @@
 namespace core {
 
 // The parts of a centre line within `reach` of its core: closed roads where all of it is, open
-// ones elsewhere. Pieces shorter than the road is wide stay as their neighbours are.
+// ones elsewhere. Pieces shorter than the road is wide stay as their neighbours are. Points that
+// they don't need for `tolerance` are left out.
 // COSTS: O(points).
 [[nodiscard]] std::vector<Road> roads_near_core(const Region& line, const Region& core,
-                                                Length reach, Length width, RoadKind kind);
+                                                Length reach, Length width, RoadKind kind,
+                                                Length tolerance);
 
 struct Perimeters {
   std::vector<Road> roads;

@@ -16,16 +16,16 @@ namespace {
 
 // Between roads, room down to this share of the narrowest road gets one; it lays more than the room
 // holds, by a tenth of a millimetre's width at most. At the part's contour there is no such grace.
-constexpr double kRoomMinShare = 0.35;
+constexpr double kRoomMinShare = 0.2;
 
 // Room up to this many road widths gets one road; there is none wider in what rings and rows leave.
 constexpr double kRoomMaxWidths = 2;
 
 // Pieces of rest of less area than this many squares of the narrowest road stay empty.
-constexpr double kCrumbSquares = 2;
+constexpr double kCrumbSquares = 1.5;
 
 // Pieces thinner than this share of the narrowest road, on the whole, are hairs.
-constexpr double kHairShare = 0.15;
+constexpr double kHairShare = 0.1;
 
 // Pieces worth a road: not thin hairs, not crumbs.
 Region without_crumbs(const Region& rest, const Settings& settings) {

@@ -42,7 +42,7 @@ inline constexpr double kNarrowShare = 0.6;
 
 // Depth below the wall's edge at which its rows end, as a share of their distance (wall_fill.h);
 // half would lay exactly what joined rows need, and leave notches between two joins.
-inline constexpr double kRowEndShare = 0.15;
+inline constexpr double kRowEndShare = 0.05;
 
 // Cuts slice after slice. One that equals the slice before it, point by point, shares its offsets,
 // so that a prismatic part costs one mountain. Keeps the scratch memory from cut to cut.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <utility>
 
@@ -21,7 +22,7 @@ namespace core {
 namespace {
 
 // Up to this many roads side by side make a band.
-constexpr double kBandRoads = 3;
+constexpr double kBandRoads = 5;
 
 // Rows are at most this share of a bead's width apart.
 constexpr double kRowDistanceMaxWidths = 0.95;
@@ -116,20 +117,26 @@ class WallFill {
     return false;
   }
 
-  // A road along each edge where there is room for two, and one of its own width in the middle.
+  // Roads along the edges for as long as there is room for two, and one of its own width in the
+  // middle.
   void fill_band(const Region& band, const VoronoiMountain& mountain) {
     const auto at = [&](Length depth) {
       return flatten(mountain.offset(depth), settings_.arc_tolerance);
     };
     const Length distance = ring_distance(band);
-    const Length half = scaled(distance, 0.5);
+    const Length width = settings_.road_width + distance - spacing_;
     const Length half_narrow = narrow_half(settings_, height_);
-    const std::vector<Road> rings =
-        roads_near_core(at(half), at(half + half_narrow), half_narrow * 2,
-                        settings_.road_width + distance - spacing_, RoadKind::kSolid);
-    add(rings);
+    std::vector<Road> rings;
+    for (Length depth = scaled(distance, 0.5); true; depth += distance) {
+      std::vector<Road> ring =
+          roads_near_core(at(depth), at(depth + half_narrow), half_narrow * 2, width,
+                          RoadKind::kSolid, settings_.simplify_tolerance);
+      if (ring.empty()) break;
+      std::move(ring.begin(), ring.end(), std::back_inserter(rings));
+    }
     const Region rest =
         rings.empty() ? band : subtract(band, bead_cover(rings, distance + kBeadSeam));
+    add(std::move(rings));
     add(rest_roads(rest, RestEdges::kRoads, height_, settings_));
   }
 

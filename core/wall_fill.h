@@ -1,7 +1,8 @@
 // Fills the wall, without a void and without laying more than it holds.
 //
 //     wide parts     parallel roads at the fill angle, joined at their ends (line_fill.h)
-//     bands          pieces where at most three roads fit side by side: a road along each edge
+//     bands          where at most five roads fit side by side: roads along the edges, where short
+//                    rows would lay far too much in their joins
 //     rests          what both leave: roads of their own width (rest_fill.h)
 //
 // Joins lay material that the rows they connect have laid already, and rows that end before the
