@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "core/region.h"             // Region
-#include "core/road.h"               // Road
-#include "core/units.h"              // Length
+#include "core/region.h"                   // Region
+#include "core/road.h"                     // Road
+#include "core/units.h"                    // Length
 #include "tests/support/random_regions.h"  // Random
 
 namespace test {
