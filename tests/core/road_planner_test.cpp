@@ -27,9 +27,9 @@ SplitLayer split(const Region& slice, const Region& loose, const Settings& setti
   layer.layer.slice.height = settings.layer_height;
   layer.layer.slice.bottom = settings.layer_height * index;
   layer.layer.slice.region = slice;
-  OffsetCounters counters;
-  layer.layer.offsets = slice_offsets(layer.layer.slice, settings, counters);
-  layer.loose = intersect(loose, layer.layer.offsets.wall_inner);
+  OffsetCutter cutter(settings);
+  layer.layer.offsets = cutter.cut(layer.layer.slice);
+  layer.loose = intersect(loose, layer.layer.offsets->wall_inners.front().region);
   layer.solid = subtract(slice, layer.loose);
   return layer;
 }
