@@ -33,8 +33,9 @@ SliceOffsets OffsetCutter::cut_offsets(const Slice& slice) {
   // The wall's depths; centre line and core of each perimeter; the interior's.
   std::vector<Length> depths = walls;
   // Without perimeters, rows that end kRowEndShare below the interior's edge stay within the part.
-  Length inner_edge = Length::from_mm(settings_.road_width.mm() / 2 -
-                                      kRowEndShare * perimeter_spacing(settings_, slice.height).mm());
+  Length inner_edge =
+      Length::from_mm(settings_.road_width.mm() / 2 -
+                      kRowEndShare * perimeter_spacing(settings_, slice.height).mm());
   for (int number = 1; number <= settings_.perimeters; ++number) {
     const Length depth = perimeter_depth(settings_, slice.height, number);
     depths.push_back(depth);
