@@ -19,6 +19,7 @@ namespace {
 struct Sample {
   Point point;
   bool near = false;
+  bool corner = false;  // of the ring; the others lie between two corners
 };
 
 // The ring's vertices, and points between them at most `step` apart.
@@ -30,7 +31,7 @@ std::vector<Sample> samples(const Ring& ring, const SegmentGrid& core, Length re
         std::max<std::int64_t>(1, std::llround(std::ceil(distance_mm(a, b) / step.mm())));
     for (std::int64_t part = 0; part < parts; ++part) {
       const Point p = between(a, b, static_cast<double>(part) / static_cast<double>(parts));
-      all.push_back({p, core.any_within(p, reach)});
+      all.push_back({p, core.any_within(p, reach), part == 0});
     }
   }
   return all;
@@ -73,8 +74,10 @@ void add_runs(const std::vector<Sample>& ring, bool near, Length width, RoadKind
   for (std::size_t i = 0; i < count;) {
     Road road{kind, width, false, {}};
     while (i < count && ring[(start + i) % count].near == near) {
-      road.points.push_back(ring[(start + i) % count].point);
+      const Sample& sample = ring[(start + i) % count];
       ++i;
+      const bool last = i == count || ring[(start + i) % count].near != near;
+      if (road.points.empty() || last || sample.corner) road.points.push_back(sample.point);
     }
     if (road.points.size() >= 2) roads.push_back(std::move(road));
     if (road.points.empty()) ++i;
