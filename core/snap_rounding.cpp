@@ -16,11 +16,14 @@ std::size_t hash(Point p) {
   return static_cast<std::size_t>((both * 0x9E3779B97F4A7C15u) >> 32);
 }
 
-// Added up, because branches that nothing predicts cost more than comparisons.
-bool apart(const Box& box, Point c, Point d) {
-  return int{box.max.x < std::min(c.x, d.x)} + int{std::max(c.x, d.x) < box.min.x} +
-             int{box.max.y < std::min(c.y, d.y)} + int{std::max(c.y, d.y) < box.min.y} !=
-         0;
+// Both ends on the far side of one of the box's sides. Counted, because branches that nothing
+// predicts cost more than comparisons.
+inline bool apart(const Box& box, Point c, Point d) {
+  const int west = int{c.x < box.min.x} & int{d.x < box.min.x};
+  const int east = int{c.x > box.max.x} & int{d.x > box.max.x};
+  const int south = int{c.y < box.min.y} & int{d.y < box.min.y};
+  const int north = int{c.y > box.max.y} & int{d.y > box.max.y};
+  return (west | east | south | north) != 0;
 }
 
 Box box_of(Point a, Point b) {

@@ -135,6 +135,7 @@ TEST_CASE("the common part of many is what folding gives, to the last slivers") 
     CAPTURE(seed);
     Random random(seed);
     std::vector<Region> regions;
+    regions.reserve(7);
     for (int i = 0; i < 7; ++i) regions.push_back(test::random_region(random, 80, 20));
     std::vector<const Region*> operands;
     Region folded = regions[0];
