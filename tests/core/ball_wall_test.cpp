@@ -61,7 +61,7 @@ std::vector<Slice> cut(const Section& section, const std::vector<double>& height
   return slices;
 }
 
-std::vector<double> even_heights(int layers) { return std::vector<double>(layers, 0.2); }
+std::vector<double> even_heights(std::size_t layers) { return std::vector<double>(layers, 0.2); }
 
 std::vector<SplitLayer> split(const std::vector<Slice>& slices, const Settings& settings) {
   WallSplitter splitter(settings);
@@ -208,10 +208,10 @@ TEST_CASE("loose is the intersection of all offsets of the window, each at its d
     core::OffsetCutter cutter(settings);
     std::vector<std::shared_ptr<const core::SliceOffsets>> offsets;
     for (const Slice& slice : slices) offsets.push_back(cutter.cut(slice));
-    for (int n = 2; n < 7; ++n) {
+    for (std::size_t n = 2; n < 7; ++n) {
       CAPTURE(n);
       Region expected = offsets[n]->wall_inners[0].region;
-      for (const int away : {1, 2}) {
+      for (const std::size_t away : {1u, 2u}) {
         expected = core::intersect(expected, offsets[n - away]->wall_inners[away].region);
         expected = core::intersect(expected, offsets[n + away]->wall_inners[away].region);
       }
