@@ -51,7 +51,7 @@ bool BoundaryWalk::start_at_corner(const ContourEdges& edges, const ChainGraph& 
                                    NodeIndex node, WindingRay& ray) {
   const std::span<const Spoke> spokes = graph.spokes(node);
   for (std::size_t i = 0; i < spokes.size(); ++i) {
-    const Chain& chain = graph.chains()[spokes[i].end / 2];
+    const EdgeChain& chain = graph.chains()[spokes[i].end / 2];
     if (spokes[i].end % 2 != 0 || chain.corner_count == 0) continue;
     if (i > 0 && spokes[i - 1].toward == spokes[i].toward) continue;
     if (i + 1 < spokes.size() && spokes[i + 1].toward == spokes[i].toward) continue;

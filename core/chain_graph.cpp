@@ -61,7 +61,7 @@ void ChainGraph::cut_rings(const ContourEdges& edges, std::span<const Passage> p
 
 void ChainGraph::place_spokes(const ContourEdges& edges, std::span<const Point> nodes) {
   first_spoke_.assign(nodes.size() + 1, 0);
-  for (const Chain& chain : chains_) {
+  for (const EdgeChain& chain : chains_) {
     ++first_spoke_[chain.start];
     ++first_spoke_[chain.end];
   }
@@ -69,7 +69,7 @@ void ChainGraph::place_spokes(const ContourEdges& edges, std::span<const Point> 
   for (std::uint32_t& first : first_spoke_) first = count += first;
   spokes_.resize(count);
   for (ChainIndex i = 0; i < chains_.size(); ++i) {
-    const Chain& chain = chains_[i];
+    const EdgeChain& chain = chains_[i];
     const std::uint32_t corners = chain.corner_count;
     const Point after = corners > 0 ? corner(chain, edges, 0) : nodes[chain.end];
     const Point before = corners > 0 ? corner(chain, edges, corners - 1) : nodes[chain.start];

@@ -22,7 +22,7 @@ namespace core {
 using ChainIndex = std::uint32_t;
 
 // Part of a ring from one of its passages to the next, in the ring's direction.
-struct Chain {
+struct EdgeChain {
   NodeIndex start = 0;
   NodeIndex end = 0;
   EdgeIndex corner = 0;            // first corner between, if there is any
@@ -44,7 +44,7 @@ class ChainGraph {
   // COSTS: O(passages · log(passages at a node)). Memory is kept for the next operation.
   void build(const ContourEdges& edges, const SnapRounding& snapped);
 
-  [[nodiscard]] std::span<const Chain> chains() const { return chains_; }
+  [[nodiscard]] std::span<const EdgeChain> chains() const { return chains_; }
   [[nodiscard]] std::uint32_t node_count() const {
     return static_cast<std::uint32_t>(first_spoke_.size() - 1);
   }
@@ -53,7 +53,7 @@ class ChainGraph {
     return {spokes_.data() + first_spoke_[node], spokes_.data() + first_spoke_[node + 1]};
   }
   [[nodiscard]] NodeIndex node_at(ChainEnd end) const {
-    const Chain& chain = chains_[end / 2];
+    const EdgeChain& chain = chains_[end / 2];
     return end % 2 == 0 ? chain.start : chain.end;
   }
   [[nodiscard]] bool has_chains(std::uint32_t ring) const { return has_chains_[ring] != 0; }
@@ -62,7 +62,7 @@ class ChainGraph {
   void cut_rings(const ContourEdges& edges, std::span<const Passage> passages);
   void place_spokes(const ContourEdges& edges, std::span<const Point> nodes);
 
-  std::vector<Chain> chains_;
+  std::vector<EdgeChain> chains_;
   std::vector<std::uint8_t> has_chains_;    // by ring
   std::vector<std::uint32_t> first_spoke_;  // by node, into spokes_
   std::vector<Spoke> spokes_;
@@ -70,7 +70,7 @@ class ChainGraph {
 
 // The chain's corners, first to last.
 template <typename Visit>
-void for_corners(const Chain& chain, const ContourEdges& edges, Visit visit) {
+void for_corners(const EdgeChain& chain, const ContourEdges& edges, Visit visit) {
   const ContourRing& ring = edges.rings()[chain.ring];
   EdgeIndex corner = chain.corner;
   for (std::uint32_t i = 0; i < chain.corner_count; ++i, ++corner) {
@@ -80,7 +80,8 @@ void for_corners(const Chain& chain, const ContourEdges& edges, Visit visit) {
 }
 
 // REQUIRES: i < chain.corner_count
-[[nodiscard]] inline Point corner(const Chain& chain, const ContourEdges& edges, std::uint32_t i) {
+[[nodiscard]] inline Point corner(const EdgeChain& chain, const ContourEdges& edges,
+                                  std::uint32_t i) {
   const ContourRing& ring = edges.rings()[chain.ring];
   const EdgeIndex index = chain.corner + i;
   return edges.from(index < ring.end ? index : index - ring.size());
