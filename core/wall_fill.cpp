@@ -6,16 +6,16 @@
 #include <numbers>
 #include <utility>
 
-#include "core/bead_cover.h"        // bead_cover
-#include "core/boolean.h"           // subtract
-#include "core/line_fill.h"         // LineFill
-#include "core/perimeters.h"        // roads_near_core
-#include "core/polyline.h"          // length_mm
-#include "core/rest_fill.h"         // rest_roads
-#include "core/segment_grid.h"      // SegmentGrid
-#include "core/simplified.h"        // simplified
-#include "core/slice_offsets.h"     // narrow_half, perimeter_spacing
-#include "core/voronoi_mountain.h"  // VoronoiMountain
+#include "core/bead_cover.h"     // bead_cover
+#include "core/boolean.h"        // subtract
+#include "core/line_fill.h"      // LineFill
+#include "core/mountain_foot.h"  // MountainFoot
+#include "core/perimeters.h"     // roads_near_core
+#include "core/polyline.h"       // length_mm
+#include "core/rest_fill.h"      // rest_roads
+#include "core/segment_grid.h"   // SegmentGrid
+#include "core/simplified.h"     // simplified
+#include "core/slice_offsets.h"  // narrow_half, perimeter_spacing
 
 namespace core {
 
@@ -76,21 +76,19 @@ class WallFill {
   // The piece's opening is wide; what is left over and worth it are bands.
   void fill_piece(const Region& piece) {
     const Length half = scaled(spacing_, kBandRoads / 2);
-    const VoronoiMountain mountain(piece);
-    const Region middle = flatten(mountain.offset(half), settings_.arc_tolerance);
-    if (middle.empty()) return fill_band(piece, mountain);
+    const Region middle = inner(piece, half);
+    if (middle.empty()) return fill_band(piece);
     if (!narrow_somewhere(piece, middle, half)) return fill_rows(piece);
     // Grown by a hair more than it was shrunk, so that equal edges cancel.
     const Length back = half + settings_.arc_tolerance * 2 + settings_.simplify_tolerance * 2;
-    const Region opening =
-        offset(simplified(middle, settings_.simplify_tolerance), -back, settings_.arc_tolerance);
+    const Region opening = inner(simplified(middle, settings_.simplify_tolerance), -back);
     std::vector<Ring> bands;
     for (Island& island : islands(subtract(piece, opening))) {
       const Region band = region_of(std::move(island));
       if (band.area_mm2() < kBandSquaresMin * spacing_.mm() * spacing_.mm()) continue;
       if (breadth_mm(band) < settings_.road_width_min.mm() / 2) continue;
       bands.insert(bands.end(), band.rings().begin(), band.rings().end());
-      fill_band(band, VoronoiMountain(band));
+      fill_band(band);
     }
     if (bands.empty()) return fill_rows(piece);
     const Region rows = subtract(piece, Region::from_clean_rings(std::move(bands)));
@@ -117,20 +115,22 @@ class WallFill {
     return false;
   }
 
+  // Outwards for negative depths.
+  [[nodiscard]] Region inner(const Region& region, Length depth) {
+    return flatten(foot_.offset(region, depth), settings_.arc_tolerance);
+  }
+
   // Roads along the edges for as long as there is room for two, and one of its own width in the
   // middle.
-  void fill_band(const Region& band, const VoronoiMountain& mountain) {
-    const auto at = [&](Length depth) {
-      return flatten(mountain.offset(depth), settings_.arc_tolerance);
-    };
+  void fill_band(const Region& band) {
     const Length distance = ring_distance(band);
     const Length width = settings_.road_width + distance - spacing_;
     const Length half_narrow = narrow_half(settings_, height_);
     std::vector<Road> rings;
     for (Length depth = scaled(distance, 0.5); true; depth += distance) {
       std::vector<Road> ring =
-          roads_near_core(at(depth), at(depth + half_narrow), half_narrow * 2, width,
-                          RoadKind::kSolid, settings_.simplify_tolerance);
+          roads_near_core(inner(band, depth), inner(band, depth + half_narrow), half_narrow * 2,
+                          width, RoadKind::kSolid, settings_.simplify_tolerance);
       if (ring.empty()) break;
       std::move(ring.begin(), ring.end(), std::back_inserter(rings));
     }
@@ -186,6 +186,7 @@ class WallFill {
   Length height_;
   const Settings& settings_;
   Length spacing_;
+  MountainFoot foot_;
   std::vector<Road> roads_;
 };
 

@@ -25,8 +25,8 @@
 
 namespace core {
 
-// COSTS: a mountain of each piece that is thin enough to be a band, and a boolean with the outlines
-// of its roads for each piece.
+// COSTS: cuts of the foot of each piece's mountain, a boolean with the outlines of its roads, and a
+// medial axis of each rest.
 [[nodiscard]] std::vector<Road> wall_roads(const Region& wall, LayerIndex layer, Length height,
                                            const Settings& settings);
 

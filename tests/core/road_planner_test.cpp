@@ -29,6 +29,7 @@ SplitLayer split(const Region& slice, const Region& loose, const Settings& setti
   layer.layer.slice.region = slice;
   OffsetCutter cutter(settings);
   layer.layer.offsets = cutter.cut(layer.layer.slice);
+  if (slice.empty()) return layer;
   layer.loose = intersect(loose, layer.layer.offsets->wall_inners.front().region);
   layer.solid = subtract(slice, layer.loose);
   return layer;
