@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "core/boolean.h"
@@ -11,6 +12,7 @@
 #include "core/voronoi_mountain.h"
 #include "core/wall_fill.h"
 #include "tests/support/random_regions.h"
+#include "tests/support/region_checks.h"
 #include "tests/support/region_text.h"
 #include "tests/support/road_checks.h"
 
@@ -106,6 +108,9 @@ TEST_CASE("loose roads lay their share of the inside and reach into the wall") {
       REQUIRE_EQ(road.points.size(), 2);
       for (const Point end : road.points) {
         CHECK(layer.solid.contains(end));
+        // Rows meet the inside's edges at 45°.
+        CHECK_LT(test::signed_distance(layer.loose, end.x, end.y) / kUnitsPerMm,
+                 -0.9 * settings.loose_anchor.mm() / std::sqrt(2.0));
         ends_mm += settings.loose_anchor.mm();
       }
     }
