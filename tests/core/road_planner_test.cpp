@@ -32,7 +32,8 @@ SplitLayer split(const Region& slice, const Region& loose, const Settings& setti
   OffsetCutter cutter(settings);
   layer.layer.offsets = cutter.cut(layer.layer.slice);
   if (slice.empty()) return layer;
-  layer.loose = intersect(loose, layer.layer.offsets->wall_inners.front().region);
+  const std::vector<core::InnerOffset>& inners = layer.layer.offsets->wall_inners;
+  layer.loose = inners.empty() ? Region() : intersect(loose, inners.front().region);
   layer.solid = subtract(slice, layer.loose);
   return layer;
 }
