@@ -14,6 +14,8 @@
 namespace host {
 namespace {
 
+constexpr const char* kStandardInput = "standard input";
+
 core::Error unreadable(const std::string& name, const std::string& cause) {
   return {core::ErrorCode::kUnreadable, name + ": " + cause};
 }
@@ -21,7 +23,7 @@ core::Error unreadable(const std::string& name, const std::string& cause) {
 }  // namespace
 
 core::Result<InputFile> InputFile::open(const std::string& path) {
-  if (path == "-") return InputFile("standard input", ::dup(STDIN_FILENO));
+  if (path == "-") return InputFile(kStandardInput, ::dup(STDIN_FILENO));
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) {
     const int cause = errno;
@@ -73,6 +75,12 @@ InputFile& InputFile::operator=(InputFile&& other) noexcept {
   ended_ = other.ended_;
   position_ = other.position_;
   return *this;
+}
+
+bool InputFile::rereadable() const {
+  struct stat status {};
+  return name_ != kStandardInput && descriptor_ >= 0 && ::fstat(descriptor_, &status) == 0 &&
+         S_ISREG(status.st_mode);
 }
 
 core::Status InputFile::fill() {

@@ -30,6 +30,8 @@ class InputFile {
 
   // As people are to see it.
   [[nodiscard]] const std::string& name() const { return name_; }
+  // A regular file, which its path gives once more: not a pipe, a device, or bytes in memory.
+  [[nodiscard]] bool rereadable() const;
   // Bytes skipped so far.
   [[nodiscard]] std::int64_t position() const { return position_; }
 

@@ -12,15 +12,14 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
-#include <vector>
+#include <utility>
 
-#include "core/geometry.h"    // Triangle
-#include "core/result.h"      // Result
-#include "host/input_file.h"  // InputFile
+#include "core/geometry.h"         // Triangle
+#include "core/result.h"           // Result
+#include "host/input_file.h"       // InputFile
+#include "host/triangle_source.h"  // TriangleSource
 
 namespace host {
 
@@ -29,23 +28,13 @@ namespace host {
 inline constexpr double kPlaneMaxMm = 53'687.0;
 inline constexpr double kHeightMaxMm = 1e11;
 
-class StlReader {
+// format() is "binary STL" or "ASCII STL". A file that ends within a facet, text without its
+// "endsolid", a corner that is no number or out of range, are errors that name the facet and its
+// byte or line.
+class StlReader : public TriangleSource {
  public:
   // Reads as much as tells the kind.
   static core::Result<std::unique_ptr<StlReader>> open(InputFile file);
-  virtual ~StlReader() = default;
-
-  // "binary STL", "ASCII STL"
-  [[nodiscard]] virtual std::string format() const = 0;
-
-  // The next facet, snapped to the grid, or nothing at the end. A file that ends within a facet,
-  // text without its "endsolid", a corner that is no number or out of range, are errors that name
-  // the facet and its byte or line.
-  [[nodiscard]] virtual core::Result<std::optional<core::Triangle>> next() = 0;
-
-  [[nodiscard]] std::int64_t facets() const { return facets_; }
-  // Known for good once next() has given nothing. At most a few.
-  [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 
  protected:
   explicit StlReader(InputFile file) : file_(std::move(file)) {}
@@ -56,8 +45,6 @@ class StlReader {
   [[nodiscard]] core::Error bad_part(const std::string& place, const std::string& cause) const;
 
   InputFile file_;
-  std::int64_t facets_ = 0;
-  std::vector<std::string> warnings_;
 };
 
 }  // namespace host
