@@ -13,7 +13,6 @@ namespace core {
 namespace {
 
 // A turn sharper than this (60°) brings the nozzle to rest in the estimate of time.
-constexpr double kRestTurnCosine = 0.5;
 
 double distance_mm(Point a, Point b) {
   const double dx = static_cast<double>(b.x) - a.x;
@@ -27,19 +26,6 @@ double length_mm(const Road& road) {
     sum += distance_mm(road.points[i - 1], road.points[i]);
   }
   return sum;
-}
-
-// From rest to rest.
-double run_time_s(double length_mm, double speed_mm_s) {
-  const double reached = std::min(speed_mm_s, std::sqrt(length_mm * kAccelerationMmS2));
-  if (reached <= 0) return 0;
-  return length_mm / reached + (reached < speed_mm_s ? reached : speed_mm_s) / kAccelerationMmS2;
-}
-
-bool sharp(Point a, Point b, Point c) {
-  const double ux = static_cast<double>(b.x) - a.x, uy = static_cast<double>(b.y) - a.y;
-  const double vx = static_cast<double>(c.x) - b.x, vy = static_cast<double>(c.y) - b.y;
-  return ux * vx + uy * vy < kRestTurnCosine * std::hypot(ux, uy) * std::hypot(vx, vy);
 }
 
 }  // namespace
@@ -112,25 +98,16 @@ void MotionBuilder::road(const Road& road, double slowdown, const Sink& sink) {
       bead_area_mm2(road.width, height_) / (std::numbers::pi * d * d / 4);
   sink(BeginRoad{road.kind, road.width});
   ++totals_.roads;
-  double run_mm = 0;
-  Point before = position_;
   const auto to = [&](Point point) {
     const double mm = distance_mm(position_, point);
     if (mm == 0) return;
-    if (run_mm > 0 && sharp(before, position_, point)) {
-      totals_.time_s += run_time_s(run_mm, speed);
-      run_mm = 0;
-    }
-    run_mm += mm;
     const double filament = mm * filament_per_mm;
     totals_.filament_mm[static_cast<std::size_t>(road.kind)] += filament;
     sink(Extrude{point, filament, speed});
-    before = position_;
     position_ = point;
   };
   for (std::size_t i = 1; i < road.points.size(); ++i) to(road.points[i]);
   if (road.closed) to(road.points.front());
-  totals_.time_s += run_time_s(run_mm, speed);
 }
 
 void MotionBuilder::travel(Point to, Boundary& boundary, const Sink& sink) {
@@ -149,7 +126,6 @@ void MotionBuilder::travel(Point to, Boundary& boundary, const Sink& sink) {
     sink(Travel{to, settings_.travel_speed_mm_s});
     ++totals_.travels;
     totals_.travel_mm += mm;
-    totals_.time_s += run_time_s(mm, settings_.travel_speed_mm_s);
   }
   position_ = to;
   position_known_ = true;
@@ -160,15 +136,12 @@ void MotionBuilder::travel(Point to, Boundary& boundary, const Sink& sink) {
 void MotionBuilder::lift(Length to, const Sink& sink) {
   if (nozzle_z_ == to) return;
   sink(Lift{to, settings_.lift_speed_mm_s});
-  const double mm = nozzle_z_ ? std::abs((to - *nozzle_z_).mm()) : 0;
-  totals_.time_s += run_time_s(mm, settings_.lift_speed_mm_s);
   nozzle_z_ = to;
 }
 
 void MotionBuilder::retract(const Sink& sink) {
   if (retracted_ || settings_.retraction_mm <= 0) return;
   sink(MoveFilament{-settings_.retraction_mm, settings_.retraction_speed_mm_s});
-  totals_.time_s += settings_.retraction_mm / settings_.retraction_speed_mm_s;
   ++totals_.retractions;
   retracted_ = true;
 }
@@ -176,7 +149,6 @@ void MotionBuilder::retract(const Sink& sink) {
 void MotionBuilder::unretract(const Sink& sink) {
   if (!retracted_) return;
   sink(MoveFilament{settings_.retraction_mm, settings_.retraction_speed_mm_s});
-  totals_.time_s += settings_.retraction_mm / settings_.retraction_speed_mm_s;
   retracted_ = false;
 }
 

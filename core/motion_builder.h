@@ -23,7 +23,6 @@ namespace core {
 
 // What was asked for since the begin of the print.
 struct MotionTotals {
-  double time_s = 0;  // estimated: every straight run from rest to rest, kAccelerationMmS2
   std::array<double, kRoadKindCount> filament_mm{};  // by RoadKind; retractions don't count
   double travel_mm = 0;
   std::int64_t roads = 0;
@@ -31,9 +30,6 @@ struct MotionTotals {
   std::int64_t retractions = 0;
   std::int64_t layers = 0;  // with roads
 };
-
-// What the estimate of time takes for the machine's acceleration.
-inline constexpr double kAccelerationMmS2 = 1500;
 
 class MotionBuilder {
  public:

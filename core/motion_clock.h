@@ -25,9 +25,9 @@ namespace core {
 inline constexpr int kLookAheadMoves = 16;
 
 struct MotionModel {
-  double acceleration_mm_s2 = 1'000;           // DEFAULT: a middling bed-slinger. REQUIRES: > 0
-  double filament_acceleration_mm_s2 = 3'000;  // of moves of the filament alone. REQUIRES: > 0
-  double junction_deviation_mm = 0.013;        // DEFAULT: Marlin's. REQUIRES: ≥ 0
+  double acceleration_mm_s2;           // REQUIRES: > 0
+  double filament_acceleration_mm_s2;  // of moves of the filament alone. REQUIRES: > 0
+  double junction_deviation_mm;        // REQUIRES: ≥ 0
 };
 
 class MotionClock {

@@ -63,6 +63,11 @@ struct Settings {
   double layer_time_min_s = 5;  // shorter layers are slowed down
   double slowed_speed_min_mm_s = 10;
 
+  // How the machine moves: for the estimate of time only (motion_clock.h), it is not told.
+  double acceleration_mm_s2 = 1'000;
+  double filament_acceleration_mm_s2 = 3'000;
+  double junction_deviation_mm = 0.013;
+
   // Travel.
   double retraction_mm = 1;
   double retraction_speed_mm_s = 40;

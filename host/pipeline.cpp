@@ -60,7 +60,8 @@ class Pipeline {
         style_(settings_),
         planner_(settings_),
         builder_(settings_),
-        motion_clock_(core::MotionModel{}),
+        motion_clock_({settings_.acceleration_mm_s2, settings_.filament_acceleration_mm_s2,
+                       settings_.junction_deviation_mm}),
         sink_([this](const core::Motion& motion) { send(motion); }) {}
 
   core::Result<PipelineEnd> run() {
@@ -91,7 +92,7 @@ class Pipeline {
         clock().enter(Stage::kWindow);
         settled = splitter_.next();
       }
-      clock().end_layer();
+      end_layer();
     }
     return PipelineEnd::kStopped;
   }
@@ -102,7 +103,7 @@ class Pipeline {
       std::optional<core::SplitLayer> settled = splitter_.finish();
       if (!settled) break;
       if (core::Status status = settle(*std::move(settled)); !status.ok()) return status.error();
-      clock().end_layer();
+      end_layer();
     }
     if (stopped()) return PipelineEnd::kStopped;
     if (wants_roads() && statistics_.roads == 0) {
@@ -151,10 +152,17 @@ class Pipeline {
     const core::WallSplitter::Usage window = splitter_.usage();
     statistics_.peak_layers_held = static_cast<std::int64_t>(window.layers_held_peak);
     statistics_.peak_regions_held = static_cast<std::int64_t>(window.regions_held_peak);
+    statistics_.region_operations = window.operations;
+    statistics_.region_operations_worst = window.operations_worst;
     statistics_.mountain_retries = cutter_.counters().retries;
+    statistics_.reused = {cutter_.counters().reused, window.layers_reused,
+                          planner_.layers_reused()};
+    statistics_.regularised_mm3 = style_.regularised_mm3();
     statistics_.filament_mm = builder_.totals().filament_mm;
     statistics_.time_s = motion_clock_.seconds();
   }
+
+  void end_layer() { statistics_.layer_times.add(layers_timed_++, clock().end_layer()); }
 
   [[nodiscard]] bool wants_roads() const { return outputs_.on_roads || outputs_.on_motion; }
   void keep(bool go_on) { refused_ = refused_ || !go_on; }
@@ -177,6 +185,7 @@ class Pipeline {
   core::MotionClock motion_clock_;
   MotionEncoder encoder_;
   core::MotionBuilder::Sink sink_;
+  core::LayerIndex layers_timed_ = 0;
   bool refused_ = false;  // an output wants no more
 };
 

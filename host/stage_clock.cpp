@@ -53,10 +53,15 @@ void StageClock::enter(Stage stage) {
   stage_ = stage;
 }
 
-void StageClock::end_layer() {
+double StageClock::end_layer() {
   enter(stage_);
-  for (std::size_t i = 0; i < kStageCount; ++i) worst_[i] = std::max(worst_[i], layer_[i]);
+  double sum_s = 0;
+  for (std::size_t i = 0; i < kStageCount; ++i) {
+    worst_[i] = std::max(worst_[i], layer_[i]);
+    sum_s += layer_[i];
+  }
   layer_.fill(0);
+  return sum_s;
 }
 
 void StageClock::merge(const StageClock& other) {

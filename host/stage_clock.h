@@ -26,8 +26,8 @@ class StageClock {
 
   void enter(Stage stage);
 
-  // What was spent since the last call counts as one layer's.
-  void end_layer();
+  // What was spent since the last call counts as one layer's. Returns the sum, in seconds.
+  double end_layer();
 
   // The stage's total as it is known from elsewhere, more finely than by enter().
   void set_seconds(Stage stage, double seconds) { total_[index(stage)] = seconds; }

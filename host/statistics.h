@@ -11,12 +11,16 @@
 #include "core/road.h"         // RoadKind
 #include "core/slice.h"        // Slice
 #include "core/units.h"        // LayerIndex, Length
+#include "host/layer_times.h"  // LayerTimes
 #include "host/stage_clock.h"  // StageClock
 
 namespace host {
 
 // As in the statistics file: "outer_perimeter".
 [[nodiscard]] std::string road_kind_name(core::RoadKind kind);
+
+// PLA's; the filament's own isn't known. For weights told to people only.
+inline constexpr double kDensityGramsMm3 = 1.24e-3;
 
 // Millimetres of filament by RoadKind.
 using FilamentUse = std::array<double, core::kRoadKindCount>;
@@ -48,6 +52,13 @@ class DefectLog {
   std::vector<core::Length> heights_;
 };
 
+// Layers that cost a comparison, because they were like one before.
+struct ReuseCounts {
+  std::int64_t offsets = 0;
+  std::int64_t splits = 0;
+  std::int64_t roads = 0;
+};
+
 // Filled by the geometry side.
 struct GeometryStatistics {
   StageClock clock;
@@ -56,8 +67,13 @@ struct GeometryStatistics {
   std::int64_t peak_layers_held = 0;
   std::int64_t peak_regions_held = 0;
   std::int64_t peak_triangles_held = 0;
-  std::int64_t mountain_retries = 0;  // Voronoi diagrams that failed their check
-  double solid_mm3 = 0;               // volume of the wall, and of the inside
+  std::int64_t mountain_retries = 0;   // Voronoi diagrams that failed their check
+  std::int64_t region_operations = 0;  // of the window: intersections and subtractions
+  int region_operations_worst = 0;     // of one layer
+  ReuseCounts reused;
+  double regularised_mm3 = 0;  // moved from loose to solid, to be printable (regularise.h)
+  LayerTimes layer_times;      // processor time
+  double solid_mm3 = 0;        // volume of the wall, and of the inside
   double loose_mm3 = 0;
   FilamentUse filament_mm{};
   double time_s = 0;  // estimated, heating left out

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <string>
 
+#include "core/motion_clock.h"
 #include "host/commands/commands.h"
 #include "host/exit_codes.h"
 #include "host/pipeline.h"
@@ -13,18 +14,21 @@
 namespace host {
 namespace {
 
-// PLA's; the filament's own isn't known. For the weight in the table only.
-constexpr double kDensityGramsCm3 = 1.24;
-
 double grams(double filament_mm, const core::Settings& settings) {
   const double radius_mm = settings.filament_diameter.mm() / 2;
-  return filament_mm * std::numbers::pi * radius_mm * radius_mm * 1e-3 * kDensityGramsCm3;
+  return filament_mm * std::numbers::pi * radius_mm * radius_mm * kDensityGramsMm3;
 }
 
 std::string spaced(core::RoadKind kind) {
   std::string name = road_kind_name(kind);
   for (char& c : name) c = c == '_' ? ' ' : c;
   return name;
+}
+
+std::string motion_model(const core::Settings& settings) {
+  return fmt::format("{:g} mm/s2, junction deviation {:g} mm, look-ahead {} moves",
+                     settings.acceleration_mm_s2, settings.junction_deviation_mm,
+                     core::kLookAheadMoves);
 }
 
 std::string table(const Options& options, const Job& job, const GeometryStatistics& statistics) {
@@ -44,7 +48,7 @@ std::string table(const Options& options, const Job& job, const GeometryStatisti
                  volume > 0 ? 100 * statistics.solid_mm3 / volume : 0);
   const double total = total_mm(statistics.filament_mm);
   fmt::format_to(out, "filament   {:9.1f} mm {:8.2f} g (at {:g} g/cm3)\n", total,
-                 grams(total, job.settings), kDensityGramsCm3);
+                 grams(total, job.settings), kDensityGramsMm3 * 1e3);
   for (std::size_t i = 0; i < statistics.filament_mm.size(); ++i) {
     const double used = statistics.filament_mm[i];
     if (used == 0) continue;
@@ -52,8 +56,13 @@ std::string table(const Options& options, const Job& job, const GeometryStatisti
                    spaced(static_cast<core::RoadKind>(i)), used, grams(used, job.settings),
                    100 * used / total);
   }
-  fmt::format_to(out, "time       about {}, without heating up\n",
-                 duration_text(statistics.time_s));
+  if (statistics.regularised_mm3 > 0) {
+    fmt::format_to(out,
+                   "  of it {:.2f} g in the wall only because the inside was too narrow there\n",
+                   statistics.regularised_mm3 * kDensityGramsMm3);
+  }
+  fmt::format_to(out, "time       about {}, without heating up ({})\n",
+                 duration_text(statistics.time_s), motion_model(job.settings));
   fmt::format_to(out, "defects    {}\n",
                  statistics.defects.layers() == 0 ? "none" : statistics.defects.summary());
   fmt::format_to(out, "held       at most {} layers, {} partial intersections, {} triangles\n",

@@ -212,18 +212,3 @@ TEST_CASE("the end lifts off the part, never above the axis, heaters off, then t
     CHECK(parked.all<Verbatim>().empty());
   }
 }
-
-TEST_CASE("the estimated time lies between length over speed and that plus a rest a corner") {
-  Settings settings;
-  settings.layer_time_min_s = 0;
-  settings.first_layer_speed_mm_s = 50;
-  MotionBuilder builder(settings);
-  Recorder recorder;
-  builder.layer(slice_of(0, kSquare), {line(1, 1, 41, 1)}, recorder.sink());
-  const double before = builder.totals().time_s;
-  builder.layer(slice_of(1, kSquare), {line(41, 1, 1, 1)}, recorder.sink());
-  const double lift_s = 0.2 / settings.lift_speed_mm_s;
-  const double took = builder.totals().time_s - before - lift_s;
-  CHECK_GT(took, 40 / settings.solid_speed_mm_s);
-  CHECK_LT(took, 40 / settings.solid_speed_mm_s + 0.2);
-}
