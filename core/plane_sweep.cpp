@@ -69,13 +69,12 @@ void turn_outwards(std::vector<Ring>& rings) {
 }
 
 // Equal slices are to be equal in memory: each ring from its lowest point on, rings in order.
-Region in_one_order(const Region& region) {
-  std::vector<Ring> rings = region.rings();
+std::vector<Ring> in_one_order(std::vector<Ring> rings) {
   for (Ring& ring : rings) {
     std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
   }
   std::sort(rings.begin(), rings.end());
-  return Region::from_clean_rings(std::move(rings));
+  return rings;
 }
 
 }  // namespace
@@ -134,7 +133,12 @@ Result<std::optional<Slice>> PlaneSweep::next() {
   for (Ring& ring : rings) ring = simplify(ring, options_.simplify_tolerance);
   std::erase_if(rings, [](const Ring& ring) { return ring.empty(); });
   turn_outwards(rings);
-  slice.region = in_one_order(clean(rings, FillRule::kNonZero));
+  rings = in_one_order(std::move(rings));
+  if (rings != last_rings_) {
+    last_region_ = Region::from_clean_rings(in_one_order(clean(rings, FillRule::kNonZero).rings()));
+    last_rings_ = std::move(rings);
+  }
+  slice.region = last_region_;
   ++next_index_;
   return std::optional<Slice>(std::move(slice));
 }

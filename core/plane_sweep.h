@@ -64,6 +64,10 @@ class PlaneSweep {
   std::optional<Triangle> waiting_;  // above the plane that was cut last
   bool source_ended_ = false;
   std::int64_t peak_triangles_held_ = 0;
+
+  // The last slice's, before and after it was cleaned: an equal one costs a comparison.
+  std::vector<Ring> last_rings_;
+  Region last_region_;
 };
 
 }  // namespace core

@@ -158,11 +158,15 @@ class Cutter {
 
 }  // namespace
 
+Length rest_room_min(const Settings& settings, RestEdges edges) {
+  const double share = edges == RestEdges::kRoads ? kRoomMinShare : 1;
+  return Length::from_mm(share * settings.road_width_min.mm());
+}
+
 std::vector<Road> rest_roads(const Region& rest, RestEdges edges, Length layer_height,
                              const Settings& settings) {
   std::vector<Road> roads;
-  const double share = edges == RestEdges::kRoads ? kRoomMinShare : 1;
-  const Length narrowest = Length::from_mm(share * settings.road_width_min.mm());
+  const Length narrowest = rest_room_min(settings, edges);
   const Length widest = Length::from_mm(kRoomMaxWidths * settings.road_width.mm());
   Cutter cutter(edges, layer_height, settings);
   for (const Region& piece : pieces_of(rest, settings)) {

@@ -23,6 +23,9 @@ enum class RestEdges {
 // Widths of one road differ from the room it has by at most about half this share.
 inline constexpr double kWidthStep = 0.2;
 
+// Narrower room gets no road.
+[[nodiscard]] Length rest_room_min(const Settings& settings, RestEdges edges);
+
 // COSTS: a medial axis of the rest; crumbs too small for any road are sorted out before.
 [[nodiscard]] std::vector<Road> rest_roads(const Region& rest, RestEdges edges, Length layer_height,
                                            const Settings& settings);

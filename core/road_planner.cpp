@@ -4,15 +4,16 @@
 #include <iterator>
 #include <utility>
 
-#include "core/boolean.h"        // clean, intersect, subtract
-#include "core/line_fill.h"      // LineFill
-#include "core/perimeters.h"     // perimeters
-#include "core/rest_fill.h"      // rest_roads
-#include "core/road_order.h"     // printing_order
-#include "core/simplified.h"     // simplified
-#include "core/skirt.h"          // skirt_roads
-#include "core/slice_offsets.h"  // perimeter_spacing
-#include "core/wall_fill.h"      // wall_roads
+#include "core/boolean.h"           // clean, intersect, subtract
+#include "core/line_fill.h"         // LineFill
+#include "core/perimeters.h"        // perimeters
+#include "core/rest_fill.h"         // rest_roads
+#include "core/road_order.h"        // printing_order
+#include "core/simplified.h"        // simplified
+#include "core/skirt.h"             // skirt_roads
+#include "core/slice_offsets.h"     // perimeter_spacing
+#include "core/voronoi_mountain.h"  // offset
+#include "core/wall_fill.h"         // wall_roads
 
 namespace core {
 
@@ -29,11 +30,33 @@ Region road_room(const SplitLayer& layer, const Settings& settings) {
   return flatten(offsets.perimeters.front(), settings.arc_tolerance);
 }
 
+// What of the interior is wall, and kWallGrace more where there is any.
+Region wall_to_fill(const Region& interior, const Region& loose, const Settings& settings) {
+  Region wall = subtract(interior, loose);
+  if (wall.empty() || loose.empty()) return wall;
+  const Length outwards = Length() - kWallGrace;
+  return intersect(offset(wall, outwards, settings.arc_tolerance), interior);
+}
+
 }  // namespace
 
 RoadPlanner::RoadPlanner(const Settings& settings) : settings_(settings) {}
 
-std::vector<Road> RoadPlanner::plan(const SplitLayer& layer) const {
+std::vector<Road> RoadPlanner::plan(const SplitLayer& layer) {
+  const Slice& slice = layer.layer.slice;
+  std::optional<Planned>& last = last_[static_cast<std::size_t>(slice.index % 2)];
+  // The first layer has the skirt. What is solid follows from the slice and what is loose.
+  const bool equal = last && last->slice.index != 0 && last->slice.height == slice.height &&
+                     last->loose == layer.loose && last->slice.region == slice.region;
+  if (equal) {
+    ++layers_reused_;
+  } else {
+    last = Planned{slice, layer.loose, plan_anew(layer)};
+  }
+  return last->roads;
+}
+
+std::vector<Road> RoadPlanner::plan_anew(const SplitLayer& layer) const {
   const Slice& slice = layer.layer.slice;
   const SliceOffsets& offsets = *layer.layer.offsets;
   const Length height = slice.height;
@@ -41,7 +64,9 @@ std::vector<Road> RoadPlanner::plan(const SplitLayer& layer) const {
   std::vector<Road> roads = std::move(around.roads);
   append(rest_roads(around.rest, RestEdges::kPart, height, settings_), roads);
   const Region loose = simplified(layer.loose, settings_.simplify_tolerance);
-  append(wall_roads(subtract(offsets.interior, loose), slice.index, height, settings_), roads);
+  append(
+      wall_roads(wall_to_fill(offsets.interior, loose, settings_), slice.index, height, settings_),
+      roads);
   if (settings_.loose_density > 0 && !loose.empty()) {
     const Region inside = intersect(loose, offsets.interior);
     const Length spacing = perimeter_spacing(settings_, height);

@@ -121,30 +121,39 @@ class WallFill {
   }
 
   // Roads along the edges for as long as there is room for two, and one of its own width in the
-  // middle.
+  // middle. That rest tapers off into hairs that get no road: the innermost rings, a hair wider,
+  // close them from both sides.
   void fill_band(const Region& band) {
     const Length distance = ring_distance(band);
     const Length width = settings_.road_width + distance - spacing_;
     const Length half_narrow = narrow_half(settings_, height_);
     std::vector<Road> rings;
+    std::size_t innermost = 0;
     for (Length depth = scaled(distance, 0.5); true; depth += distance) {
       std::vector<Road> ring =
           roads_near_core(inner(band, depth), inner(band, depth + half_narrow), half_narrow * 2,
                           width, RoadKind::kSolid, settings_.simplify_tolerance);
       if (ring.empty()) break;
+      innermost = rings.size();
       std::move(ring.begin(), ring.end(), std::back_inserter(rings));
     }
     const Region rest =
         rings.empty() ? band : subtract(band, bead_cover(rings, distance + kBeadSeam));
+    // Rings that share a narrow band overlap already.
+    if (!rest.empty() && breadth_mm(band) >= 2 * distance.mm()) {
+      const Length hair = rest_room_min(settings_, RestEdges::kRoads);
+      for (std::size_t i = innermost; i < rings.size(); ++i) rings[i].width += hair;
+    }
     add(std::move(rings));
     add(rest_roads(rest, RestEdges::kRoads, height_, settings_));
   }
 
-  // Two roads share what is left between them where that is too little for a third.
+  // Where the innermost rings leave too little for one more road, all rings share it.
   [[nodiscard]] Length ring_distance(const Region& band) const {
     const double s = spacing_.mm(), half = breadth_mm(band) / 2;
-    return half > s && half < s + settings_.road_width_min.mm() / 2 ? Length::from_mm(half)
-                                                                    : spacing_;
+    const double rings = std::floor(half / s);
+    const bool shared = rings >= 1 && half - rings * s < settings_.road_width_min.mm() / 2;
+    return shared ? Length::from_mm(half / rings) : spacing_;
   }
 
   // The piece's own row distance; the formula is in the header, p on both sides.
