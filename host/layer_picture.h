@@ -1,5 +1,5 @@
-// Draws one layer as SVG, for people: the wall and the inside on the left, the roads that fill them
-// on the right, each with its true width.
+// Draws one layer as SVG, for people: on the left the wall, by the paper's regions that say why it
+// is wall, and the inside; on the right the roads that fill them, each with its true width.
 //
 //     ┌ title ─────────────────────────┐
 //     │  wall and inside  │  roads     │      one scale for both, told by the bar
@@ -10,18 +10,18 @@
 #include <string>
 #include <vector>
 
-#include "core/road.h"   // Road
-#include "core/slice.h"  // SplitLayer
+#include "core/layer_window.h"  // LayerWindow
+#include "core/road.h"          // Road
 
 namespace host {
 
 struct LayerPicture {
-  std::string title;  // the part's name
-  const core::SplitLayer* layer = nullptr;
+  std::string title;                               // the part's name
+  const core::LayerWindow* window = nullptr;       // its layer() is drawn
   const std::vector<core::Road>* roads = nullptr;  // in printing order
 };
 
-// COSTS: text of some 60 bytes a point. REQUIRES: layer and roads are there.
+// COSTS: wall_regions(), and text of some 60 bytes a point. REQUIRES: window and roads are there.
 [[nodiscard]] std::string draw_layer(const LayerPicture& picture);
 
 }  // namespace host

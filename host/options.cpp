@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "host/exit_codes.h"
+#include "host/settings_text.h"
 
 #ifndef RIND_VERSION
 #define RIND_VERSION "0.1.0"
@@ -117,13 +118,41 @@ CLI::App* add_slice(CLI::App& app, Options& options, std::string& format) {
   return command;
 }
 
+SectionPlace section_place(const std::string& text) {
+  SectionPlace place;
+  const bool named = text.size() > 2 && text[1] == '=';
+  place.axis = named && (text[0] == 'x' || text[0] == 'X') ? 'X' : 'Y';
+  const bool known = named && (place.axis == 'X' || text[0] == 'y' || text[0] == 'Y');
+  std::string number = known ? text.substr(2) : "";
+  place.percent = !number.empty() && number.back() == '%';
+  if (place.percent) number.pop_back();
+  const core::Result<double> read = read_number(number, "mm");
+  if (!known || !read.ok()) {
+    throw CLI::ValidationError("--section", "'" + text + "' is no place to cut; write Y=12.5 for " +
+                                                "12.5 mm behind the part's front, X=50% for the " +
+                                                "middle between its left and right side");
+  }
+  place.value = read.value();
+  return place;
+}
+
 CLI::App* add_show(CLI::App& app, Options& options) {
-  CLI::App* command = app.add_subcommand("show", "draw one layer: wall, inside and roads");
+  CLI::App* command =
+      app.add_subcommand("show", "draw one layer, or a vertical cut: wall, inside and roads");
   add_part(*command, options);
-  command->add_option("--layer", options.layer, "which layer; the lowest is 1")
+  // One of the two, and not both.
+  CLI::Option_group* which = command->add_option_group("what to show");
+  which->add_option("--layer", options.layer, "which layer; the lowest is 1")
       ->type_name("N")
-      ->required()
       ->check(CLI::Range(std::int64_t{1}, INT64_MAX));
+  which
+      ->add_option_function<std::string>(
+          "--section",
+          [&options](const std::string& text) { options.section = section_place(text); },
+          "cut across all layers, in mm from the part's front (Y) or left side (X), or in per cent")
+      ->type_name("Y=MM|X=MM")
+      ->trigger_on_parse();
+  which->require_option(1);
   command->add_option("-o,--output", options.output, "FILE.svg, or - for standard output")
       ->type_name("FILE")
       ->required();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -16,6 +17,14 @@ enum class Subcommand { kPrint, kSlice, kPlan, kShow, kPorts, kSettings };
 
 enum class OutputFormat { kGcode, kCli };
 
+// Where `show --section` cuts: "Y=12.5" is 12.5 mm behind the part's front, "X=50%" half-way
+// between its left and its right side.
+struct SectionPlace {
+  char axis = 'Y';  // or 'X'
+  double value = 0;
+  bool percent = false;  // otherwise mm
+};
+
 struct Options {
   Subcommand subcommand = Subcommand::kPlan;
   std::string part;  // "-": standard input
@@ -28,7 +37,8 @@ struct Options {
   // slice, show
   std::string output;  // "-": standard output
   OutputFormat format = OutputFormat::kGcode;
-  core::LayerIndex layer = 0;
+  core::LayerIndex layer = 0;  // 0: none, a section is asked for
+  std::optional<SectionPlace> section;
 
   // Settings: the profile first, then these in the order they were typed, shortcuts included.
   std::string profile;  // empty: none

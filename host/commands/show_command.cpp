@@ -1,22 +1,33 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "core/layer_window.h"
+#include "core/wall_style.h"
 #include "host/commands/commands.h"
 #include "host/exit_codes.h"
 #include "host/layer_picture.h"
 #include "host/output_file.h"
+#include "host/picture_style.h"
 #include "host/pipeline.h"
+#include "host/section_picture.h"
 #include "host/stop_signals.h"
 
 namespace host {
+namespace {
 
-int show_command(const Options& options, Reporter& reporter) {
-  core::Result<Job> opened = open_job(options, reporter);
-  if (!opened.ok()) return fail(opened.error(), reporter);
-  Job& job = opened.value();
+int stopped(const Options& options, Reporter& reporter) {
+  reporter.error("stopped; " + options.output + " is not written", kExitStopped);
+  return kExitStopped;
+}
+
+// The layer's neighbours are waited for: they say why its wall is where it is.
+int show_layer(const Options& options, Job& job, Reporter& reporter) {
   const core::LayerIndex layers = job.part.summary.layers;
   if (options.layer > layers) {
     return fail(
@@ -24,13 +35,20 @@ int show_command(const Options& options, Reporter& reporter) {
                                                     options.part, options.layer, layers)},
         reporter);
   }
-
   std::string svg;
+  std::vector<core::Road> roads_there;
+  core::LayerWindow window(core::with_style(job.settings));
+  const auto draw = [&] {
+    while (svg.empty() && window.next()) {
+      if (window.layer().layer.slice.index + 1 != options.layer) continue;
+      svg = draw_layer({part_title(options.part), &window, &roads_there});
+    }
+  };
   PipelineOutputs outputs;
   outputs.on_roads = [&](const core::SplitLayer& layer, const std::vector<core::Road>& roads) {
-    if (layer.layer.slice.index + 1 == options.layer) {
-      svg = draw_layer({part_title(options.part), &layer, &roads});
-    }
+    if (layer.layer.slice.index + 1 == options.layer) roads_there = roads;
+    window.push(layer);
+    draw();
     return svg.empty();
   };
   PipelineSignals signals;
@@ -38,10 +56,11 @@ int show_command(const Options& options, Reporter& reporter) {
   GeometryStatistics statistics;
   const core::Result<PipelineEnd> end = run_pipeline(job, outputs, signals, statistics);
   if (!end.ok()) return fail(end.error(), reporter);
-  if (svg.empty()) {
-    reporter.error("stopped; " + options.output + " is not written", kExitStopped);
-    return kExitStopped;
+  if (svg.empty() && end.value() == PipelineEnd::kDone) {
+    window.finish();
+    draw();
   }
+  if (svg.empty()) return stopped(options, reporter);
 
   core::Result<OutputFile> file = OutputFile::open(options.output);
   if (!file.ok()) return fail(file.error(), reporter);
@@ -54,6 +73,101 @@ int show_command(const Options& options, Reporter& reporter) {
   reporter.note("done", fmt::format("{}: layer {} of {}", options.output, options.layer, layers),
                 {{"output", options.output}});
   return save_statistics(options, statistics, nullptr, kExitDone, reporter);
+}
+
+// The plane that was asked for, on the bed; an error where it misses the part.
+core::Result<core::SectionLine> line_through(const SectionPlace& place, const core::Box& box,
+                                             const std::string& part) {
+  const bool across_y = place.axis == 'Y';
+  const std::int64_t low = across_y ? box.min.y : box.min.x;
+  const std::int64_t high = across_y ? box.max.y : box.max.x;
+  const double size_mm = core::Length::from_units(high - low).mm();
+  const double mm = place.percent ? place.value / 100 * size_mm : place.value;
+  if (mm < 0 || mm > size_mm) {
+    return core::Error{core::ErrorCode::kOutOfBounds,
+                       fmt::format("{}: a cut at {}={:g} mm misses the part, which reaches from 0 "
+                                   "to {:g} mm; {}=50% is its middle",
+                                   part, place.axis, mm, size_mm, place.axis)};
+  }
+  // The line runs half a unit above `at`, and so stays inside at the far side too.
+  const std::int64_t at = std::min(low + core::Length::from_mm(mm).units(), high - 1);
+  return core::SectionLine{across_y ? core::SectionLine::Across::kY : core::SectionLine::Across::kX,
+                           core::Length::from_units(at)};
+}
+
+SectionPicture::Options picture_options(const Options& options, const Job& job,
+                                        const core::SectionLine& line) {
+  const PartSummary& summary = job.part.summary;
+  const bool across_y = line.across == core::SectionLine::Across::kY;
+  const std::int64_t low = across_y ? summary.box.min.y : summary.box.min.x;
+  const double mm = core::Length::from_units(line.at.units() - low).mm();
+  const std::string where = across_y
+                                ? fmt::format("{:.4g} mm behind its front, seen from the front", mm)
+                                : fmt::format("{:.4g} mm from its left, seen from the right", mm);
+  return {part_title(options.part),
+          fmt::format("cut {}; {} layers of {:g} mm; {}", where, summary.layers,
+                      job.settings.layer_height.mm(), wall_words(job.settings)),
+          line,
+          summary.box,
+          summary.height,
+          core::with_style(job.settings)};
+}
+
+// Row by row into the file: what is held does not grow with the part.
+int show_section(const Options& options, Job& job, Reporter& reporter) {
+  const core::Result<core::SectionLine> line =
+      line_through(*options.section, job.part.summary.box, options.part);
+  if (!line.ok()) return fail(line.error(), reporter);
+  core::Result<OutputFile> file = OutputFile::open(options.output);
+  if (!file.ok()) return fail(file.error(), reporter);
+  SectionPicture picture(picture_options(options, job, line.value()));
+  core::LayerWindow window(core::with_style(job.settings));
+  core::Status written = file.value().write(picture.begin());
+  const auto write = [&](const std::string& svg) {
+    if (written.ok() && !svg.empty()) written = file.value().write(svg);
+    return written.ok();
+  };
+  const auto draw = [&] {
+    while (window.next()) {
+      if (!write(picture.layer(window))) return false;
+    }
+    return true;
+  };
+  PipelineOutputs outputs;
+  outputs.on_layer = [&](const core::SplitLayer& layer) {
+    window.push(layer);
+    return draw();
+  };
+  if (picture.shows_roads()) {
+    outputs.on_roads = [&](const core::SplitLayer& layer, const std::vector<core::Road>& roads) {
+      return write(picture.roads(layer.layer.slice, roads));
+    };
+  }
+  PipelineSignals signals;
+  signals.stop_asked = [] { return stop_signal_count() > 0; };
+  GeometryStatistics statistics;
+  const core::Result<PipelineEnd> end = run_pipeline(job, outputs, signals, statistics);
+  if (!end.ok()) return fail(end.error(), reporter);
+  if (!written.ok()) return fail(written.error(), reporter);
+  if (end.value() == PipelineEnd::kStopped) return stopped(options, reporter);
+  window.finish();
+  if (!draw() || !write(picture.end())) return fail(written.error(), reporter);
+  if (core::Status status = file.value().commit(); !status.ok()) {
+    return fail(status.error(), reporter);
+  }
+  reporter.note("done",
+                fmt::format("{}: a cut through {} layers", options.output, statistics.layers),
+                {{"output", options.output}});
+  return save_statistics(options, statistics, nullptr, kExitDone, reporter);
+}
+
+}  // namespace
+
+int show_command(const Options& options, Reporter& reporter) {
+  core::Result<Job> opened = open_job(options, reporter);
+  if (!opened.ok()) return fail(opened.error(), reporter);
+  return options.section ? show_section(options, opened.value(), reporter)
+                         : show_layer(options, opened.value(), reporter);
 }
 
 }  // namespace host

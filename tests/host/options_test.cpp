@@ -72,6 +72,22 @@ TEST_CASE("the form of the output follows its name, or --format") {
   CHECK(says(parse_bad({"slice", "p.stl", "-o", "a"}), "--format"));
 }
 
+TEST_CASE("a cut is asked for by axis, in mm or per cent") {
+  const auto section = [](const char* text) {
+    const Options options = parse_good({"show", "p.stl", "-o", "a.svg", "--section", text});
+    CHECK_EQ(options.layer, 0);
+    return options.section.value();
+  };
+  CHECK_EQ(section("Y=12.5").axis, 'Y');
+  CHECK_EQ(section("Y=12.5").value, 12.5);
+  CHECK_FALSE(section("Y=12.5").percent);
+  CHECK_EQ(section("y=3 mm").value, 3);
+  CHECK_EQ(section("x=50%").axis, 'X');
+  CHECK_EQ(section("x=50%").value, 50);
+  CHECK(section("x=50%").percent);
+  CHECK_FALSE(parse_good({"show", "p.stl", "-o", "a.svg", "--layer", "2"}).section.has_value());
+}
+
 TEST_CASE("what can't be understood is refused with exit code 2 and the reason") {
   const std::vector<std::pair<std::vector<const char*>, std::string>> cases = {
       {{}, "subcommand"},
@@ -80,6 +96,11 @@ TEST_CASE("what can't be understood is refused with exit code 2 and the reason")
       {{"slice", "p.stl"}, "--output"},
       {{"show", "p.stl", "-o", "a.svg"}, "--layer"},
       {{"show", "p.stl", "-o", "a.svg", "--layer", "0"}, "--layer"},
+      {{"show", "p.stl", "-o", "a.svg", "--layer", "3", "--section", "Y=1"}, "--section"},
+      {{"show", "p.stl", "-o", "a.svg", "--section", "Z=1"}, "'Z=1' is no place to cut"},
+      {{"show", "p.stl", "-o", "a.svg", "--section", "Y="}, "Y=12.5"},
+      {{"show", "p.stl", "-o", "a.svg", "--section", "Y=1inch"}, "Y=12.5"},
+      {{"show", "p.stl", "-o", "a.svg", "--section", "X=nan"}, "X=50%"},
       {{"print", "p.stl", "--baud", "fast"}, "--baud"},
       {{"print", "p.stl", "--baud", "7"}, "--baud"},
       {{"print", "p.stl", "--virtual-speed", "-1"}, "--virtual-speed"},

@@ -13,6 +13,7 @@
 
 #include "tests/support/part_folder.h"
 #include "tests/support/run_program.h"
+#include "tests/support/svg_text.h"
 
 namespace fs = std::filesystem;
 using test::PartFolder;
@@ -188,6 +189,9 @@ TEST_CASE("a bad setting ends with code 3 and what would be right") {
   const ProgramRun layer = rind("show " + box + " --layer 99999 -o " + folder.file("a.svg"));
   CHECK_EQ(layer.exit_code, 3);
   CHECK(says(layer, "highest is"));
+  const ProgramRun missed = rind("show " + box + " --section X=8.1 -o " + folder.file("a.svg"));
+  CHECK_EQ(missed.exit_code, 3);
+  CHECK(says(missed, "misses the part, which reaches from 0 to 8 mm"));
   CHECK_FALSE(fs::exists(folder.file("a.svg")));
 }
 
@@ -278,6 +282,10 @@ TEST_CASE("plan, show and settings tell what they should") {
   }
   CHECK_EQ(rind("show " + box + " --layer 5 -o " + svg + kCoarse).exit_code, 0);
   CHECK_NE(content(svg).find("</svg>"), std::string::npos);
+  CHECK_EQ(rind("show " + box + " --section Y=3 -o " + svg + kCoarse).exit_code, 0);
+  CHECK_EQ(test::svg_fault(content(svg)), "");
+  CHECK_NE(content(svg).find("cut 3 mm behind its front"), std::string::npos);
+  CHECK_EQ(rind("show " + box + " --section X=8 -o " + svg + kCoarse).exit_code, 0);
 
   // What `rind settings` prints is a profile that changes nothing.
   const std::string profile = folder.file("all.ini");
@@ -287,4 +295,21 @@ TEST_CASE("plan, show and settings tell what they should") {
   CHECK_EQ(again.exit_code, 0);
   CHECK_EQ(again.output, content(profile));
   CHECK(says(again, "perimeters = 3"));
+}
+
+TEST_CASE("a cut through a part ten times as tall holds no more layers") {
+  const PartFolder folder;
+  const std::string stats = folder.file("stats.json"), svg = folder.file("cut.svg");
+  const auto peak_layers = [&](std::int64_t layers) {
+    const std::string tower = folder.add("tower.stl", parts::tower(layers));
+    const ProgramRun run = rind("show " + tower + " --section Y=50% -o " + svg + " --stats " +
+                                stats + " --quiet --set simplify_tolerance=0.05");
+    CAPTURE(run.output);
+    REQUIRE_EQ(run.exit_code, 0);
+    CHECK_EQ(test::svg_fault(content(svg)), "");
+    const nlohmann::json read = nlohmann::json::parse(content(stats));
+    CHECK_EQ(read.at("layers"), layers);
+    return read.at("peak_layers_held").get<int>();
+  };
+  CHECK_EQ(peak_layers(40), peak_layers(400));
 }
