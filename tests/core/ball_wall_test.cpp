@@ -133,6 +133,13 @@ std::vector<Part> parts() {
   all.push_back({"tube thinner than its walls",
                  [](double z) { return core::subtract(disc(3 + 0.1 * z), disc(2.2)); },
                  even_heights(15)});
+  all.push_back({"screw",
+                 [](double z) {
+                   const double turned = z * std::numbers::pi / 2;
+                   return core::unite(disc(2.5),
+                                      disc(2, 2 * std::cos(turned), 2 * std::sin(turned)));
+                 },
+                 even_heights(25)});
   all.push_back({"one layer", [](double) { return disc(3); }, even_heights(1)});
   all.push_back({"cone in layers of unlike heights",
                  [](double z) { return disc(std::abs(5 - 1.3 * z)); },
@@ -242,10 +249,34 @@ TEST_CASE("a ball's wall lies within the cylinder's, and grows with the thicknes
   }
 }
 
+TEST_CASE("turned by 90° and moved, the walls are turned and moved with the part") {
+  const auto moved = [](const Region& region) {
+    std::vector<core::Ring> rings = region.rings();
+    for (core::Ring& ring : rings) {
+      for (core::Point& point : ring) point = {-point.y + 1'234'567, point.x - 765'432};
+    }
+    return Region::from_clean_rings(std::move(rings));
+  };
+  for (const Part& part : parts()) {
+    CAPTURE(part.name);
+    std::vector<Slice> slices = cut(part.section, part.heights_mm), turned = slices;
+    for (Slice& slice : turned) slice.region = moved(slice.region);
+    for (const WallShape shape : {WallShape::kBall, WallShape::kCylinder}) {
+      const auto upright = split(slices, settings_for(0.6, shape)),
+                 away = split(turned, settings_for(0.6, shape));
+      for (std::size_t n = 0; n < slices.size(); ++n) {
+        CAPTURE(n);
+        CHECK_LE(test::widest_difference(moved(upright[n].loose), away[n].loose), 2);
+        CHECK_LE(test::widest_difference(moved(upright[n].solid), away[n].solid), 2);
+      }
+    }
+  }
+}
+
 TEST_CASE("upside down, the same layers come in reverse") {
   // Without a bed of its own the part must stand clear of it: turn the slices, keep the heights.
   const std::vector<Part> all = parts();
-  for (const Part& part : {all[2], all[5], all[6]}) {
+  for (const Part& part : {all[2], all[5], all[6], all[8]}) {
     CAPTURE(part.name);
     std::vector<Slice> slices = cut(part.section, part.heights_mm), turned = slices;
     for (std::size_t n = 0; n < slices.size(); ++n) {
