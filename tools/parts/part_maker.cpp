@@ -106,6 +106,8 @@ std::vector<NamedPart> all_parts(std::int64_t layers, double detail) {
       {"pyramid_short", "the pyramid, 18 layers of 0.2 mm high", pyramid(3.6)},
       {"dome", "hemisphere of radius 25 mm", dome(25)},
       {"screw", "hexagon-head bolt, 88 mm long", screw()},
+      {"set_screw", "the same thread, thick and without a head: 44 mm across, 48 mm long",
+       set_screw(44, 8)},
       {"tower", "twisted, lobed, with a bore; see --layers", tower(layers)},
       {"vase", "bumpy tubes, 8 islands a layer; see --detail", vase(detail)},
       {"lattice", "21 x 21 columns on a plate", lattice(21)},

@@ -41,6 +41,9 @@ using Part = std::function<void(const FacetSink&)>;
 // Hexagon-head bolt, head down, M28 × 6; the thread's flanks rise at 25.6°.
 [[nodiscard]] Part screw();
 
+// The same thread without a head, `turns` × 6 mm long. REQUIRES: diameter > 12, turns >= 2.
+[[nodiscard]] Part set_screw(double diameter, int turns);
+
 // Twisted, lobed, with a vertical bore; `layers` layers of 0.2 mm, 128 points in every section.
 [[nodiscard]] Part tower(std::int64_t layers);
 

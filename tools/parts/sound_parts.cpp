@@ -168,32 +168,51 @@ Part tube(double outer_radius, double inner_radius, double height, int segments)
   };
 }
 
+// Ring `k` of a thread whose ring 0 is round `foot`.
+CornerRing thread_ring(const Thread& thread, Corner foot, int k) {
+  CornerRing all;
+  const double z = foot.z + k * thread.pitch / thread.segments;
+  for (int i = 0; i < thread.segments; ++i) {
+    const double angle = 2 * kPi * i / thread.segments, radius = thread.radius(i, k);
+    all.push_back({foot.x + radius * std::cos(angle), foot.y + radius * std::sin(angle), z});
+  }
+  return all;
+}
+
+// From ring 1 up, with the tip's cap.
+void add_thread(const FacetSink& sink, const Thread& thread, Corner foot) {
+  CornerRing low = thread_ring(thread, foot, 0);
+  for (int k = 1; k <= thread.rings(); ++k) {
+    CornerRing high = thread_ring(thread, foot, k);
+    band(sink, low, high, Facing::kOutward);
+    low = std::move(high);
+  }
+  cap(sink, low, {foot.x, foot.y, low.front().z}, Looking::kUp);
+}
+
 Part screw() {
   return [](const FacetSink& sink) {
     constexpr double kFlats = 34, kHead = 10;
     const Thread thread;
     const double c = kFlats / std::sqrt(3.0) + 1;
-    const auto ring = [&](int k) {
-      CornerRing all;
-      const double z = kHead + k * thread.pitch / thread.segments;
-      for (int i = 0; i < thread.segments; ++i) {
-        const double angle = 2 * kPi * i / thread.segments, radius = thread.radius(i, k);
-        all.push_back({c + radius * std::cos(angle), c + radius * std::sin(angle), z});
-      }
-      return all;
-    };
     const CornerRing foot = hexagon(thread.segments, kFlats, {c, c, 0});
     const CornerRing head = raised(foot, kHead);
     cap(sink, foot, {c, c, 0}, Looking::kDown);
     band(sink, foot, head, Facing::kOutward);
-    CornerRing low = ring(0);
-    flat_ring(sink, head, low, Looking::kUp);
-    for (int k = 1; k <= thread.rings(); ++k) {
-      CornerRing high = ring(k);
-      band(sink, low, high, Facing::kOutward);
-      low = std::move(high);
-    }
-    cap(sink, low, {c, c, low.front().z}, Looking::kUp);
+    flat_ring(sink, head, thread_ring(thread, {c, c, kHead}, 0), Looking::kUp);
+    add_thread(sink, thread, {c, c, kHead});
+  };
+}
+
+Part set_screw(double diameter, int turns) {
+  return [=](const FacetSink& sink) {
+    Thread thread;
+    thread.major = diameter / 2;
+    thread.minor = thread.major - 5;
+    thread.turns = turns;
+    const Corner foot{thread.major + 1, thread.major + 1, 0};
+    cap(sink, thread_ring(thread, foot, 0), foot, Looking::kDown);
+    add_thread(sink, thread, foot);
   };
 }
 
