@@ -17,4 +17,18 @@ inline constexpr std::size_t kDefectHeightsMax = 16;
 // Bytes gathered before a write() to an output file.
 inline constexpr std::size_t kFileBufferBytes = 64 * 1'024;
 
+// Memory for sorting a mesh: what it gets, and the least it can do with.
+inline constexpr std::size_t kSortBytesDefault = std::size_t{8} << 20;
+inline constexpr std::size_t kSortBytesMin = std::size_t{64} << 10;
+
+// Triangles that are read before anything is decided about a mesh, and that may be out of order
+// without the mesh being sorted: 384 KiB.
+inline constexpr std::size_t kReorderTriangles = 8'192;
+
+// Warnings that wait to be told; further ones are only counted.
+inline constexpr std::size_t kWarningsHeldMax = 16;
+
+// Stretches of height with facets, apart from one another, that are kept track of.
+inline constexpr std::size_t kHeightGapsMax = 256;
+
 }  // namespace host

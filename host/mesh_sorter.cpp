@@ -1,69 +1,128 @@
 #include "host/mesh_sorter.h"
 
 #include <algorithm>
+#include <utility>
 
-#include "core/check.h"  // RIND_CHECK
+#include "core/check.h"          // RIND_CHECK
+#include "host/limits.h"         // kSortBytesMin
+#include "host/spill_file.h"     // SpillFile
+#include "host/triangle_runs.h"  // TriangleRuns, TriangleMerge
 
 namespace host {
 namespace {
 
-bool lower(const core::Triangle& a, const core::Triangle& b) {
-  const std::int64_t za = a.lowest_z(), zb = b.lowest_z();
-  return za != zb ? za < zb : a.corners < b.corners;
+// Of a run that is read or written: what a disk likes, or what a small budget leaves.
+constexpr std::size_t kBufferBytesMin = 4 * 1'024, kBufferBytesMax = 64 * 1'024;
+constexpr std::size_t kBuffersWanted = 16;
+
+static_assert(kSortBytesMin >= kBuffersWanted * kBufferBytesMin);
+
+std::size_t buffer_bytes(std::size_t memory_bytes) {
+  return std::clamp(memory_bytes / kBuffersWanted, kBufferBytesMin, kBufferBytesMax);
+}
+
+std::size_t triangles_in_run(std::size_t memory_bytes) {
+  return (memory_bytes - buffer_bytes(memory_bytes)) / sizeof(core::Triangle);
+}
+
+// Runs that can be merged at once: one buffer is for writing.
+std::size_t fan_in(std::size_t memory_bytes) {
+  return memory_bytes / buffer_bytes(memory_bytes) - 1;
 }
 
 }  // namespace
 
-MeshSorter::MeshSorter(std::size_t run_triangles) : run_triangles_(run_triangles) {
-  RIND_CHECK(run_triangles > 0);
+MeshSorter::MeshSorter(const Options& options) : options_(options) {
+  RIND_CHECK(options.memory_bytes >= kSortBytesMin);
 }
 
-void MeshSorter::sort_last_run() {
-  if (!runs_.empty())
-    std::sort(runs_.back().triangles.begin(), runs_.back().triangles.end(), lower);
-}
+MeshSorter::~MeshSorter() = default;
+MeshSorter::MeshSorter(MeshSorter&&) noexcept = default;
+MeshSorter& MeshSorter::operator=(MeshSorter&&) noexcept = default;
 
 core::Status MeshSorter::add(const core::Triangle& triangle) {
   RIND_CHECK(!finished_);
-  if (runs_.empty() || runs_.back().triangles.size() == run_triangles_) {
-    sort_last_run();
-    runs_.emplace_back();
+  const std::size_t capacity = triangles_in_run(options_.memory_bytes);
+  if (run_.size() == capacity) {
+    if (core::Status spilled = spill(); !spilled.ok()) return spilled;
   }
-  runs_.back().triangles.push_back(triangle);
+  // At once, so that growing never holds two of them; memory is used as it fills.
+  if (run_.capacity() == 0) run_.reserve(capacity);
+  run_.push_back(triangle);
   ++size_;
   return {};
 }
 
-bool MeshSorter::comes_later(std::size_t run_a, std::size_t run_b) const {
-  const Run& a = runs_[run_a];
-  const Run& b = runs_[run_b];
-  return lower(b.triangles[b.next], a.triangles[a.next]);
+core::Status MeshSorter::spill() {
+  std::sort(run_.begin(), run_.end(), lower);
+  if (!runs_) {
+    core::Result<SpillFile> file = SpillFile::create(options_.folder);
+    if (!file.ok()) return file.error();
+    runs_ = std::make_unique<TriangleRuns>(std::move(file).value(),
+                                           buffer_bytes(options_.memory_bytes));
+    spill_passes_ = 1;
+  }
+  for (const core::Triangle& triangle : run_) {
+    if (core::Status added = runs_->add(triangle); !added.ok()) return added;
+  }
+  run_.clear();
+  return runs_->end_run();
 }
 
 core::Status MeshSorter::finish() {
   RIND_CHECK(!finished_);
   finished_ = true;
-  sort_last_run();
-  for (std::size_t i = 0; i < runs_.size(); ++i) heap_.push_back(i);
-  std::make_heap(heap_.begin(), heap_.end(),
-                 [this](std::size_t a, std::size_t b) { return comes_later(a, b); });
+  if (!runs_) {
+    std::sort(run_.begin(), run_.end(), lower);
+    return {};
+  }
+  if (core::Status spilled = spill(); !spilled.ok()) return spilled;
+  run_ = {};
+  spilled_bytes_ = runs_->file().size();
+  if (core::Status merged = merge_until_few(); !merged.ok()) return merged;
+  return rewind();
+}
+
+core::Status MeshSorter::merge_until_few() {
+  const std::size_t buffer = buffer_bytes(options_.memory_bytes);
+  const std::size_t at_once = fan_in(options_.memory_bytes);
+  while (runs_->runs().size() > at_once) {
+    core::Result<SpillFile> file = SpillFile::create(options_.folder);
+    if (!file.ok()) return file.error();
+    auto longer = std::make_unique<TriangleRuns>(std::move(file).value(), buffer);
+    const std::size_t count = runs_->runs().size();
+    for (std::size_t first = 0; first < count; first += at_once) {
+      TriangleMerge merge(*runs_, first, std::min(count, first + at_once), buffer);
+      if (core::Status begun = merge.begin(); !begun.ok()) return begun;
+      while (true) {
+        core::Result<std::optional<core::Triangle>> next = merge.next();
+        if (!next.ok()) return next.error();
+        if (!next.value()) break;
+        if (core::Status added = longer->add(*next.value()); !added.ok()) return added;
+      }
+      if (core::Status ended = longer->end_run(); !ended.ok()) return ended;
+    }
+    spilled_bytes_ += longer->file().size();
+    ++spill_passes_;
+    runs_ = std::move(longer);
+  }
   return {};
+}
+
+core::Status MeshSorter::rewind() {
+  RIND_CHECK(finished_);
+  next_in_run_ = 0;
+  if (!runs_) return {};
+  merge_ = std::make_unique<TriangleMerge>(*runs_, 0, runs_->runs().size(),
+                                           buffer_bytes(options_.memory_bytes));
+  return merge_->begin();
 }
 
 core::Result<std::optional<core::Triangle>> MeshSorter::next() {
   RIND_CHECK(finished_);
-  if (heap_.empty()) return std::optional<core::Triangle>();
-  const auto later = [this](std::size_t a, std::size_t b) { return comes_later(a, b); };
-  std::pop_heap(heap_.begin(), heap_.end(), later);
-  Run& run = runs_[heap_.back()];
-  const core::Triangle triangle = run.triangles[run.next++];
-  if (run.next < run.triangles.size()) {
-    std::push_heap(heap_.begin(), heap_.end(), later);
-  } else {
-    run = Run();
-    heap_.pop_back();
-  }
-  return std::optional<core::Triangle>(triangle);
+  if (merge_) return merge_->next();
+  if (next_in_run_ == run_.size()) return std::optional<core::Triangle>();
+  return std::optional<core::Triangle>(run_[next_in_run_++]);
 }
 
 }  // namespace host
