@@ -55,27 +55,32 @@ Error StlReader::bad_part(const std::string& place, const std::string& cause) co
   return {ErrorCode::kBadPart, file_.name() + ": " + place + ": " + cause};
 }
 
-Result<core::Triangle> StlReader::snapped(const std::array<std::array<double, 3>, 3>& corners_mm,
-                                          const std::string& place) const {
+std::optional<core::Triangle> StlReader::snapped(const Corners& corners) {
   core::Triangle triangle;
   for (std::size_t i = 0; i < 3; ++i) {
-    const auto& [x, y, z] = corners_mm[i];
-    if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z)) {
-      return bad_part(place, "a coordinate is not a finite number; repair the mesh");
-    }
-    const bool far = std::abs(x) > kPlaneMaxMm || std::abs(y) > kPlaneMaxMm;
-    if (far || std::abs(z) > kHeightMaxMm) {
-      return Error{ErrorCode::kOutOfBounds,
-                   file_.name() + ": " + place + ": a corner is at " + number_text(x) + ", " +
-                       number_text(y) + ", " + number_text(z) + " mm, farther than " +
-                       number_text(far ? kPlaneMaxMm : kHeightMaxMm) +
-                       " mm from the origin; move the part to the origin, or check its unit"};
-    }
+    const auto& [x, y, z] = corners[i];
+    // Written so that what is no number is refused too.
+    const bool near = std::abs(x) <= kPlaneMaxMm && std::abs(y) <= kPlaneMaxMm;
+    if (!near || !(std::abs(z) <= kHeightMaxMm)) return std::nullopt;
     triangle.corners[i] = {static_cast<std::int32_t>(std::llround(x * core::kUnitsPerMm)),
                            static_cast<std::int32_t>(std::llround(y * core::kUnitsPerMm)),
                            std::llround(z * core::kUnitsPerMm)};
   }
   return triangle;
+}
+
+Error StlReader::not_snapped(const Corners& corners, const std::string& place) const {
+  for (const auto& [x, y, z] : corners) {
+    if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z)) break;
+    const bool far = std::abs(x) > kPlaneMaxMm || std::abs(y) > kPlaneMaxMm;
+    if (!far && std::abs(z) <= kHeightMaxMm) continue;
+    return {ErrorCode::kOutOfBounds,
+            file_.name() + ": " + place + ": a corner is at " + number_text(x) + ", " +
+                number_text(y) + ", " + number_text(z) + " mm, farther than " +
+                number_text(far ? kPlaneMaxMm : kHeightMaxMm) +
+                " mm from the origin; move the part to the origin, or check its unit"};
+  }
+  return bad_part(place, "a coordinate is not a finite number; repair the mesh");
 }
 
 }  // namespace host

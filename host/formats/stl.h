@@ -13,6 +13,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -39,9 +40,12 @@ class StlReader : public TriangleSource {
  protected:
   explicit StlReader(InputFile file) : file_(std::move(file)) {}
 
-  // `place` says where in the file, for messages.
-  [[nodiscard]] core::Result<core::Triangle> snapped(
-      const std::array<std::array<double, 3>, 3>& corners_mm, const std::string& place) const;
+  using Corners = std::array<std::array<double, 3>, 3>;  // in mm
+
+  // Nothing for corners that are no numbers or out of range.
+  [[nodiscard]] static std::optional<core::Triangle> snapped(const Corners& corners);
+  // Why there was nothing. `place` says where in the file.
+  [[nodiscard]] core::Error not_snapped(const Corners& corners, const std::string& place) const;
   [[nodiscard]] core::Error bad_part(const std::string& place, const std::string& cause) const;
 
   InputFile file_;

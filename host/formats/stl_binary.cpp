@@ -37,25 +37,28 @@ class BinaryStlReader : public StlReader {
     if (!window.ok()) return window.error();
     const std::string_view bytes = window.value();
     if (bytes.empty()) return end_without_rest();
-    const std::string place =
-        "facet " + std::to_string(facets_ + 1) + " (byte " + std::to_string(file_.position()) + ")";
     if (bytes.size() < kFacetBytes) {
-      return bad_part(place, "the file ends after " + std::to_string(bytes.size()) +
-                                 " of the facet's 50 bytes: it is cut short; copy or export it "
-                                 "again");
+      return bad_part(place(), "the file ends after " + std::to_string(bytes.size()) +
+                                   " of the facet's 50 bytes: it is cut short; copy or export it "
+                                   "again");
     }
-    std::array<std::array<double, 3>, 3> corners_mm{};
+    Corners corners{};
     for (std::size_t i = 0; i < 9; ++i) {
-      corners_mm[i / 3][i % 3] = float_at(bytes.data() + kNormalBytes + 4 * i);
+      corners[i / 3][i % 3] = float_at(bytes.data() + kNormalBytes + 4 * i);
     }
-    Result<core::Triangle> triangle = snapped(corners_mm, place);
-    if (!triangle.ok()) return triangle.error();
+    const std::optional<core::Triangle> triangle = snapped(corners);
+    if (!triangle) return not_snapped(corners, place());
     file_.skip(kFacetBytes);
     ++facets_;
-    return std::optional<core::Triangle>(triangle.value());
+    return triangle;
   }
 
  private:
+  [[nodiscard]] std::string place() const {
+    return "facet " + std::to_string(facets_ + 1) + " (byte " + std::to_string(file_.position()) +
+           ")";
+  }
+
   [[nodiscard]] Result<std::optional<core::Triangle>> end_without_rest() {
     ended_ = true;
     if (facets_ == 0) {

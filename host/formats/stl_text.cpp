@@ -187,8 +187,8 @@ class TextStlReader : public StlReader {
   [[nodiscard]] Result<std::optional<core::Triangle>> facet() {
     if (core::Status normal = skip_normal(); !normal.ok()) return normal.error();
     if (core::Status loop = expect("loop"); !loop.ok()) return loop.error();
-    std::array<std::array<double, 3>, 3> corners_mm{};
-    for (auto& corner : corners_mm) {
+    Corners corners{};
+    for (auto& corner : corners) {
       if (core::Status vertex = expect("vertex"); !vertex.ok()) return vertex.error();
       for (double& coordinate : corner) {
         Result<double> read = number();
@@ -196,8 +196,8 @@ class TextStlReader : public StlReader {
         coordinate = read.value();
       }
     }
-    Result<core::Triangle> triangle = snapped(corners_mm, place());
-    if (!triangle.ok()) return triangle.error();
+    const std::optional<core::Triangle> triangle = snapped(corners);
+    if (!triangle) return not_snapped(corners, place());
     if (core::Status end = expect("endloop"); !end.ok()) return end.error();
     if (core::Status end = expect("endfacet"); !end.ok()) return end.error();
     ++facets_;
