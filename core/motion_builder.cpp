@@ -50,11 +50,17 @@ class MotionBuilder::Boundary {
 
 MotionBuilder::MotionBuilder(const Settings& settings) : settings_(settings) {}
 
+void MotionBuilder::preheat(const Sink& sink) {
+  RIND_CHECK(!preheated_ && !begun_);
+  preheated_ = true;
+  sink(SetBedTemperature{settings_.bed_celsius, false});
+  sink(SetNozzleTemperature{settings_.nozzle_first_layer_celsius, false});
+}
+
 void MotionBuilder::preamble(const Sink& sink) {
+  if (!preheated_) preheat(sink);
   begun_ = true;
   nozzle_celsius_ = settings_.nozzle_first_layer_celsius;
-  sink(SetBedTemperature{settings_.bed_celsius, false});
-  sink(SetNozzleTemperature{nozzle_celsius_, false});
   for (const std::string& line : settings_.start_gcode) sink(Verbatim{line});
   sink(SetBedTemperature{settings_.bed_celsius, true});
   sink(SetNozzleTemperature{nozzle_celsius_, true});

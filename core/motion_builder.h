@@ -1,5 +1,6 @@
 // Turns roads into motions: material, speed, travel, retraction, temperatures.
 //
+//     preheat    heaters on, and nothing else: as soon as a print is likely
 //     preamble   once, before the first layer that has roads: heaters, start G-code
 //     layer      BeginLayer, (retract) Lift Travel (return), then BeginRoad Extrude … for each road
 //     finish     retract, lift, heaters and fan off, end G-code
@@ -38,8 +39,13 @@ class MotionBuilder {
   // REQUIRES: settings in their ranges.
   explicit MotionBuilder(const Settings& settings);
 
+  // Turns the heaters on before the first layer is known, so that they are warm by then; the first
+  // layer's preamble leaves that out then. At most once, before any layer(). What comes out in all
+  // is the same with it and without it.
+  void preheat(const Sink& sink);
+
   // The roads of the next layer up, in this order. A layer without roads gives no motion, and a
-  // print without any never heats.
+  // print without any never heats, but for preheat().
   // REQUIRES: slices come from the bed up; every road has two points or more.
   void layer(const Slice& slice, const std::vector<Road>& roads, const Sink& sink);
 
@@ -70,6 +76,7 @@ class MotionBuilder {
 
   Settings settings_;
   MotionTotals totals_;
+  bool preheated_ = false;
   bool begun_ = false;
   bool ended_ = false;
   bool retracted_ = false;

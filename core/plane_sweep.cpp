@@ -117,9 +117,11 @@ std::vector<Segment> PlaneSweep::cut(std::int64_t doubled_z) const {
 }
 
 Result<std::optional<Slice>> PlaneSweep::next() {
-  if (next_index_ == options_.layers) return std::optional<Slice>();
+  if (options_.layers && next_index_ == *options_.layers) return std::optional<Slice>();
   const std::int64_t doubled_z = (2 * next_index_ + 1) * options_.layer_height.units();
   if (Status taken = take_triangles_below(doubled_z); !taken.ok()) return taken.error();
+  const bool over = held_.empty() && !waiting_ && source_ended_;
+  if (!options_.layers && over) return std::optional<Slice>();
 
   Slice slice;
   slice.index = next_index_;

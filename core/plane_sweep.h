@@ -33,8 +33,9 @@ namespace core {
 class PlaneSweep {
  public:
   struct Options {
-    Length layer_height;        // REQUIRES: > 0
-    LayerIndex layers = 0;      // how many slices there are to be
+    Length layer_height;  // REQUIRES: > 0
+    // How many slices there are to be; nothing: until no triangle reaches the plane.
+    std::optional<LayerIndex> layers;
     Length simplify_tolerance;  // REQUIRES: >= 0
     Length chain_gap_max;       // REQUIRES: >= 0
   };
@@ -47,6 +48,7 @@ class PlaneSweep {
 
   // The next slice up, empty where the plane cuts nothing; nothing after the last one. An error is
   // the source's, and final.
+  // COSTS: memory for the triangles that cross the plane.
   [[nodiscard]] Result<std::optional<Slice>> next();
 
   // The most triangles that were in memory at once, crossing one plane.

@@ -27,9 +27,9 @@ void write_region(const core::Region& region, int label, std::string& into) {
 
 void write_cli_header(core::LayerIndex layers, std::string& into) {
   fmt::format_to(std::back_inserter(into),
-                 "$$HEADERSTART\n$$ASCII\n$$UNITS/1.0\n$$VERSION/200\n$$LAYERS/{}\n"
+                 "$$HEADERSTART\n$$ASCII\n$$UNITS/1.0\n$$VERSION/200\n{}"
                  "$$LABEL/1,\"solid\"\n$$LABEL/2,\"loose\"\n$$HEADEREND\n$$GEOMETRYSTART\n",
-                 layers);
+                 layers > 0 ? fmt::format("$$LAYERS/{}\n", layers) : "");
 }
 
 void write_cli_layer(const core::SplitLayer& layer, std::string& into) {

@@ -13,7 +13,7 @@
 
 namespace host {
 
-// Appends the begin of the file.
+// Appends the begin of the file. `layers` 0: not known, and left out.
 void write_cli_header(core::LayerIndex layers, std::string& into);
 
 void write_cli_layer(const core::SplitLayer& layer, std::string& into);

@@ -1,13 +1,19 @@
 #include "host/mesh_layers.h"
 
 #include <algorithm>
-#include <limits>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <utility>
+#include <vector>
 
-#include "core/limits.h"       // kCoordinateMax
-#include "core/plane_sweep.h"  // PlaneSweep, layer_count
-#include "host/mesh_sorter.h"  // MeshSorter
-#include "host/stage_clock.h"  // thread_cpu_seconds
+#include "core/plane_sweep.h"     // PlaneSweep, layer_count
+#include "host/bed_placing.h"     // shift_to_bed, check_on_bed
+#include "host/limits.h"          // kReorderTriangles
+#include "host/mesh_sorter.h"     // MeshSorter
+#include "host/mesh_survey.h"     // MeshSurvey
+#include "host/reorder_window.h"  // ReorderWindow
+#include "host/stage_clock.h"     // CpuTimer
 
 namespace host {
 namespace {
@@ -22,95 +28,50 @@ using core::Triangle;
 // So many triangles are read, then sorted, between two looks at the clock.
 constexpr std::size_t kBatchTriangles = 1024;
 
-// Adds the processor time of its own life.
-class CpuTimer {
- public:
-  explicit CpuTimer(double& seconds) : seconds_(seconds), begin_s_(thread_cpu_seconds()) {}
-  ~CpuTimer() { seconds_ += thread_cpu_seconds() - begin_s_; }
-  CpuTimer(const CpuTimer&) = delete;
-  CpuTimer& operator=(const CpuTimer&) = delete;
-
- private:
-  double& seconds_;
-  double begin_s_;
-};
-
-// "12.3", without zeros at the end.
-std::string mm_text(std::int64_t units) {
-  std::string text = units < 0 ? "-" : "";
-  const std::uint64_t size =
-      units < 0 ? 0 - static_cast<std::uint64_t>(units) : static_cast<std::uint64_t>(units);
-  const auto per_mm = static_cast<std::uint64_t>(core::kUnitsPerMm);
-  text += std::to_string(size / per_mm);
-  std::string rest = std::to_string(per_mm + size % per_mm).substr(1);
-  rest.erase(rest.find_last_not_of('0') + 1);
-  return rest.empty() ? text : text + "." + rest;
+std::size_t window_of(const OpenOptions& options) {
+  return std::min(kReorderTriangles, options.sort_bytes / sizeof(Triangle));
 }
 
-// Where a mesh is, before it is set on the bed.
-struct Extent {
-  core::Box box;
-  std::int64_t lowest_z = std::numeric_limits<std::int64_t>::max();
-  std::int64_t highest_z = std::numeric_limits<std::int64_t>::min();
-
-  void add(const Triangle& triangle) {
-    for (const core::Vertex& corner : triangle.corners) box.add(core::Point{corner.x, corner.y});
-    lowest_z = std::min(lowest_z, triangle.lowest_z());
-    highest_z = std::max(highest_z, triangle.highest_z());
-  }
-};
-
-struct Shift {
-  std::int64_t x = 0;
-  std::int64_t y = 0;
-  std::int64_t z = 0;
-};
-
-core::Point shifted(core::Point p, const Shift& shift) {
-  return {static_cast<std::int32_t>(p.x + shift.x), static_cast<std::int32_t>(p.y + shift.y)};
-}
-
-Shift shift_to_bed(const Extent& extent, const core::Settings& settings) {
-  const core::Box& box = extent.box;
-  if (!settings.centre) {
-    return {settings.part_x.units() - box.min.x, settings.part_y.units() - box.min.y,
-            -extent.lowest_z};
-  }
-  // Doubled, so that halves are rounded once; the sums stay below 2^32.
-  const auto centred = [](std::int64_t bed, std::int64_t low, std::int64_t high) {
-    return (bed - low - high) / 2;
-  };
-  return {centred(settings.bed_x.units(), box.min.x, box.max.x),
-          centred(settings.bed_y.units(), box.min.y, box.max.y), -extent.lowest_z};
-}
-
-// One mesh: read to its end at birth, then sliced from the bed up.
 class MeshLayers : public LayerSource {
  public:
-  MeshLayers(std::unique_ptr<TriangleSource> reader, std::string name,
-             const core::Settings& settings)
-      : reader_(std::move(reader)), name_(std::move(name)), settings_(settings) {}
+  MeshLayers(MeshInput mesh, const core::Settings& settings, const OpenOptions& options)
+      : mesh_(std::move(mesh)),
+        settings_(settings),
+        options_(options),
+        window_(window_of(options)),
+        survey_(window_) {}
 
-  [[nodiscard]] Status prepare() {
-    if (Status read = read_all(); !read.ok()) return read;
-    {
-      const CpuTimer timer(counters_.sort_cpu_s);
-      if (Status sorted = sorter_.finish(); !sorted.ok()) return sorted;
+  [[nodiscard]] Status look_ahead() {
+    ahead_.reserve(window_ + kBatchTriangles);
+    while (ahead_.size() < window_ && !ended_) {
+      if (Status read = read_batch(); !read.ok()) return read;
+      ahead_.insert(ahead_.end(), batch_.begin(), batch_.end());
     }
-    if (Status placed = place(); !placed.ok()) return placed;
-    const core::PlaneSweep::Options options{settings_.layer_height, summary_.layers,
-                                            settings_.simplify_tolerance, settings_.chain_gap_max};
-    sweep_.emplace(options, [this] { return next_triangle(); });
-    reader_.reset();
-    return {};
+    if (ended_) return sort_all();
+    if (Status plausible = check_so_far(); !plausible.ok()) return plausible;
+    if (mesh_.again || !options_.stream_pipes || !survey_.in_order()) return {};
+    streaming_ = true;
+    shift_ = shift_to_bed(survey_.extent(), settings_);
+    summarise();
+    return start_sweep(std::nullopt);
+  }
+
+  [[nodiscard]] bool ready() const { return sweep_.has_value(); }
+
+  [[nodiscard]] Result<PartSummary> read_rest() {
+    const bool twice = mesh_.again && survey_.in_order();
+    if (Status done = twice ? survey_rest() : sort_all(); !done.ok()) return done.error();
+    return summary_;
   }
 
   [[nodiscard]] Result<std::optional<core::Slice>> next() override {
-    const double begin_s = thread_cpu_seconds(), sort_before_s = counters_.sort_cpu_s;
+    const double begin_s = thread_cpu_seconds();
+    const double before_s = counters_.sort_cpu_s + counters_.read_cpu_s;
     Result<std::optional<core::Slice>> slice = sweep_->next();
-    const double sorted_s = counters_.sort_cpu_s - sort_before_s;
-    counters_.slice_cpu_s += thread_cpu_seconds() - begin_s - sorted_s;
+    const double other_s = counters_.sort_cpu_s + counters_.read_cpu_s - before_s;
+    counters_.slice_cpu_s += thread_cpu_seconds() - begin_s - other_s;
     counters_.peak_triangles_held = sweep_->peak_triangles_held();
+    ++slices_;
     return slice;
   }
 
@@ -118,55 +79,100 @@ class MeshLayers : public LayerSource {
   [[nodiscard]] const PartCounters& counters() const { return counters_; }
 
  private:
-  [[nodiscard]] Status read_all() {
-    std::vector<Triangle> batch;
-    batch.reserve(kBatchTriangles);
-    bool more = true;
-    while (more) {
-      batch.clear();
-      {
-        const CpuTimer timer(counters_.read_cpu_s);
-        while (more && batch.size() < kBatchTriangles) {
-          Result<std::optional<Triangle>> triangle = reader_->next();
-          if (!triangle.ok()) return triangle.error();
-          more = triangle.value().has_value();
-          if (more && is_needed(*triangle.value())) batch.push_back(*triangle.value());
-        }
+  // The next triangles that a plane can cross.
+  [[nodiscard]] Status read_batch() {
+    const CpuTimer timer(counters_.read_cpu_s);
+    batch_.clear();
+    next_in_batch_ = 0;
+    while (!ended_ && batch_.size() < kBatchTriangles) {
+      Result<std::optional<Triangle>> triangle = mesh_.triangles->next();
+      if (!triangle.ok()) return triangle.error();
+      ended_ = !triangle.value().has_value();
+      if (ended_) break;
+      const Triangle& taken = *triangle.value();
+      if (surveyed_ && !survey_.extent().holds(taken)) {
+        return refused(ErrorCode::kUnreadable, "the file was changed while it was being read");
       }
-      const CpuTimer timer(counters_.sort_cpu_s);
-      for (const Triangle& triangle : batch) {
-        if (Status added = sorter_.add(triangle); !added.ok()) return added;
-      }
+      if (surveyed_ ? can_be_cut(taken) : survey_.add(taken)) batch_.push_back(taken);
     }
-    summary_.format = reader_->format();
-    summary_.facets = reader_->facets();
-    summary_.warnings = reader_->warnings();
     return {};
   }
 
-  // Horizontal facets are crossed by no plane.
-  [[nodiscard]] bool is_needed(const Triangle& triangle) {
-    extent_.add(triangle);
-    const auto& [a, b, c] = triangle.corners;
-    if (a == b || b == c || c == a) {
-      ++summary_.degenerate;
-      return false;
+  // The first look already tells what will never fit.
+  [[nodiscard]] Status check_so_far() const {
+    const MeshExtent& extent = survey_.extent();
+    return check_on_bed(extent, shift_to_bed(extent, settings_), settings_, mesh_.name);
+  }
+
+  // A file that is in order so far: to its end, or to where the order breaks.
+  [[nodiscard]] Status survey_rest() {
+    ahead_ = {};
+    while (!ended_ && survey_.in_order()) {
+      if (Status read = read_batch(); !read.ok()) return read;
     }
-    if (triangle.lowest_z() == triangle.highest_z()) return false;
-    highest_cut_ = std::max(highest_cut_, triangle.highest_z());
-    return true;
+    const bool in_order = survey_.in_order();
+    if (in_order) {
+      if (Status placed = place(); !placed.ok()) return placed;
+    } else {
+      survey_ = MeshSurvey(window_);
+    }
+    Result<std::unique_ptr<TriangleSource>> again = mesh_.again();
+    if (!again.ok()) return again.error();
+    mesh_.triangles = std::move(again).value();
+    ended_ = false;
+    if (!in_order) return sort_all();
+    surveyed_ = true;
+    return start_sweep(summary_.layers);
+  }
+
+  [[nodiscard]] Status sort_all() {
+    sorter_.emplace(MeshSorter::Options{options_.sort_bytes, ""});
+    batch_.swap(ahead_);
+    ahead_ = {};
+    while (true) {
+      const CpuTimer timer(counters_.sort_cpu_s);
+      for (const Triangle& triangle : batch_) {
+        if (Status added = sorter_->add(triangle); !added.ok()) return added;
+      }
+      if (ended_) break;
+      const double read_s = counters_.read_cpu_s;
+      if (Status read = read_batch(); !read.ok()) return read;
+      counters_.sort_cpu_s -= counters_.read_cpu_s - read_s;
+    }
+    batch_ = {};
+    if (Status placed = place(); !placed.ok()) return placed;
+    const CpuTimer timer(counters_.sort_cpu_s);
+    if (Status sorted = sorter_->finish(); !sorted.ok()) return sorted;
+    counters_.spilled_bytes = sorter_->spilled_bytes();
+    return start_sweep(summary_.layers);
+  }
+
+  [[nodiscard]] Status start_sweep(std::optional<core::LayerIndex> layers) {
+    if (sorter_) {
+      mesh_.triangles.reset();
+    } else {
+      window_held_ = ReorderWindow(std::move(ahead_));
+    }
+    batch_.clear();
+    next_in_batch_ = 0;
+    const core::PlaneSweep::Options options{settings_.layer_height, layers,
+                                            settings_.simplify_tolerance, settings_.chain_gap_max};
+    sweep_.emplace(options, [this] { return sorter_ ? next_sorted() : next_in_window(); });
+    return {};
   }
 
   [[nodiscard]] Error refused(ErrorCode code, const std::string& cause) const {
-    return {code, name_ + ": " + cause};
+    return {code, mesh_.name + ": " + cause};
   }
 
+  // With everything seen.
   [[nodiscard]] Status place() {
-    if (sorter_.size() == 0) {
+    const MeshExtent& extent = survey_.extent();
+    if (!survey_.highest_cut()) {
       return refused(ErrorCode::kBadPart,
                      "the part is flat, it has no height; export it as a solid");
     }
-    summary_.height = Length::from_units(highest_cut_ - extent_.lowest_z);
+    summary_.height = Length::from_units(*survey_.highest_cut() - extent.lowest_z);
     summary_.layers = core::layer_count(summary_.height, settings_.layer_height);
     if (summary_.layers == 0) {
       return refused(ErrorCode::kBadPart, "the part is " + mm_text(summary_.height.units()) +
@@ -174,87 +180,122 @@ class MeshLayers : public LayerSource {
                                               mm_text(settings_.layer_height.units()) +
                                               " mm; check its unit, or lower layer_height");
     }
-    shift_ = shift_to_bed(extent_, settings_);
-    if (Status fits = check_bed(); !fits.ok()) return fits;
-    summary_.box = {shifted(extent_.box.min, shift_), shifted(extent_.box.max, shift_)};
+    shift_ = shift_to_bed(extent, settings_);
+    if (Status fits = check_on_bed(extent, shift_, settings_, mesh_.name); !fits.ok()) return fits;
+    summarise();
     return {};
   }
 
-  [[nodiscard]] Status check_bed() const {
-    const core::Box& box = extent_.box;
-    const std::int64_t left = box.min.x + shift_.x, right = box.max.x + shift_.x;
-    const std::int64_t front = box.min.y + shift_.y, back = box.max.y + shift_.y;
-    const std::int64_t bed_x = settings_.bed_x.units(), bed_y = settings_.bed_y.units();
-    const std::string bed = mm_text(bed_x) + " × " + mm_text(bed_y) + " mm";
-    if (right - left > bed_x || back - front > bed_y) {
-      return refused(ErrorCode::kOutOfBounds, "the part is " + mm_text(right - left) + " × " +
-                                                  mm_text(back - front) + " mm, the bed " + bed +
-                                                  "; scale the part, or check bed_x and bed_y");
+  void summarise() {
+    summary_.format = mesh_.triangles->format();
+    summary_.facets = mesh_.triangles->facets();
+    summary_.degenerate = survey_.degenerate();
+    summary_.warnings = mesh_.triangles->warnings();
+    summary_.box = shifted(survey_.extent().box, shift_);
+    if (const auto warning = unit_warning(survey_.extent())) {
+      summary_.warnings.push_back(mesh_.name + ": " + *warning);
     }
-    if (left < 0 || front < 0 || right > bed_x || back > bed_y) {
-      return refused(ErrorCode::kOutOfBounds, "the part would lie at " + mm_text(left) + " … " +
-                                                  mm_text(right) + ", " + mm_text(front) + " … " +
-                                                  mm_text(back) + " mm on a bed of " + bed +
-                                                  "; change part_x and part_y, or centre it");
+    if (streaming_) {
+      summary_.warnings.push_back(mesh_.name +
+                                  ": sliced as it comes; its place on the bed is that "
+                                  "of its first " +
+                                  std::to_string(summary_.facets) + " facets");
+      return;
     }
-    if (right > core::kCoordinateMax || back > core::kCoordinateMax) {
-      return refused(ErrorCode::kOutOfBounds, "the part would lie farther than " +
-                                                  mm_text(core::kCoordinateMax) +
-                                                  " mm from the bed's corner; move it");
+    const MeshSurvey::EmptyLayers empty = survey_.empty_layers(settings_.layer_height);
+    if (empty.count > 0) {
+      summary_.warnings.push_back(
+          mesh_.name + ": " + std::to_string(empty.count) + " layers hold nothing, from layer " +
+          std::to_string(empty.first + 1) + " on: what is above them is printed in the air");
     }
-    const Length axis = settings_.axis_z;
-    if (axis.units() != 0 && summary_.height > axis) {
-      return refused(ErrorCode::kOutOfBounds, "the part is " + mm_text(summary_.height.units()) +
-                                                  " mm high, the axis " + mm_text(axis.units()) +
-                                                  " mm; scale the part, or check axis_z");
-    }
-    return {};
   }
 
   // From a batch, so that the clock is not looked at for each.
-  [[nodiscard]] Result<std::optional<Triangle>> next_triangle() {
+  [[nodiscard]] Result<std::optional<Triangle>> next_sorted() {
     if (next_in_batch_ == batch_.size()) {
       const CpuTimer timer(counters_.sort_cpu_s);
       batch_.clear();
       next_in_batch_ = 0;
       while (batch_.size() < kBatchTriangles) {
-        Result<std::optional<Triangle>> triangle = sorter_.next();
+        Result<std::optional<Triangle>> triangle = sorter_->next();
         if (!triangle.ok()) return triangle.error();
         if (!triangle.value()) break;
         batch_.push_back(*triangle.value());
       }
       if (batch_.empty()) return std::optional<Triangle>();
     }
-    Triangle triangle = batch_[next_in_batch_++];
-    for (core::Vertex& corner : triangle.corners) {
-      const core::Point p = shifted({corner.x, corner.y}, shift_);
-      corner = {p.x, p.y, corner.z + shift_.z};
-    }
-    return std::optional<Triangle>(triangle);
+    return std::optional<Triangle>(shifted(batch_[next_in_batch_++], shift_));
   }
 
-  std::unique_ptr<TriangleSource> reader_;
-  std::string name_;
+  [[nodiscard]] Result<std::optional<Triangle>> next_in_window() {
+    while (window_held_.size() <= window_) {
+      if (next_in_batch_ == batch_.size()) {
+        if (ended_) break;
+        if (Status read = read_batch(); !read.ok()) return read.error();
+        continue;
+      }
+      const Triangle& triangle = batch_[next_in_batch_++];
+      if (streaming_) {
+        if (Status fits = check_arrival(triangle); !fits.ok()) return fits.error();
+      }
+      window_held_.push(triangle);
+    }
+    if (window_held_.empty()) return std::optional<Triangle>();
+    return std::optional<Triangle>(shifted(window_held_.pop(), shift_));
+  }
+
+  // A facet of a pipe that is sliced as it comes: is it on the bed, and not too late?
+  [[nodiscard]] Status check_arrival(const Triangle& triangle) {
+    MeshExtent extent;
+    extent.add(triangle);
+    extent.lowest_z = -shift_.z;
+    const std::string name =
+        mesh_.name + ": near facet " + std::to_string(mesh_.triangles->facets());
+    if (Status fits = check_on_bed(extent, shift_, settings_, name); !fits.ok()) return fits;
+    const std::int64_t low = triangle.lowest_z() + shift_.z;
+    const core::LayerIndex first_cut =
+        core::layer_count(Length::from_units(low), settings_.layer_height);
+    const core::LayerIndex cut_below = core::layer_count(
+        Length::from_units(triangle.highest_z() + shift_.z), settings_.layer_height);
+    if (low >= 0 && (first_cut >= slices_ || first_cut == cut_below)) return {};
+    return Error{ErrorCode::kBadPart,
+                 name + ": it reaches down to " + mm_text(low) + " mm, below layer " +
+                     std::to_string(slices_ + 1) +
+                     " that has been reached: the facets do not come in order of height; say "
+                     "--sorted no"};
+  }
+
+  MeshInput mesh_;
   core::Settings settings_;
+  OpenOptions options_;
+  std::size_t window_;
+  MeshSurvey survey_;
   PartSummary summary_;
   PartCounters counters_;
-  MeshSorter sorter_;
-  Extent extent_;
-  std::int64_t highest_cut_ = std::numeric_limits<std::int64_t>::min();
   Shift shift_;
+  std::vector<Triangle> ahead_;  // the look-ahead, until it is known what becomes of it
   std::vector<Triangle> batch_;
   std::size_t next_in_batch_ = 0;
+  bool ended_ = false;      // all has been read
+  bool surveyed_ = false;   // it is read for the second time
+  bool streaming_ = false;  // it is sliced as it comes
+  std::optional<MeshSorter> sorter_;
+  ReorderWindow window_held_;
   std::optional<core::PlaneSweep> sweep_;
+  core::LayerIndex slices_ = 0;  // asked for
 };
 
 }  // namespace
 
-Result<OpenedPart> open_mesh(MeshInput mesh, const core::Settings& settings) {
-  auto layers = std::make_unique<MeshLayers>(std::move(mesh.triangles), mesh.name, settings);
-  if (Status prepared = layers->prepare(); !prepared.ok()) return prepared.error();
+Result<OpenedPart> open_mesh(MeshInput mesh, const core::Settings& settings,
+                             const OpenOptions& options) {
+  auto layers = std::make_unique<MeshLayers>(std::move(mesh), settings, options);
+  if (Status looked = layers->look_ahead(); !looked.ok()) return looked.error();
   OpenedPart part;
   part.summary = layers->summary();
-  part.counters = [source = layers.get()] { return source->counters(); };
+  MeshLayers* source = layers.get();
+  if (!source->ready()) part.read_rest = [source] { return source->read_rest(); };
+  part.counters = [source] { return source->counters(); };
   part.layers = std::move(layers);
   return part;
 }

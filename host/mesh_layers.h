@@ -1,9 +1,14 @@
-// Slices of a mesh: its triangles are sorted by lowest z, set on the bed, and swept upward.
+// Slices of a mesh: its triangles are brought in order of lowest z, set on the bed, swept upward.
 //
-//     TriangleSource ──> MeshSorter ──> PlaneSweep ──> slices
+//     look ahead ─┬─ all of it ───────────────────────────> sorted in memory
+//                 ├─ a file, so far in order ─ surveyed ──> read a second time, as the sweep asks
+//                 ├─ a pipe, so far in order, trusted ────> read as the sweep asks
+//                 └─ otherwise ─ read to the end ─────────> MeshSorter, in its budget
 //
-// A mesh has to be read to its end before its first slice, because facets come in any order;
-// nothing of it is built in memory but triangles sorted by lowest z.
+// Nothing is known of a mesh before all of it was seen, so a file in order is read twice: that is
+// what its place on the bed, its layers and the checks before the print rest on. Of a pipe that is
+// sliced as it comes only the look-ahead (kReorderTriangles) is known: it decides the place on the
+// bed, and every later facet is checked when it arrives.
 #pragma once
 
 #include <functional>
@@ -12,20 +17,23 @@
 
 #include "core/result.h"           // Result
 #include "core/settings.h"         // Settings
-#include "host/opened_part.h"      // OpenedPart
+#include "host/opened_part.h"      // OpenedPart, OpenOptions
 #include "host/triangle_source.h"  // TriangleSource
 
 namespace host {
+
+using TriangleOpener = std::function<core::Result<std::unique_ptr<TriangleSource>>()>;
 
 struct MeshInput {
   std::string name;  // stands in errors
   std::unique_ptr<TriangleSource> triangles;
   // Opens the same triangles once more, from the begin; empty where they can be read only once, as
   // from a pipe.
-  std::function<core::Result<std::unique_ptr<TriangleSource>>()> again;
+  TriangleOpener again;
 };
 
-// Errors are open_part()'s (part_file.h).
-[[nodiscard]] core::Result<OpenedPart> open_mesh(MeshInput mesh, const core::Settings& settings);
+// Reads the look-ahead. Errors are open_part()'s (part_file.h), then or in read_rest().
+[[nodiscard]] core::Result<OpenedPart> open_mesh(MeshInput mesh, const core::Settings& settings,
+                                                 const OpenOptions& options);
 
 }  // namespace host

@@ -12,7 +12,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -55,15 +54,16 @@ struct LinkOutcome {
 };
 
 struct MonitorOptions {
-  core::LayerIndex layers = 0;      // of the part, for the progress
   double began_s = 0;               // steady_seconds() when the program began
   std::function<int()> stop_count;  // signals so far
   std::function<std::int64_t()> slices_cut;
+  std::function<core::LayerIndex()> layers;            // of the part; 0: not known yet
+  std::function<std::vector<std::string>()> warnings;  // since it was asked last
 };
 
 class Monitor {
  public:
-  // REQUIRES: all outlive the monitor; both functions set.
+  // REQUIRES: all outlive the monitor; all functions set.
   Monitor(const core::Settings& settings, MonitorOptions options, firmware_link::BytePort& port,
           CommandQueue& queue, Reporter& reporter);
 
@@ -79,7 +79,6 @@ class Monitor {
   void feed(firmware_link::Instant now);
   void take(const QueuedCommand& queued, firmware_link::Instant now);
   void note_acknowledged();
-  void tell_events();
   void report_progress();
   [[nodiscard]] std::vector<firmware_link::Command> safe_sequence() const;
   [[nodiscard]] LinkOutcome stop(LinkEnd end);
@@ -96,9 +95,7 @@ class Monitor {
   firmware_link::Session session_;
   LinkStatistics statistics_;
 
-  QueuedCommand last_;                    // taken last
-  std::optional<QueuedCommand> waiting_;  // popped, not taken
-  bool unchecked_road_ = false;           // since the position was asked for
+  QueuedCommand last_;  // taken last
   std::int64_t taken_ = 0;
   std::int64_t first_road_ = 0;  // counts as taken_ does; 0: none yet
   std::int64_t z_um_ = -1;       // told last; -1: unknown

@@ -1,6 +1,7 @@
 // A part that is ready to be sliced: what is known of it, and where its slices come from.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -8,12 +9,24 @@
 #include <vector>
 
 #include "core/geometry.h"      // Box
+#include "core/result.h"        // Result
 #include "core/units.h"         // LayerIndex, Length
 #include "host/layer_source.h"  // LayerSource
+#include "host/limits.h"        // kSortBytesDefault
 
 namespace host {
 
-// What is known of a part before its first slice.
+// How a part is to be opened.
+struct OpenOptions {
+  // For sorting a mesh. REQUIRES: >= kSortBytesMin (limits.h)
+  std::size_t sort_bytes = kSortBytesDefault;
+  // A mesh that comes through a pipe in order of height may be sliced as it comes. The begin of it
+  // is looked at; if a facet comes too late all the same, layers->next() ends with an error.
+  bool stream_pipes = false;
+};
+
+// What is known of a part before its first slice. One that is sliced as it comes through a pipe is
+// known only as far as it was read: `layers` and `height` are 0 then.
 struct PartSummary {
   std::string format;           // "binary STL", "ASCII STL"
   std::int64_t facets = 0;      // in the file
@@ -30,10 +43,14 @@ struct PartCounters {
   double read_cpu_s = 0;
   double sort_cpu_s = 0;
   double slice_cpu_s = 0;
+  std::int64_t spilled_bytes = 0;  // written to the temporary file for sorting
 };
 
 struct OpenedPart {
   PartSummary summary;
+  // Reads what has to be read before the first slice, and checks it; gives the whole summary.
+  // Empty: there is nothing left to read. REQUIRES: called once, before layers->next().
+  std::function<core::Result<PartSummary>()> read_rest;
   std::unique_ptr<LayerSource> layers;
   std::function<PartCounters()> counters;  // valid as long as `layers`
 };

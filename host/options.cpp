@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <sstream>
 
@@ -71,6 +72,24 @@ void add_part(CLI::App& command, Options& options) {
   command.add_option("PART", options.part, "the part's file, or - for standard input")
       ->required()
       ->type_name("");
+  command
+      .add_option("--memory", options.sort_bytes,
+                  "for sorting a mesh, as 8M or 512k; what it can't hold goes to a file in $TMPDIR")
+      ->type_name("BYTES")
+      ->transform(CLI::AsSizeValue(false))
+      ->check(CLI::Range(kSortBytesMin, std::size_t{1} << 40).description(""));
+}
+
+void add_sorted(CLI::App& command, Options& options) {
+  static const std::map<std::string, PipeSorted> kWords = {
+      {"auto", PipeSorted::kAuto}, {"yes", PipeSorted::kYes}, {"no", PipeSorted::kNo}};
+  command
+      .add_option(
+          "--sorted", options.sorted,
+          "whether a mesh from a pipe is in order of height, so that it can be sliced as it "
+          "comes: yes, no, or auto (slice: if it begins so; print: no)")
+      ->type_name("WORD")
+      ->transform(CLI::CheckedTransformer(kWords));
 }
 
 void add_reports(CLI::App& command, Options& options) {
@@ -83,6 +102,7 @@ void add_reports(CLI::App& command, Options& options) {
 CLI::App* add_print(CLI::App& app, Options& options) {
   CLI::App* command = app.add_subcommand("print", "print a part while it is being sliced");
   add_part(*command, options);
+  add_sorted(*command, options);
   command
       ->add_option("--port", options.port,
                    "serial device of the printer, or 'virtual': a controller inside this "
@@ -107,6 +127,7 @@ CLI::App* add_print(CLI::App& app, Options& options) {
 CLI::App* add_slice(CLI::App& app, Options& options, std::string& format) {
   CLI::App* command = app.add_subcommand("slice", "write what would be printed to a file");
   add_part(*command, options);
+  add_sorted(*command, options);
   command->add_option("-o,--output", options.output, "OUT.gcode, OUT.cli, or - for standard output")
       ->type_name("OUT")
       ->required();

@@ -2,6 +2,7 @@
 // checked where they are known (settings_table.h).
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -9,11 +10,20 @@
 #include <variant>
 #include <vector>
 
-#include "core/units.h"  // LayerIndex
+#include "core/units.h"   // LayerIndex
+#include "host/limits.h"  // kSortBytesDefault
 
 namespace host {
 
 enum class Subcommand { kPrint, kSlice, kPlan, kShow, kPorts, kSettings };
+
+// Whether a mesh that comes through a pipe is taken to be in order of height, so that it can be
+// sliced as it comes. A wrong yes ends in mid-part, a needless no costs time and disk.
+enum class PipeSorted {
+  kAuto,  // slice: yes when it begins so; print: no
+  kYes,   // when it begins so
+  kNo,
+};
 
 enum class OutputFormat { kGcode, kCli };
 
@@ -39,6 +49,9 @@ struct Options {
   OutputFormat format = OutputFormat::kGcode;
   core::LayerIndex layer = 0;  // 0: none, a section is asked for
   std::optional<SectionPlace> section;
+
+  std::size_t sort_bytes = kSortBytesDefault;
+  PipeSorted sorted = PipeSorted::kAuto;
 
   // Settings: the profile first, then these in the order they were typed, shortcuts included.
   std::string profile;  // empty: none

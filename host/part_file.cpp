@@ -21,7 +21,8 @@ Result<std::unique_ptr<TriangleSource>> open_triangles(InputFile file) {
 
 }  // namespace
 
-Result<OpenedPart> open_part(const std::string& path, const core::Settings& settings) {
+Result<OpenedPart> open_part(const std::string& path, const core::Settings& settings,
+                             const OpenOptions& options) {
   Result<InputFile> file = InputFile::open(path);
   if (!file.ok()) return file.error();
   const std::string name = file.value().name();
@@ -36,7 +37,18 @@ Result<OpenedPart> open_part(const std::string& path, const core::Settings& sett
       return open_triangles(std::move(reopened).value());
     };
   }
-  return open_mesh(std::move(mesh), settings);
+  return open_mesh(std::move(mesh), settings, options);
+}
+
+Result<OpenedPart> open_whole_part(const std::string& path, const core::Settings& settings,
+                                   const OpenOptions& options) {
+  Result<OpenedPart> part = open_part(path, settings, options);
+  if (!part.ok() || !part.value().read_rest) return part;
+  Result<PartSummary> summary = part.value().read_rest();
+  if (!summary.ok()) return summary.error();
+  part.value().summary = std::move(summary).value();
+  part.value().read_rest = nullptr;
+  return part;
 }
 
 }  // namespace host

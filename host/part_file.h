@@ -8,14 +8,21 @@
 
 #include "core/result.h"       // Result
 #include "core/settings.h"     // Settings
-#include "host/opened_part.h"  // OpenedPart
+#include "host/opened_part.h"  // OpenedPart, OpenOptions
 
 namespace host {
 
 // `path` may be "-" for standard input. Errors name the file, the place, the cause and what to do:
 // kUnreadable for the file itself, kBadPart for its content and for a part without height or
 // thinner than a layer, kOutOfBounds for one larger than the bed, the axis or the coordinates.
+// Some of these come from OpenedPart::read_rest(), where there is more to read than a look ahead.
 [[nodiscard]] core::Result<OpenedPart> open_part(const std::string& path,
-                                                 const core::Settings& settings);
+                                                 const core::Settings& settings,
+                                                 const OpenOptions& options = {});
+
+// With the rest read.
+[[nodiscard]] core::Result<OpenedPart> open_whole_part(const std::string& path,
+                                                       const core::Settings& settings,
+                                                       const OpenOptions& options = {});
 
 }  // namespace host

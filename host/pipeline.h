@@ -25,6 +25,7 @@
 #include "firmware_link/command.h"  // Command
 #include "host/part_file.h"         // OpenedPart
 #include "host/statistics.h"        // GeometryStatistics
+#include "host/warning_box.h"       // WarningBox
 
 namespace host {
 
@@ -48,12 +49,15 @@ struct PipelineOutputs {
 struct PipelineSignals {
   std::function<bool()> stop_asked;          // asked on each layer; may be empty
   std::atomic<std::int64_t> slices_cut = 0;  // told to others
+  std::atomic<core::LayerIndex> layers = 0;  // of the part; 0: not known yet, or at all
+  WarningBox warnings;                       // met on the way
 };
 
 enum class PipelineEnd { kDone, kStopped };
 
 // Runs the part through to its end, or until an output or a signal stops it.
 //
+// Where the part has to be read to its end before its first slice, the heaters are turned on first.
 // Errors are the source's own, and: no road fits anywhere (nothing was sent to on_motion then);
 // a road would leave the bed (told on the first layer, before anything was sent).
 // COSTS: at most 2T + 1 layers and 2T partial intersections held (wall_splitter.h).

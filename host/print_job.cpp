@@ -71,7 +71,8 @@ GeometryOutcome run_geometry(const PrintRequest& request, CommandQueue& queue,
 
 std::string where(const LinkOutcome& link, core::LayerIndex layers) {
   if (link.layer == 0) return "before the first road";
-  return fmt::format("at layer {} of {}, height {:.2f} mm", link.layer, layers, link.height.mm());
+  const std::string of = layers > 0 ? fmt::format(" of {}", layers) : "";
+  return fmt::format("at layer {}{}, height {:.2f} mm", link.layer, of, link.height.mm());
 }
 
 std::string told(std::string message, const std::string& measures) {
@@ -120,7 +121,8 @@ PrintOutcome print_part(const PrintRequest& request) {
   std::thread thread([&] { geometry = run_geometry(request, queue, signals); });
   LinkOutcome link;
   MonitorOptions options;
-  options.layers = request.job.part.summary.layers;
+  options.layers = [&signals] { return signals.layers.load(); };
+  options.warnings = [&signals] { return signals.warnings.take(); };
   options.began_s = request.began_s;
   options.stop_count = request.stop_count;
   options.slices_cut = [&signals] { return signals.slices_cut.load(); };
@@ -134,6 +136,9 @@ PrintOutcome print_part(const PrintRequest& request) {
   link_ended.store(true);
   queue.close();
   thread.join();
+  for (const std::string& warning : signals.warnings.take()) {
+    request.reporter.note("warning", warning);
+  }
 
   PrintOutcome outcome;
   conclude(link, geometry, request, outcome);

@@ -42,8 +42,10 @@ std::string duration_text(double seconds) {
 }
 
 std::string progress_line(const ProgressReport& report) {
-  std::string line = fmt::format("layer {}/{} | {:.1f} mm | {:.0f} %", report.layer, report.layers,
-                                 report.height.mm(), 100 * share_done(report));
+  std::string line = report.layers > 0
+                         ? fmt::format("layer {}/{} | {:.1f} mm | {:.0f} %", report.layer,
+                                       report.layers, report.height.mm(), 100 * share_done(report))
+                         : fmt::format("layer {} | {:.1f} mm", report.layer, report.height.mm());
   line += report.left_s ? " | " + duration_text(*report.left_s) + " left"
                         : " | " + duration_text(report.elapsed_s);
   if (report.filament_mm > 0) line += fmt::format(" | {:.2f} m", report.filament_mm / 1'000);

@@ -15,8 +15,8 @@ namespace host {
 
 // Where a print stands. What isn't known is not set.
 struct ProgressReport {
-  core::LayerIndex layer = 0;  // counted from 1
-  core::LayerIndex layers = 0;
+  core::LayerIndex layer = 0;   // counted from 1
+  core::LayerIndex layers = 0;  // 0: not known
   core::Length height;
   double filament_mm = 0;
   double elapsed_s = 0;

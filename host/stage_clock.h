@@ -53,4 +53,17 @@ class StageClock {
 [[nodiscard]] double process_cpu_seconds();
 [[nodiscard]] double steady_seconds();
 
+// Adds the calling thread's processor time during its own life.
+class CpuTimer {
+ public:
+  explicit CpuTimer(double& seconds) : seconds_(seconds), begin_s_(thread_cpu_seconds()) {}
+  ~CpuTimer() { seconds_ += thread_cpu_seconds() - begin_s_; }
+  CpuTimer(const CpuTimer&) = delete;
+  CpuTimer& operator=(const CpuTimer&) = delete;
+
+ private:
+  double& seconds_;
+  double begin_s_;
+};
+
 }  // namespace host

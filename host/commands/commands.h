@@ -24,7 +24,8 @@ int settings_command(const Options& options, Reporter& reporter);
 [[nodiscard]] core::Result<core::Settings> load_settings_of(const Options& options,
                                                             Reporter& reporter);
 
-// Settings and part, both checked: nothing that can be known beforehand is wrong with them.
+// Settings and part, both checked; but a print may have the rest of its part still to read
+// (OpenedPart::read_rest).
 [[nodiscard]] core::Result<Job> open_job(const Options& options, Reporter& reporter);
 
 // What was mended in the part, if anything.

@@ -40,7 +40,15 @@ core::Result<core::Settings> load_settings_of(const Options& options, Reporter& 
 core::Result<Job> open_job(const Options& options, Reporter& reporter) {
   core::Result<core::Settings> settings = load_settings_of(options, reporter);
   if (!settings.ok()) return settings.error();
-  core::Result<OpenedPart> part = open_part(options.part, settings.value());
+  const bool prints = options.subcommand == Subcommand::kPrint;
+  const bool sliced = options.subcommand == Subcommand::kSlice;
+  OpenOptions open;
+  open.sort_bytes = options.sort_bytes;
+  open.stream_pipes =
+      options.sorted == PipeSorted::kYes || (options.sorted == PipeSorted::kAuto && sliced);
+  // A print reads the rest with its heaters on already.
+  core::Result<OpenedPart> part = prints ? open_part(options.part, settings.value(), open)
+                                         : open_whole_part(options.part, settings.value(), open);
   if (!part.ok()) return part.error();
   const PartSummary& summary = part.value().summary;
   for (const std::string& warning : summary.warnings) reporter.note("warning", warning);

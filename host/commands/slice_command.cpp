@@ -24,9 +24,10 @@ class SliceFile {
     if (format_ == OutputFormat::kCli) {
       write_cli_header(job.part.summary.layers, text_);
     } else {
-      text_ = fmt::format("; sliced by rind, {} layers, {:g} mm roads, {:g} mm wall\n",
-                          job.part.summary.layers, job.settings.road_width.mm(),
-                          job.settings.wall_thickness.mm());
+      const core::LayerIndex layers = job.part.summary.layers;
+      text_ = fmt::format("; sliced by rind, {}{:g} mm roads, {:g} mm wall\n",
+                          layers > 0 ? fmt::format("{} layers, ", layers) : "",
+                          job.settings.road_width.mm(), job.settings.wall_thickness.mm());
     }
   }
 

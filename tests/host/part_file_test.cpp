@@ -17,6 +17,7 @@ using core::ErrorCode;
 using core::Length;
 using core::Settings;
 using host::open_part;
+using host::open_whole_part;
 using host::OpenedPart;
 
 namespace {
@@ -39,14 +40,14 @@ std::vector<core::Slice> all_slices(OpenedPart& part) {
 
 OpenedPart opened(const test::TemporaryFolder& folder, const parts::Part& part,
                   const Settings& settings) {
-  auto result = open_part(folder.write("part.stl", binary(part)), settings);
+  auto result = open_whole_part(folder.write("part.stl", binary(part)), settings);
   REQUIRE_MESSAGE(result.ok(), (result.ok() ? "" : result.error().message));
   return std::move(result).value();
 }
 
 void check_refused(const std::string& path, const Settings& settings, ErrorCode code,
                    const std::vector<std::string>& texts) {
-  const auto result = open_part(path, settings);
+  const auto result = open_whole_part(path, settings);
   REQUIRE_FALSE(result.ok());
   CHECK_EQ(result.error().code, code);
   CAPTURE(result.error().message);
@@ -113,7 +114,7 @@ TEST_CASE("a text and a binary file of one part give the same slices") {
   std::ostringstream text;
   parts::write_ascii_stl(parts::dome(10, 24, 8), text);
   OpenedPart from_binary = opened(folder, parts::dome(10, 24, 8), settings);
-  auto from_text = open_part(folder.write("text", text.str()), settings);
+  auto from_text = open_whole_part(folder.write("text", text.str()), settings);
   REQUIRE(from_text.ok());
   CHECK_EQ(from_text.value().summary.format, "ASCII STL");
   const std::vector<core::Slice> a = all_slices(from_binary), b = all_slices(from_text.value());
@@ -136,8 +137,9 @@ TEST_CASE("parts that can't be printed are refused with their measures") {
   refused(parts::box({0, 0, 0}, 20, 20, 10), ErrorCode::kOutOfBounds,
           {"10 mm", "9.9 mm", "axis_z"});
   settings.axis_z = Length::from_mm(10);
-  CHECK(open_part(folder.write("part.stl", binary(parts::box({0, 0, 0}, 20, 20, 10))), settings)
-            .ok());
+  CHECK(
+      open_whole_part(folder.write("part.stl", binary(parts::box({0, 0, 0}, 20, 20, 10))), settings)
+          .ok());
   settings.centre = false;
   settings.part_x = Length::from_mm(290);
   refused(parts::box({0, 0, 0}, 20, 20, 10), ErrorCode::kOutOfBounds, {"290 … 310", "part_x"});
@@ -204,7 +206,7 @@ TEST_CASE("'-' is standard input, a pipe included") {
   const int before = ::dup(STDIN_FILENO);
   ::dup2(ends[0], STDIN_FILENO);
   ::close(ends[0]);
-  auto part = open_part("-", Settings());
+  auto part = open_whole_part("-", Settings());
   ::dup2(before, STDIN_FILENO);
   ::close(before);
   REQUIRE(part.ok());

@@ -1,0 +1,48 @@
+// Where a mesh comes to lie on the bed, and whether it fits there.
+//
+// Lowest point at height 0; in the plane the middle of its box at the middle of the bed, or the
+// box's lowest corner where the settings say.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+
+#include "core/geometry.h"  // Box, Point, Triangle
+#include "core/result.h"    // Status
+#include "core/settings.h"  // Settings
+
+namespace host {
+
+// Where a mesh is, in its own coordinates. Empty at birth.
+struct MeshExtent {
+  core::Box box;
+  std::int64_t lowest_z = std::numeric_limits<std::int64_t>::max();
+  std::int64_t highest_z = std::numeric_limits<std::int64_t>::min();
+
+  void add(const core::Triangle& triangle);
+  [[nodiscard]] bool holds(const core::Triangle& triangle) const;
+};
+
+struct Shift {
+  std::int64_t x = 0;
+  std::int64_t y = 0;
+  std::int64_t z = 0;
+};
+
+// REQUIRES: the extent is not empty.
+[[nodiscard]] Shift shift_to_bed(const MeshExtent& extent, const core::Settings& settings);
+
+// REQUIRES: the extent of all that is shifted passed check_on_bed().
+[[nodiscard]] core::Triangle shifted(core::Triangle triangle, const Shift& shift);
+[[nodiscard]] core::Box shifted(const core::Box& box, const Shift& shift);
+
+// kOutOfBounds for a mesh that is larger than the bed or the axis, or would lie outside; the
+// message gives its measures and what to do, and begins with `name`.
+[[nodiscard]] core::Status check_on_bed(const MeshExtent& extent, const Shift& shift,
+                                        const core::Settings& settings, const std::string& name);
+
+// "12.3", without zeros at the end.
+[[nodiscard]] std::string mm_text(std::int64_t units);
+
+}  // namespace host
