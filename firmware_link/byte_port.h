@@ -21,6 +21,10 @@ class BytePort {
   [[nodiscard]] virtual std::size_t read(std::span<std::byte> into, int timeout_ms) = 0;
 
   [[nodiscard]] virtual PortState state() const = 0;
+
+  // Pulls the modem line (DTR) that resets most boards: the last resort when a controller does not
+  // listen. False where there is no such line.
+  [[nodiscard]] virtual bool reset_device() { return false; }
 };
 
 }  // namespace firmware_link

@@ -40,6 +40,9 @@ static_assert(kHistoryLinesMax >= 2 * kWindowLinesMax);
 // Marlin's M115 answer begins with one of about 250 bytes.
 inline constexpr std::size_t kReplyBytesMax = 512;
 
+// Events that wait for the host, at most; older ones are dropped.
+inline constexpr std::size_t kEventsMax = 16;
+
 // Marlin's BLOCK_BUFFER_SIZE, of which one stays empty.
 inline constexpr std::size_t kPlannerBlocks = 16;
 

@@ -25,6 +25,13 @@ std::string_view trim(std::string_view text) {
   return text;
 }
 
+bool is_letter(char c) { return c >= 'A' && c <= 'Z'; }
+
+bool is_move(std::string_view text) {
+  return text.size() > 3 && text[0] == 'G' && text[1] >= '0' && text[1] <= '3' &&
+         (text[2] == ' ' || is_letter(text[2]));
+}
+
 class TextWriter {
  public:
   explicit TextWriter(TextBuffer& into) : begin_(into.data()), at_(into.data()) {}
@@ -152,6 +159,34 @@ std::string_view encode(const Command& command, TextBuffer& into) {
   return writer.text();
 }
 
+std::string_view shortened(std::string_view text, TextBuffer& into) {
+  LINK_CHECK(text.size() <= into.size());
+  if (!is_move(text) || text[2] != ' ') return text;
+  std::size_t size = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char next = i + 1 < text.size() ? text[i + 1] : '\0';
+    if (text[i] == ' ' && next != 'E') continue;
+    const char before = i > 0 ? text[i - 1] : '\0';
+    const bool begins_number = is_letter(before) || before == '-';
+    if (text[i] == '0' && next == '.' && begins_number) continue;
+    into[size++] = text[i];
+  }
+  return {into.data(), size};
+}
+
+std::string_view spelled_out(std::string_view text, SpelledBuffer& into) {
+  if (!is_move(text) || text.size() > kLineBytesMax) return text;
+  std::size_t size = 0;
+  // At most two characters for each of the text's.
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char before = i > 0 ? text[i - 1] : ' ';
+    if (is_letter(text[i]) && before != ' ') into[size++] = ' ';
+    if (text[i] == '.' && (is_letter(before) || before == '-')) into[size++] = '0';
+    into[size++] = text[i];
+  }
+  return {into.data(), size};
+}
+
 std::uint8_t checksum_of(std::string_view bytes) {
   std::uint8_t sum = 0;
   for (const char c : bytes) sum = static_cast<std::uint8_t>(sum ^ static_cast<std::uint8_t>(c));
@@ -166,7 +201,6 @@ std::string_view number_line(std::int32_t number, std::string_view text, LineBuf
   char* at = begin;
   *at++ = 'N';
   at = std::to_chars(at, limit, number).ptr;
-  *at++ = ' ';
   std::memcpy(at, text.data(), text.size());
   at += text.size();
   const std::uint8_t sum = checksum_of({begin, static_cast<std::size_t>(at - begin)});

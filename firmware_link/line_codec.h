@@ -1,8 +1,8 @@
 // Commands as lines of G-code, and lines taken apart again.
 //
 //     Move{x 10500 µm, e 1230}   ->  "G1 X10.5 E0.0123"      the text; goes to .gcode files as it
-//     is line 12 of it              ->  "N12 G1 X10.5 E0.0123*104"      goes over the wire, with a
-//     \n
+//     shortened()                   ->  "G1X10.5 E.0123"
+//     is line 12 of it              ->  "N12G1X10.5 E.0123*23"     goes over the wire, with a \n
 //
 // The checksum is the exclusive or of all bytes before the `*`. Numbers come in their shortest
 // form that every firmware and viewer reads: no trailing zeros, a zero before the point.
@@ -32,7 +32,16 @@ inline constexpr std::size_t kSetFanBytesMax = 4 + 2 + 3;
 // REQUIRES: numbers within the bounds that command.h states.
 [[nodiscard]] std::string_view encode(const Command& command, TextBuffer& into);
 
-// Puts number and checksum around a text: "N12 text*104", without a newline.
+// The same move in fewer bytes: no blanks but before E, because "Y3E2" would be read as 300 by
+// some; no zero before a point. Texts other than moves (G0 … G3) come back as they are.
+[[nodiscard]] std::string_view shortened(std::string_view text, TextBuffer& into);
+
+// The inverse, for readers of a log: blanks and zeros as encode() writes them. Texts other than
+// moves come back as they are. Never fails; a text too long is not changed.
+using SpelledBuffer = std::array<char, 2 * kLineBytesMax>;
+[[nodiscard]] std::string_view spelled_out(std::string_view text, SpelledBuffer& into);
+
+// Puts number and checksum around a text: "N12text*104", without a newline.
 // REQUIRES: 0 <= number <= kResyncLineNumber, text.size() <= kTextBytesMax.
 // ENSURES: at most kLineBytesMax bytes.
 [[nodiscard]] std::string_view number_line(std::int32_t number, std::string_view text,

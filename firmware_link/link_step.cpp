@@ -14,4 +14,18 @@ void step(Session& session, BytePort& port, Instant now, int timeout_ms) {
   if (port.state() == PortState::kLost) session.port_lost("the port was lost: unplugged?");
 }
 
+Halt halt(const Session& session, BytePort& port, int wait_ms, int attempts) {
+  std::span<const std::byte> bytes = emergency_stop_bytes();
+  for (int i = 0; i < attempts && !bytes.empty() && port.state() == PortState::kOpen; ++i) {
+    bytes = bytes.subspan(port.write(bytes));
+    // Reading is what lets bytes that are on their way move on.
+    std::array<std::byte, 256> answer;
+    (void)port.read(answer, wait_ms);
+  }
+  const bool listens = session.capabilities().emergency_parser;
+  if (bytes.empty() && listens) return Halt::kTold;
+  if (port.state() == PortState::kOpen && port.reset_device()) return Halt::kReset;
+  return bytes.empty() ? Halt::kMaybe : Halt::kNotSent;
+}
+
 }  // namespace firmware_link

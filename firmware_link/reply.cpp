@@ -64,6 +64,17 @@ Temperatures read_temperatures(std::string_view text) {
   return read;
 }
 
+// The first of each: behind "Count" they come again, in steps.
+Position read_position(std::string_view text) {
+  text = text.substr(0, text.find("Count"));
+  Position read;
+  read.x_mm = number_behind<double>(text, "X:");
+  read.y_mm = number_behind<double>(text, "Y:");
+  read.z_mm = number_behind<double>(text, "Z:");
+  read.e_mm = number_behind<double>(text, "E:");
+  return read;
+}
+
 Reply plain(Reply::Kind kind, std::string_view text) {
   Reply reply;
   reply.kind = kind;
@@ -145,7 +156,11 @@ Reply read_reply(std::string_view line) {
     reply.temperatures = read_temperatures(rest);
     return reply;
   }
-  if (head.substr(0, 2) == "X:") return plain(Kind::kPosition, rest);
+  if (head.substr(0, 2) == "X:") {
+    Reply reply = plain(Kind::kPosition, rest);
+    reply.position = read_position(rest);
+    return reply;
+  }
   return plain(Kind::kUnknown, rest);
 }
 

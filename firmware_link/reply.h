@@ -30,6 +30,14 @@ struct Temperatures {
   std::optional<double> bed_target_celsius;
 };
 
+// What M114 tells first: the logical position, in mm.
+struct Position {
+  std::optional<double> x_mm;
+  std::optional<double> y_mm;
+  std::optional<double> z_mm;
+  std::optional<double> e_mm;
+};
+
 struct Reply {
   enum class Kind {
     kUnknown,
@@ -62,6 +70,9 @@ struct Reply {
 
   // kTemperatures, and kOk that answers M105.
   Temperatures temperatures;
+
+  // kPosition.
+  Position position;
 
   // What follows the prefix: the error's words, the action, the unknown command. For kUnknown the
   // whole line. Points into the line that was read.

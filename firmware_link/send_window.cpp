@@ -8,16 +8,25 @@ namespace firmware_link {
 
 static_assert(kLineBytesMax + 1 <= UINT8_MAX, "Line::wire_bytes must hold the longest line");
 
-void SendWindow::push(std::string_view text) {
+void SendWindow::push(std::string_view text, bool is_command) {
   LINK_CHECK(all_sent());
   LINK_CHECK(!text.empty() && text.size() <= kTextBytesMax);
-  if (end_ - oldest_ == static_cast<std::int64_t>(kHistoryLinesMax)) ++oldest_;
+  const std::int64_t commands = commands_before(end_);
+  if (end_ - oldest_ == static_cast<std::int64_t>(kHistoryLinesMax)) {
+    commands_forgotten_ = at(oldest_++).commands;
+  }
   // A window is far smaller than the history, so only acknowledged lines are ever forgotten.
   LINK_CHECK(oldest_ <= acknowledged_);
   Line& line = at(end_++);
+  line.commands = commands + (is_command ? 1 : 0);
   std::copy(text.begin(), text.end(), line.text.begin());
   line.size = static_cast<std::uint8_t>(text.size());
   line.wire_bytes = 0;
+}
+
+std::int64_t SendWindow::commands_before(std::int64_t sequence) const {
+  LINK_CHECK(sequence >= oldest_ && sequence <= end_);
+  return sequence == oldest_ ? commands_forgotten_ : at(sequence - 1).commands;
 }
 
 std::string_view SendWindow::next_text() const {
@@ -58,6 +67,11 @@ void SendWindow::restart(std::int64_t sequence) {
 void SendWindow::drop_unsent() {
   end_ = next_to_send_;
   sent_end_ = next_to_send_;
+}
+
+void SendWindow::forget_acknowledged() {
+  commands_forgotten_ = commands_before(acknowledged_);
+  oldest_ = acknowledged_;
 }
 
 }  // namespace firmware_link

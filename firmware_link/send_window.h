@@ -1,5 +1,6 @@
 // The lines between "taken" and "forgotten": which are to be sent, which are in flight, which can
-// still be repeated. A pure state machine; it knows sequence numbers, no wire format.
+// still be repeated, and how many of the host's commands are among them. A pure state machine; it
+// knows sequence numbers, no wire format.
 //
 //     forgotten │ acknowledged, kept │ in flight   │ sent before, or new │
 //     ──────────┼────────────────────┼─────────────┼─────────────────────┼──> sequence number
@@ -32,8 +33,12 @@ class SendWindow {
   [[nodiscard]] std::size_t bytes_in_flight() const { return bytes_in_flight_; }
   [[nodiscard]] bool all_sent() const { return next_to_send_ == end_; }
 
-  // Adds a line behind all others. REQUIRES: all_sent(), text.size() <= kTextBytesMax.
-  void push(std::string_view text);
+  // Adds a line behind all others; `is_command`: it is one of the host's, not the link's own.
+  // REQUIRES: all_sent(), text.size() <= kTextBytesMax.
+  void push(std::string_view text, bool is_command);
+
+  // How many of the host's commands are before that line. REQUIRES: oldest() <= sequence <= end().
+  [[nodiscard]] std::int64_t commands_before(std::int64_t sequence) const;
 
   // The line at next_to_send(). REQUIRES: !all_sent().
   [[nodiscard]] std::string_view next_text() const;
@@ -62,7 +67,7 @@ class SendWindow {
   void drop_never_sent() { end_ = sent_end_; }
 
   // Forgets what is acknowledged: it can no longer be asked for.
-  void forget_acknowledged() { oldest_ = acknowledged_; }
+  void forget_acknowledged();
 
   // One behind the last line that was ever sent.
   [[nodiscard]] std::int64_t sent_end() const { return sent_end_; }
@@ -72,6 +77,7 @@ class SendWindow {
     TextBuffer text{};
     std::uint8_t size = 0;
     std::uint8_t wire_bytes = 0;
+    std::int64_t commands = 0;  // up to and with this line
   };
 
   [[nodiscard]] Line& at(std::int64_t sequence) {
@@ -87,6 +93,7 @@ class SendWindow {
   std::int64_t sent_end_ = 0;
   std::int64_t end_ = 0;
   std::size_t bytes_in_flight_ = 0;
+  std::int64_t commands_forgotten_ = 0;  // before oldest_
   std::array<Line, kHistoryLinesMax> lines_{};
 };
 

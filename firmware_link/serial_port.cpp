@@ -1,6 +1,7 @@
 #include "firmware_link/serial_port.h"
 
 #include <libserialport.h>
+#include <poll.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -99,6 +100,14 @@ std::size_t SerialPort::read(std::span<std::byte> into, int timeout_ms) {
                                                    static_cast<unsigned>(timeout_ms)));
   if (count < 0) state_ = PortState::kLost;
   return static_cast<std::size_t>(std::max(0, count));
+}
+
+// Boards reset where DTR comes on: it goes off first, for as long as a driver needs to see it.
+bool SerialPort::reset_device() {
+  constexpr int kOff_ms = 60;
+  if (sp_set_dtr(device_->port, SP_DTR_OFF) != SP_OK) return false;
+  (void)::poll(nullptr, 0, kOff_ms);
+  return sp_set_dtr(device_->port, SP_DTR_ON) == SP_OK;
 }
 
 std::vector<PortDescription> SerialPort::list() {

@@ -27,6 +27,7 @@ class SerialPort final : public BytePort {
   [[nodiscard]] std::size_t write(std::span<const std::byte> bytes) override;
   [[nodiscard]] std::size_t read(std::span<std::byte> into, int timeout_ms) override;
   [[nodiscard]] PortState state() const override { return state_; }
+  [[nodiscard]] bool reset_device() override;
 
  private:
   struct Device;  // libserialport's

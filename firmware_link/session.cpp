@@ -11,9 +11,6 @@
 namespace firmware_link {
 namespace {
 
-// A greeting begins only when the controller has said all that it says by itself.
-constexpr Duration kBannerQuiet = std::chrono::milliseconds(200);
-
 // What cannot come out of a damaged line, and stops at once any garbage before it.
 constexpr std::string_view kEmergencyStop = "\nM112\n";
 
@@ -33,20 +30,30 @@ Session::Session(std::unique_ptr<Dialect> dialect, const SessionOptions& options
       last_heard_(now),
       last_life_(now),
       last_progress_(now),
-      quiet_since_(now) {
-  LINK_CHECK(rules_.window_lines >= 1 && rules_.window_lines <= kWindowLinesMax);
+      quiet_since_(now),
+      last_polled_(now) {
+  LINK_CHECK(rules_.numbered && rules_.window_lines >= 1 && rules_.window_lines <= kWindowLinesMax);
   LINK_CHECK(rules_.window_bytes > kLineBytesMax && rules_.window_bytes <= kWindowBytesMax);
   LINK_CHECK(options_.line_number_max >= 1 && options_.line_number_max <= kLineNumberMax);
 }
 
-bool Session::can_take() const { return state_ == SessionState::kStreaming && window_.all_sent(); }
+bool Session::can_take() const {
+  return state_ == SessionState::kStreaming && window_.all_sent() && !own_line_due();
+}
 
-void Session::take(const Command& command, Instant now) {
-  LINK_CHECK(can_take());
-  TextBuffer buffer;
-  window_.push(encode(command, buffer));
-  ++statistics_.commands_taken;
-  pump(now);
+void Session::take(const Command& command, Instant now) { give(command, true, now); }
+
+void Session::insert(const Command& command, Instant now) { give(command, false, now); }
+
+std::int32_t Session::accepted_line() const {
+  return static_cast<std::int32_t>(
+      std::max<std::int64_t>(0, wire_number(window_.acknowledged()) - 1));
+}
+
+std::optional<std::int64_t> Session::commands_through_line(std::int32_t line) const {
+  const std::int64_t sequence = line + numbering_base_ + 1;
+  if (sequence < window_.oldest() || sequence > window_.end()) return std::nullopt;
+  return window_.commands_before(sequence);
 }
 
 void Session::finish(Instant now) {
@@ -72,7 +79,8 @@ void Session::written(std::size_t count, Instant now) {
 
 void Session::tick(Instant now) {
   if (ended()) return;
-  if (phase_ == Phase::kBanner || phase_ == Phase::kGreeting) {
+  planner_.advance(now);
+  if (phase_ == Phase::kBanner || phase_ == Phase::kGreeting || phase_ == Phase::kSettling) {
     tick_greeting(now);
   } else {
     if (recovering_ && output().empty() && now - quiet_since_ >= rules_.quiet_after_resend) {
@@ -80,9 +88,11 @@ void Session::tick(Instant now) {
       last_life_ = last_progress_ = now;
     }
     tick_silence(now);
+    tick_watch(now);
   }
   if (state_ == SessionState::kStopping && now - stop_began_ > options_.stop_limit) {
-    fault("the controller did not acknowledge the stop within " + seconds_text(options_.stop_limit),
+    fault(FaultKind::kStop,
+          "the controller did not acknowledge the stop within " + seconds_text(options_.stop_limit),
           true);
   }
   settle(now);
@@ -97,6 +107,8 @@ void Session::stop_now(std::span<const Command> safe_sequence, Instant now) {
   for (std::size_t i = 0; i < safe_count_; ++i) {
     safe_sizes_[i] = static_cast<std::uint8_t>(encode(safe_sequence[i], safe_texts_[i]).size());
   }
+  wishes_ = {};
+  question_.reset();
   if (state_ == SessionState::kConnecting || state_ == SessionState::kFaulted) {
     if (controller_may_live_) put_safe_sequence();
     if (state_ == SessionState::kConnecting) state_ = SessionState::kStopped;
@@ -116,15 +128,15 @@ void Session::stop_now(std::span<const Command> safe_sequence, Instant now) {
 }
 
 void Session::port_lost(const std::string& reason) {
-  if (!ended()) fault(reason, false);
+  if (!ended()) fault(FaultKind::kPortLost, reason, false);
 }
 
 SessionStatistics Session::statistics() const {
   SessionStatistics now = statistics_;
-  const std::int64_t end = end_of_commands_.value_or(window_.end());
-  now.commands_sent = std::max<std::int64_t>(0, std::min(window_.sent_end(), end) - first_command_);
-  now.commands_acknowledged =
-      std::max<std::int64_t>(0, std::min(window_.acknowledged(), end) - first_command_);
+  now.commands_sent = window_.commands_before(window_.sent_end());
+  now.commands_acknowledged = accepted();
+  now.events_dropped = events_.dropped();
+  now.planner_low_s = std::chrono::duration<double>(planner_.low()).count();
   now.lines_in_flight = window_.lines_in_flight();
   now.bytes_in_flight = window_.bytes_in_flight();
   now.replies_cut = splitter_.lines_cut();
@@ -136,7 +148,8 @@ bool Session::ended() const {
          state_ == SessionState::kStopped;
 }
 
-void Session::fault(const std::string& why, bool controller_may_live) {
+void Session::fault(FaultKind kind, const std::string& why, bool controller_may_live) {
+  fault_kind_ = kind;
   state_ = SessionState::kFaulted;
   reason_ = why;
   controller_may_live_ = controller_may_live;
@@ -166,40 +179,6 @@ void Session::put_safe_sequence() {
   }
 }
 
-void Session::tick_greeting(Instant now) {
-  const bool quiet = now - last_heard_ >= kBannerQuiet;
-  if (phase_ == Phase::kBanner) {
-    if (quiet && (start_seen_ || now - phase_began_ >= options_.banner_wait)) greet(now);
-    return;
-  }
-  const bool late = now - std::max(phase_began_, last_progress_) >= options_.greeting_wait;
-  if (!late && !(greeting_refused_ && quiet)) return;
-  if (greetings_ < options_.greetings_max) {
-    greet(now);
-    return;
-  }
-  fault(start_seen_ ? "the controller said `start` but does not answer M110; is the baud right?"
-                    : "no answer from the controller: is it the right port, and the right baud?",
-        true);
-}
-
-void Session::greet(Instant now) {
-  phase_ = Phase::kGreeting;
-  phase_began_ = now;
-  greeting_refused_ = false;
-  skip_next_ok_ = false;
-  ++greetings_;
-  if (output_end_ - output_begin_ + 2 * kLineBytesMax > output_.size()) return;
-  LineBuffer buffer;
-  // The end of line first finishes whatever half line the controller may hold. The number is that
-  // of the line itself, which Marlin sets as it reads it; "M110 N0" would set it again when its
-  // turn in the queue comes, behind lines that an `ok` too many has let in, which were then run
-  // twice.
-  put("\n");
-  put(rules_.numbered ? number_line(0, "M110", buffer) : std::string_view("M115"));
-  put("\n");
-}
-
 void Session::resynchronise(Instant now) {
   last_life_ = last_progress_ = now;
   resync_pending_ = true;
@@ -224,17 +203,22 @@ void Session::tick_silence(Instant now) {
   const Duration waited = rules_.silence_max * (rules_.numbered ? resyncs_in_a_row_ + 1 : 1);
   std::string why = "the controller has not answered for " + seconds_text(waited);
   if (!last_refusal_.empty()) why += "; its last complaint was \"" + last_refusal_ + "\"";
-  fault(why, true);
+  fault(FaultKind::kSilence, why, true);
 }
 
 // Moves to the next state when all that this one waits for is there.
 void Session::settle(Instant now) {
-  if (ended() || phase_ == Phase::kBanner || phase_ == Phase::kGreeting) return;
-  const bool idle = window_.all_sent() && window_.lines_in_flight() == 0 && !resync_pending_;
+  if (ended() || (phase_ != Phase::kAsking && phase_ != Phase::kOpen)) return;
+  const bool idle = window_.all_sent() && window_.lines_in_flight() == 0 && !resync_pending_ &&
+                    !own_line_due() && !question_;
   if (phase_ == Phase::kAsking && idle) {
-    phase_ = Phase::kOpen;
-    first_command_ = window_.end();
-    state_ = SessionState::kStreaming;
+    speak_its_dialect();
+    if (settling_needed_) {
+      phase_ = Phase::kSettling;
+      phase_began_ = now;
+      return;
+    }
+    open(now);
   }
   if (recovering_ || resync_pending_ || window_.lines_in_flight() > 0) return;
 
@@ -255,7 +239,7 @@ void Session::settle(Instant now) {
 }
 
 void Session::pump(Instant now) {
-  if (ended() || phase_ == Phase::kBanner || phase_ == Phase::kGreeting) return;
+  if (ended() || (phase_ != Phase::kAsking && phase_ != Phase::kOpen)) return;
   if (state_ == SessionState::kStopping && !end_of_commands_) {
     if (!resync_pending_ && phase_ == Phase::kOpen) resynchronise(now);
     return;
@@ -265,9 +249,9 @@ void Session::pump(Instant now) {
 }
 
 bool Session::send_next(Instant now) {
-  if (window_.all_sent()) {
+  if (window_.all_sent() && !push_own_line()) {
     if (state_ != SessionState::kStopping || safe_next_ == safe_count_) return false;
-    window_.push({safe_texts_[safe_next_].data(), safe_sizes_[safe_next_]});
+    push_own({safe_texts_[safe_next_].data(), safe_sizes_[safe_next_]});
     ++safe_next_;
   }
   const std::int64_t sequence = window_.next_to_send();
@@ -277,18 +261,22 @@ bool Session::send_next(Instant now) {
     return false;
   }
   LineBuffer buffer;
-  const std::string_view line =
-      rules_.numbered ? number_line(static_cast<std::int32_t>(number), window_.next_text(), buffer)
-                      : window_.next_text();
+  // Where nothing is repeated, numbers only have to be some.
+  const auto shown = static_cast<std::int32_t>(
+      rules_.numbered ? number : std::max<std::int64_t>(0, number) % kLineNumberMax);
+  const std::string_view line = rules_.numbered || rules_.checksummed
+                                    ? number_line(shown, window_.next_text(), buffer)
+                                    : window_.next_text();
   const std::size_t bytes = line.size() + 1;
   LINK_CHECK(line.size() <= kLineBytesMax);
-  if (window_.lines_in_flight() >= window_lines()) return false;
+  if (window_.lines_in_flight() >= window_lines() || waiting_line_in_flight()) return false;
   if (window_.bytes_in_flight() + bytes > rules_.window_bytes) return false;
   if (output_end_ - output_begin_ + bytes > output_.size()) return false;
   if (window_.lines_in_flight() == 0) last_life_ = last_progress_ = now;
   if (sequence < window_.sent_end()) ++statistics_.lines_repeated;
   put(line);
   put("\n");
+  ++statistics_.lines_sent;
   window_.sent(bytes);
   confirmed_ = false;
   statistics_.lines_in_flight_max =
@@ -296,6 +284,15 @@ bool Session::send_next(Instant now) {
   statistics_.bytes_in_flight_max =
       std::max(statistics_.bytes_in_flight_max, window_.bytes_in_flight());
   return true;
+}
+
+// Nothing goes behind a command that takes its time: a controller with free slots reads an M112 at
+// once, one whose slots are full not before the command ends (11 s were measured).
+bool Session::waiting_line_in_flight() const {
+  const std::size_t count = window_.lines_in_flight();
+  if (count == 0) return false;
+  const auto last = static_cast<std::size_t>(window_.next_to_send() - 1);
+  return nominal_[last % nominal_.size()].count() < 0;
 }
 
 std::size_t Session::window_lines() const {

@@ -1,5 +1,6 @@
-// One conversation with a controller: greets it, streams lines, recovers from what a wire does to
-// them, stops. A pure state machine: bytes in, bytes out, time as an argument.
+// One conversation with a controller: greets it, finds out how it speaks, streams lines, recovers
+// from what a wire does to them, watches, stops. A pure state machine: bytes in, bytes out, time as
+// an argument.
 //
 //     connecting ──banner, M110, M115──> streaming ──finish()──> finishing ──> finished
 //         │                                  └──────stop_now()──> stopping ───> stopped
@@ -11,6 +12,7 @@
 //     session.written(port.write(session.output()), now);
 //     session.input(bytes read, now);
 //     session.tick(now);
+//     while (auto event = session.next_event()) …
 //
 // Every line that was taken is executed once, in order, or the session ends faulted with a reason;
 // README.md tells how each loss on the wire is met.
@@ -25,95 +27,98 @@
 #include <span>
 #include <string>
 
-#include "firmware_link/command.h"      // Command
-#include "firmware_link/dialect.h"      // Dialect
-#include "firmware_link/instant.h"      // Instant
-#include "firmware_link/reply.h"        // Temperatures, LineSplitter
-#include "firmware_link/send_window.h"  // SendWindow
+#include "firmware_link/capabilities.h"      // Capabilities
+#include "firmware_link/command.h"           // Command
+#include "firmware_link/dialects/dialect.h"  // Dialect
+#include "firmware_link/heater_watch.h"      // HeaterWatch
+#include "firmware_link/instant.h"           // Instant
+#include "firmware_link/planner_watch.h"     // PlannerWatch
+#include "firmware_link/position_watch.h"    // PositionWatch
+#include "firmware_link/reply.h"             // LineSplitter
+#include "firmware_link/send_window.h"       // SendWindow
+#include "firmware_link/session_event.h"     // SessionEvent
+#include "firmware_link/session_types.h"     // SessionState, SessionOptions, SessionStatistics
 
 namespace firmware_link {
 
-// Commands in the safe sequence of a stop, at most.
-inline constexpr std::size_t kSafeSequenceMax = 16;
-
-// Bytes waiting to be written, at most: a window, a forced mismatch, a greeting.
-inline constexpr std::size_t kOutputBytesMax = 512;
-static_assert(kOutputBytesMax >= kWindowBytesMax + 2 * (kLineBytesMax + 2));
-
-enum class SessionState {
-  kConnecting,
-  kStreaming,
-  kFinishing,  // all was taken; answers are waited for
-  kFinished,   // the controller has every line, and has acknowledged it
-  kStopping,   // the safe sequence is on its way
-  kStopped,    // the safe sequence has been acknowledged
-  kFaulted,    // final; reason() says why
-};
-
-struct SessionStatistics {
-  std::int64_t commands_taken = 0;
-  std::int64_t commands_sent = 0;          // without repeats
-  std::int64_t commands_acknowledged = 0;  // steps back when a Resend uncovers a false `ok`
-  std::int64_t bytes_sent = 0;             // with repeats
-  std::int64_t lines_repeated = 0;
-  std::int64_t resends = 0;                 // `Resend:` lines obeyed
-  std::int64_t resends_ignored = 0;         // outside of what can be repeated
-  std::int64_t resyncs = 0;                 // forced mismatches after a silence
-  std::int64_t stalls = 0;                  // nothing in flight and nothing to send in mid-stream
-  std::int64_t warnings = 0;                // unknown commands, errors that are not fatal
-  std::int64_t stray_acknowledgements = 0;  // an `ok` that no line of ours explains
-  std::int64_t replies_cut = 0;             // over kReplyBytesMax
-  std::size_t lines_in_flight = 0;
-  std::size_t bytes_in_flight = 0;
-  std::size_t lines_in_flight_max = 0;
-  std::size_t bytes_in_flight_max = 0;
-  Temperatures temperatures;
-};
-
-struct SessionOptions {
-  // How long a `start` is waited for before the controller is asked; a boot loader eats what comes
-  // in its first 1.5 s.  DEFAULT: 2.5 s.
-  Duration banner_wait{2'500'000};
-
-  // How long an asked controller may take to answer before it is asked again, and how often.
-  Duration greeting_wait{3'000'000};
-  int greetings_max = 5;
-
-  // How often one line may be asked for again, and how many forced mismatches in a row may stay
-  // without success.
-  int repeats_of_a_line_max = 10;
-  int resyncs_in_a_row_max = 4;
-
-  // How long the safe sequence of stop_now() may take.
-  Duration stop_limit{10'000'000};
-
-  // Numbering starts again from 1 (by M110) after this line. Lower only in tests.
-  std::int32_t line_number_max = kLineNumberMax;
-};
-
 class Session {
  public:
+  // Speaks `dialect` until the controller has said what it is; then its own (dialects.h).
   Session(std::unique_ptr<Dialect> dialect, const SessionOptions& options, Instant now);
 
   [[nodiscard]] SessionState state() const { return state_; }
 
   // Why it faulted: one sentence, with the controller's own words where it said any.
   [[nodiscard]] const std::string& reason() const { return reason_; }
+  [[nodiscard]] FaultKind fault_kind() const { return fault_kind_; }
 
   // The last line of the controller that was counted as a warning; empty when there is none.
   [[nodiscard]] const std::string& last_warning() const { return last_warning_; }
 
   // What the controller calls itself (M115's FIRMWARE_NAME); empty before it has said.
   [[nodiscard]] const std::string& firmware_name() const { return firmware_name_; }
+  [[nodiscard]] std::string_view dialect_name() const { return dialect_->name(); }
+  [[nodiscard]] const Capabilities& capabilities() const { return capabilities_; }
+
+  // What came from the controller by itself since the last call, oldest first. COSTS: kEventsMax
+  // are kept, so ask after each step.
+  [[nodiscard]] std::optional<SessionEvent> next_event() { return events_.pop(); }
+
+  // --- commands ---
 
   // True when one more command can be taken; at most one that hasn't left is ever held.
   [[nodiscard]] bool can_take() const;
 
-  // Takes a command to be sent. REQUIRES: can_take().
+  // Takes the print's next command. REQUIRES: can_take().
   void take(const Command& command, Instant now);
+
+  // Takes a command that is none of the print's and is not counted as one: parking, priming, a
+  // user's wish. It keeps its place among the others. REQUIRES: can_take().
+  void insert(const Command& command, Instant now);
+
+  // How many of the print's commands, from its first, the controller has accepted: each once and in
+  // order, nothing behind them. What a journal writes: command number accepted() (counted from 0)
+  // is the one to go on with. Accepted moves may still wait in the planner (see planner_blocks()),
+  // and a reset or a power cut loses those. Takes a step back, by at most kWindowLinesMax, when a
+  // Resend uncovers a false `ok`.
+  [[nodiscard]] std::int64_t accepted() const {
+    return window_.commands_before(window_.acknowledged());
+  }
+
+  // Moves that the planner is taken to hold still, at most kPlannerBlocks: told by ADVANCED_OK,
+  // otherwise estimated from their lengths and feeds.
+  [[nodiscard]] std::size_t planner_blocks() const { return planner_.blocks(); }
+
+  // The line number (N) of the last line that was accepted, and how many of the print's commands
+  // have been accepted with any line number of the last 32. With the answer of a controller that
+  // did not reset (found_line()), a host that was killed learns which of its last commands ran.
+  [[nodiscard]] std::int32_t accepted_line() const;
+  [[nodiscard]] std::optional<std::int64_t> commands_through_line(std::int32_t line) const;
+  // The line that the controller had last when we came: nothing when it said `start`, cannot tell,
+  // or options.ask_found_line is off. Known once state() is kStreaming.
+  [[nodiscard]] std::optional<std::int32_t> found_line() const { return found_line_; }
 
   // Says that nothing more will be taken. REQUIRES: state() is kStreaming.
   void finish(Instant now);
+
+  // Says that no commands will come for a while (true), because the print is paused, or that they
+  // come again (false): a gap is then no stall. The controller is still watched.
+  void hold(bool holding, Instant now);
+
+  // --- wishes while printing: each goes before the next command that is taken ---
+
+  // M220, M221: percent of the feed and of the flow that was commanded. The last wish counts. Acts
+  // on moves that are not in the planner yet. REQUIRES: 10 <= percent <= 500.
+  void set_feed_percent(int percent, Instant now);
+  void set_flow_percent(int percent, Instant now);
+
+  // Asks by M114 whether the controller is where it should be, as soon as may be; call it where a
+  // layer begins. Also done by itself after each repeated line. What a difference leads to is in
+  // README.md: filament is put right and told, a wrong place is a fault. Nothing happens where
+  // the dialect's M114 is not to be relied on.
+  void check_position(Instant now);
+
+  // --- bytes and time ---
 
   // Bytes to be written now; the same until written() says how many of them have left.
   [[nodiscard]] std::span<const std::byte> output() const;
@@ -124,6 +129,8 @@ class Session {
 
   // Lets timers run. Call it at least every 50 ms.
   void tick(Instant now);
+
+  // --- ends ---
 
   // Drops what has been taken and not accepted, and sends `safe_sequence` (lift, heaters off …)
   // behind what has. While still connecting, or when faulted with a controller that may yet live,
@@ -137,22 +144,44 @@ class Session {
   [[nodiscard]] SessionStatistics statistics() const;
 
  private:
-  // kGreeting comes again, in mid-stream, when the line numbers have run out.
-  enum class Phase { kBanner, kGreeting, kAsking, kOpen };
+  // kGreeting comes again, in mid-stream, when the line numbers have run out. kSettling: until
+  // answers to questions that were asked twice have all come.
+  enum class Phase { kBanner, kGreeting, kAsking, kSettling, kOpen };
+
+  // session_greeting.cpp: how it begins.
+  void tick_greeting(Instant now);
+  void greet(Instant now);
+  void reply_while_greeting(const Reply& reply, Meaning meaning, Instant now);
+  void greeted(Instant now);
+  void named(std::string_view name);
+  void speak_its_dialect();
+  void open(Instant now);
 
   // session_replies.cpp: what comes in.
   void reply(const Reply& reply, Instant now);
-  void reply_while_greeting(const Reply& reply, Meaning meaning, Instant now);
+  void reply_while_open(const Reply& reply, Meaning meaning, Instant now);
   void acknowledged(const Reply& reply, Instant now);
+  void note_accepted(std::int64_t from, Instant now);
   void resend_asked(const Reply& reply, Instant now);
-  void greeted(Instant now);
+  [[nodiscard]] bool repeat_from(std::int64_t sequence);
+  void note_names(const Reply& reply);
   void reset_seen(Instant now);
 
+  // session_watch.cpp: the link's own lines and what it watches.
+  void give(const Command& command, bool is_command, Instant now);
+  void push_own(std::string_view text);
+  [[nodiscard]] bool own_line_due() const;
+  [[nodiscard]] bool push_own_line();
+  void tick_watch(Instant now);
+  void note_temperatures(const Reply& reply, Instant now);
+  void note_action(std::string_view action);
+  void warn(std::string_view words);
+  void settle_position();
+  void filament_differs(std::int64_t excess_10nm);
+
   // session.cpp: what goes out, and when.
-  void fault(const std::string& why, bool controller_may_live);
-  void tick_greeting(Instant now);
+  void fault(FaultKind kind, const std::string& why, bool controller_may_live);
   void tick_silence(Instant now);
-  void greet(Instant now);
   void resynchronise(Instant now);
   void settle(Instant now);
   void pump(Instant now);
@@ -161,29 +190,61 @@ class Session {
   void put_safe_sequence();
   [[nodiscard]] bool ended() const;
   [[nodiscard]] std::size_t window_lines() const;
+  [[nodiscard]] bool waiting_line_in_flight() const;
   [[nodiscard]] std::int64_t wire_number(std::int64_t sequence) const {
     return sequence - numbering_base_;
   }
+
+  // What the session itself has to say, as soon as there is room.
+  struct OwnWishes {
+    std::optional<int> feed_percent;
+    std::optional<int> flow_percent;
+    std::optional<std::int64_t> filament_correction_10nm;
+    bool reset_filament = false;
+    bool ask_position = false;
+    bool ask_temperatures = false;
+    bool report_temperatures = false;
+  };
+
+  // An M114 on its way.
+  struct PositionQuestion {
+    std::int64_t sequence = 0;
+    PositionWatch::Expected expected;
+    std::optional<Position> told;
+  };
 
   std::unique_ptr<Dialect> dialect_;
   SessionOptions options_;
   LinkRules rules_;
   SessionState state_ = SessionState::kConnecting;
+  FaultKind fault_kind_ = FaultKind::kNone;
   Phase phase_ = Phase::kBanner;
   std::string reason_;
   std::string last_warning_;
   std::string last_refusal_;
   std::string firmware_name_;
+  Capabilities capabilities_;
   SessionStatistics statistics_;
+  EventQueue events_;
 
   SendWindow window_;
   std::int64_t numbering_base_ = -1;  // the first line is N1
-  std::int64_t first_command_ = 0;    // sequence of the first command, behind what asks for names
+  std::optional<std::int32_t> found_line_;
   std::optional<std::int64_t> end_of_commands_;  // where the safe sequence of a stop begins
   std::array<TextBuffer, kSafeSequenceMax> safe_texts_{};
   std::array<std::uint8_t, kSafeSequenceMax> safe_sizes_{};
   std::size_t safe_count_ = 0;
   std::size_t safe_next_ = 0;
+
+  OwnWishes wishes_;
+  std::optional<PositionQuestion> question_;
+  int questions_in_a_row_ = 0;  // that found a difference, or no answer
+  PositionWatch position_;
+  PlannerWatch planner_;
+  HeaterWatch nozzle_watch_{"the nozzle", nozzle_watch_limits()};
+  HeaterWatch bed_watch_{"the bed", bed_watch_limits()};
+  // By sequence, as in the window: how long a move takes; -1: the planner is emptied before it.
+  std::array<Duration, kHistoryLinesMax> nominal_{};
 
   LineSplitter splitter_;
   std::array<std::byte, kOutputBytesMax> output_{};
@@ -196,6 +257,7 @@ class Session {
   Instant last_life_;      // any answer that makes sense
   Instant last_progress_;  // an acknowledgement, or work being done
   Instant quiet_since_;    // the last answer that belongs to a Resend's aftermath
+  Instant last_polled_;
   int greetings_ = 0;
   bool start_seen_ = false;
   bool greeting_refused_ = false;
@@ -205,14 +267,15 @@ class Session {
   bool resync_pending_ = false;
   bool confirmed_ = false;  // a forced mismatch showed that the controller has all lines
   bool controller_may_live_ = true;
+  bool asking_line_ = false;  // the greeting at hand asks for the line before us
+  bool line_asked_ = false;
+  bool settling_needed_ = false;
+  bool holding_ = false;
+  bool warned_of_resends_ = false;
   int resyncs_in_a_row_ = 0;
   int repeats_of_a_line_ = 0;
   std::int64_t repeated_line_ = -1;
   int calm_lines_missing_ = 0;
 };
-
-// Bytes that stop a controller at once if its EMERGENCY_PARSER is on, otherwise at the end of the
-// running command: end of line, M112, end of line. To be written past the session.
-[[nodiscard]] std::span<const std::byte> emergency_stop_bytes();
 
 }  // namespace firmware_link

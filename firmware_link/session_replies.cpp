@@ -11,24 +11,11 @@ namespace {
 // One line in flight after a Resend, until this many have gone well.
 constexpr int kCalmLines = 8;
 
-// "FIRMWARE_NAME:Marlin 2.1 (date) SOURCE_CODE_URL:…": values hold blanks, so the name ends where
-// the next KEY: begins.
-std::string name_in(std::string_view text) {
-  for (std::size_t blank = text.find(' '); blank != std::string_view::npos;
-       blank = text.find(' ', blank + 1)) {
-    std::size_t end = blank + 1;
-    while (end < text.size() && ((text[end] >= 'A' && text[end] <= 'Z') || text[end] == '_')) ++end;
-    if (end > blank + 1 && end < text.size() && text[end] == ':')
-      return std::string(text.substr(0, blank));
-  }
-  return std::string(text);
-}
+// So many of the lines asked for again are worth a warning, once so many were sent.
+constexpr double kResendRatioMax = 0.1;
+constexpr std::int64_t kResendLinesMin = 100;
 
 std::string quoted(std::string_view words) { return "\"" + std::string(words) + "\""; }
-
-void update(std::optional<double>& known, const std::optional<double>& heard) {
-  if (heard) known = heard;
-}
 
 }  // namespace
 
@@ -47,28 +34,36 @@ void Session::reply(const Reply& reply, Instant now) {
   const Meaning meaning = dialect_->meaning_of(reply);
   if (meaning != Meaning::kNoise) last_life_ = now;
   if (meaning == Meaning::kWorking || meaning == Meaning::kAcknowledge) last_progress_ = now;
-  Temperatures& known = statistics_.temperatures;
-  update(known.nozzle_celsius, reply.temperatures.nozzle_celsius);
-  update(known.nozzle_target_celsius, reply.temperatures.nozzle_target_celsius);
-  update(known.bed_celsius, reply.temperatures.bed_celsius);
-  update(known.bed_target_celsius, reply.temperatures.bed_target_celsius);
-  if (reply.kind == Reply::Kind::kFirmwareName) {
-    firmware_name_ = name_in(reply.text);
-    named_ = true;
+  note_temperatures(reply, now);
+  if (ended()) return;
+  note_names(reply);
+  if (reply.kind == Reply::Kind::kAction) note_action(reply.text);
+  if (reply.kind == Reply::Kind::kBusy &&
+      reply.text.find("paused for user") != std::string_view::npos) {
+    events_.push(SessionEvent::Kind::kWaitsForUser, std::string(reply.text));
   }
+  if (reply.kind == Reply::Kind::kPosition && question_) question_->told = reply.position;
 
   if (meaning == Meaning::kFatal) {
-    fault("the controller stopped: " + quoted(reply.text), false);
+    fault(FaultKind::kHalted, "the controller stopped: " + quoted(reply.text), false);
+    return;
+  }
+  if (meaning == Meaning::kAlarm) {
+    fault(FaultKind::kAlarm, "the controller refused a command: " + quoted(reply.text), true);
     return;
   }
   if (meaning == Meaning::kReset) {
     reset_seen(now);
     return;
   }
-  if (phase_ == Phase::kBanner || phase_ == Phase::kGreeting) {
+  if (phase_ == Phase::kAsking || phase_ == Phase::kOpen) {
+    reply_while_open(reply, meaning, now);
+  } else {
     reply_while_greeting(reply, meaning, now);
-    return;
   }
+}
+
+void Session::reply_while_open(const Reply& reply, Meaning meaning, Instant now) {
   // Nothing comes between a refusal and its `ok`; a line that does means that the `ok` got lost.
   if (meaning != Meaning::kAcknowledge && meaning != Meaning::kResend) skip_next_ok_ = false;
   switch (meaning) {
@@ -84,8 +79,7 @@ void Session::reply(const Reply& reply, Instant now) {
       last_refusal_ = std::string(reply.text);
       break;
     case Meaning::kWarning:
-      ++statistics_.warnings;
-      last_warning_ = std::string(reply.text);
+      warn(reply.text);
       if (phase_ == Phase::kAsking) named_ = true;
       break;
     case Meaning::kNoise:
@@ -94,6 +88,7 @@ void Session::reply(const Reply& reply, Instant now) {
       if (meaning == Meaning::kWorking) resyncs_in_a_row_ = resync_pending_ ? 1 : 0;
       break;
     case Meaning::kReset:
+    case Meaning::kAlarm:
     case Meaning::kFatal:
       LINK_CHECK(false);
   }
@@ -110,41 +105,22 @@ void Session::reset_seen(Instant now) {
     recovering_ = resync_pending_ = skip_next_ok_ = named_ = false;
     return;
   }
-  fault("the controller was reset in mid-print: it said \"start\", and has forgotten its position",
+  fault(FaultKind::kReset,
+        "the controller was reset in mid-print: it said \"start\", and has forgotten its position",
         false);
 }
 
-void Session::reply_while_greeting(const Reply& reply, Meaning meaning, Instant now) {
-  if (phase_ != Phase::kGreeting) return;
-  if (meaning == Meaning::kResend || meaning == Meaning::kRefused) {
-    greeting_refused_ = true;
-    skip_next_ok_ = true;
-    last_refusal_ = std::string(reply.text);
-  } else if (meaning == Meaning::kWarning) {
-    // "Unknown command" to what is left of a damaged greeting; some firmware knows no M110 at all,
-    // but then it numbers nothing either.
-    greeting_refused_ = rules_.numbered;
-    skip_next_ok_ = rules_.numbered;
-  } else if (meaning == Meaning::kAcknowledge) {
-    if (skip_next_ok_) {
-      skip_next_ok_ = false;
-    } else if (!greeting_refused_) {
-      greeted(now);
-    }
+void Session::note_names(const Reply& reply) {
+  // Klipper says its name in the `ok` itself.
+  constexpr std::string_view kName = "FIRMWARE_NAME:";
+  if (reply.kind == Reply::Kind::kFirmwareName) named(reply.text);
+  if (reply.kind == Reply::Kind::kOk && reply.text.substr(0, kName.size()) == kName) {
+    named(reply.text.substr(kName.size()));
   }
-}
-
-// Line numbers have begun anew; what is sent next is N1.
-void Session::greeted(Instant now) {
-  window_.forget_acknowledged();
-  numbering_base_ = window_.next_to_send() - 1;
-  repeated_line_ = -1;
-  last_life_ = last_progress_ = now;
-  if (state_ == SessionState::kConnecting) {
-    phase_ = Phase::kAsking;
-    window_.push("M115");
-  } else {
-    phase_ = Phase::kOpen;
+  if (reply.kind == Reply::Kind::kCapability) note_capability(reply.text, capabilities_);
+  if (reply.kind == Reply::Kind::kOk && reply.planner_free) {
+    capabilities_.advanced_ok = true;
+    capabilities_.planner_blocks = std::max(capabilities_.planner_blocks, *reply.planner_free);
   }
 }
 
@@ -162,6 +138,7 @@ void Session::acknowledged(const Reply& reply, Instant now) {
   resyncs_in_a_row_ = resync_pending_ ? 1 : 0;
   if (calm_lines_missing_ > 0) --calm_lines_missing_;
   bool ours = false;
+  const std::int64_t before = window_.acknowledged();
   if (reply.number && rules_.numbered) {
     // Bounded before the sum, because any number may come.
     const std::int64_t number = std::clamp<std::int64_t>(*reply.number, 0, kResyncLineNumber);
@@ -175,10 +152,22 @@ void Session::acknowledged(const Reply& reply, Instant now) {
     ++statistics_.stray_acknowledgements;
     return;
   }
-  if (state_ == SessionState::kStreaming && phase_ == Phase::kOpen && window_.all_sent() &&
-      window_.lines_in_flight() == 0) {
+  note_accepted(before, now);
+  if (reply.planner_free) planner_.told_free(*reply.planner_free, now);
+  if (state_ == SessionState::kStreaming && !holding_ && phase_ == Phase::kOpen &&
+      window_.all_sent() && window_.lines_in_flight() == 0) {
     ++statistics_.stalls;
   }
+}
+
+// What it means that lines from `from` on have been acknowledged.
+void Session::note_accepted(std::int64_t from, Instant now) {
+  for (std::int64_t i = from; i < window_.acknowledged(); ++i) {
+    const Duration nominal = nominal_[static_cast<std::size_t>(i) % nominal_.size()];
+    if (nominal.count() < 0) planner_.expect_gap(now);
+    if (nominal.count() > 0) planner_.accepted_move(nominal, now);
+  }
+  settle_position();
 }
 
 void Session::resend_asked(const Reply& reply, Instant now) {
@@ -192,25 +181,15 @@ void Session::resend_asked(const Reply& reply, Instant now) {
   const std::int64_t sequence = *reply.number + numbering_base_;
   confirmed_ = sequence == window_.sent_end();
   if (confirmed_) resyncs_in_a_row_ = 0;
-  const bool repeats = sequence < window_.next_to_send() && !recovering_;
-  if (repeats) {
-    ++statistics_.resends;
-    if (sequence > repeated_line_) {
-      repeated_line_ = sequence;
-      repeats_of_a_line_ = 0;
-    }
-    if (++repeats_of_a_line_ > options_.repeats_of_a_line_max) {
-      fault("the controller refused line " + std::to_string(*reply.number) + " " +
-                std::to_string(repeats_of_a_line_) + " times: " + quoted(last_refusal_),
-            true);
-      return;
-    }
-    calm_lines_missing_ = kCalmLines;
-  }
+  if (sequence < window_.next_to_send() && !recovering_ && !repeat_from(sequence)) return;
   window_.restart(sequence);
+  if (question_ && sequence <= question_->sequence) question_->told.reset();
   if (resync_pending_) {
     // After a silence, the `ok`s of accepted lines are not late but lost.
+    const std::int64_t before = window_.acknowledged();
     window_.acknowledge_before(sequence);
+    note_accepted(before, now);
+    if (ended()) return;
     resync_pending_ = false;
     if (state_ == SessionState::kStopping && !end_of_commands_) {
       window_.drop_unsent();
@@ -219,6 +198,34 @@ void Session::resend_asked(const Reply& reply, Instant now) {
     }
   }
   recovering_ = true;
+}
+
+// A line was refused and will be repeated; false when that has happened too often.
+bool Session::repeat_from(std::int64_t sequence) {
+  ++statistics_.resends;
+  if (sequence > repeated_line_) {
+    repeated_line_ = sequence;
+    repeats_of_a_line_ = 0;
+  }
+  if (++repeats_of_a_line_ > options_.repeats_of_a_line_max) {
+    fault(FaultKind::kRefusals,
+          "the controller refused line " + std::to_string(wire_number(sequence)) + " " +
+              std::to_string(repeats_of_a_line_) + " times: " + quoted(last_refusal_),
+          true);
+    return false;
+  }
+  calm_lines_missing_ = kCalmLines;
+  // A line that was cut may have run in part.
+  if (rules_.tells_position && state_ == SessionState::kStreaming) wishes_.ask_position = true;
+  if (!warned_of_resends_ && statistics_.lines_sent >= kResendLinesMin &&
+      statistics_.resend_ratio() >= kResendRatioMax) {
+    warned_of_resends_ = true;
+    events_.push(SessionEvent::Kind::kResendsFrequent,
+                 std::to_string(statistics_.resends) + " of " +
+                     std::to_string(statistics_.lines_sent) +
+                     " lines were asked for again: look at the cable, its length, the baud");
+  }
+  return true;
 }
 
 }  // namespace firmware_link

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "core/check.h"
+#include "firmware_link/dialects/marlin_dialect.h"
 #include "firmware_link/link_step.h"
-#include "firmware_link/marlin_dialect.h"
 #include "host/port_clock.h"
 
 namespace host {
@@ -50,6 +50,7 @@ LinkOutcome Monitor::run() {
     feed(now);
     firmware_link::step(session_, port_, now, session_.can_take() ? 0 : kWait_ms);
     note_acknowledged();
+    tell_events();
     report_progress();
     if (session_.state() == SessionState::kFinished) return outcome(LinkEnd::kDone);
     if (session_.state() == SessionState::kFaulted) return faulted();
@@ -58,12 +59,21 @@ LinkOutcome Monitor::run() {
 
 void Monitor::feed(Instant now) {
   while (session_.can_take()) {
-    std::optional<QueuedCommand> queued = queue_.try_pop();
-    if (!queued) break;
-    take(*queued, now);
+    if (!waiting_) waiting_ = queue_.try_pop();
+    if (!waiting_) break;
+    // Before a layer, and before the user's own lines, which may move anything.
+    const bool unknown = std::holds_alternative<firmware_link::Verbatim>(waiting_->command);
+    if (unchecked_road_ && (waiting_->layer != last_.layer || unknown)) {
+      unchecked_road_ = false;
+      session_.check_position(now);
+      continue;
+    }
+    const QueuedCommand queued = *std::exchange(waiting_, std::nullopt);
+    unchecked_road_ = unchecked_road_ || queued.lays_road;
+    take(queued, now);
   }
-  if (!finish_said_ && session_.state() == SessionState::kStreaming && queue_.drained() &&
-      !queue_.closed()) {
+  if (!finish_said_ && session_.state() == SessionState::kStreaming && !waiting_ &&
+      queue_.drained() && !queue_.closed()) {
     session_.finish(now);
     finish_said_ = true;
   }
@@ -94,6 +104,32 @@ void Monitor::note_acknowledged() {
     statistics_.first_road_s = steady_seconds() - options_.began_s;
     statistics_.first_road_cpu_s = process_cpu_seconds();
     statistics_.slices_cut_at_first_road = options_.slices_cut();
+  }
+}
+
+void Monitor::tell_events() {
+  using Kind = firmware_link::SessionEvent::Kind;
+  while (const auto event = session_.next_event()) {
+    switch (event->kind) {
+      case Kind::kDialect:
+        reporter_.note("controller", session_.firmware_name() + ", speaks as " + event->text);
+        break;
+      case Kind::kWarning:
+        reporter_.note("warning", "the controller says: " + event->text);
+        break;
+      case Kind::kWaitsForUser:
+        reporter_.note("waiting", "the printer waits for its user");
+        break;
+      case Kind::kResendsFrequent:
+        reporter_.note("resends", event->text);
+        break;
+      case Kind::kFilamentCorrected:
+        reporter_.note("corrected", "a line ran in part: " + event->text + ", made up for");
+        break;
+      default:
+        reporter_.note("action", "the printer asks: " + event->text);
+        break;
+    }
   }
 }
 
@@ -182,17 +218,24 @@ LinkOutcome Monitor::stop(LinkEnd end) {
 
 LinkOutcome Monitor::halt() {
   LinkOutcome result = outcome(LinkEnd::kUserHalted);
-  std::span<const std::byte> bytes = firmware_link::emergency_stop_bytes();
-  const double until_s = steady_seconds() + kLastWords_s;
-  while (!bytes.empty() && port_.state() == firmware_link::PortState::kOpen &&
-         steady_seconds() < until_s) {
-    const std::size_t written = port_.write(bytes);
-    bytes = bytes.subspan(written);
-    // Reading is what lets bytes that are on their way move on.
-    std::byte answer[256];
-    (void)port_.read(answer, kWait_ms);
+  constexpr int kAttempts = static_cast<int>(kLastWords_s * 1000) / kWait_ms;
+  const firmware_link::Halt halted = firmware_link::halt(session_, port_, kWait_ms, kAttempts);
+  switch (halted) {
+    case firmware_link::Halt::kTold:
+      result.measures = "controller halted (M112); it needs a reset";
+      break;
+    case firmware_link::Halt::kReset:
+      result.measures = "controller told to halt (M112) and reset";
+      break;
+    case firmware_link::Halt::kMaybe:
+      result.measures =
+          "controller told to halt (M112); it has no emergency parser, so it may act late: switch "
+          "it off";
+      break;
+    case firmware_link::Halt::kNotSent:
+      result.measures = "the halt (M112) could not be sent: switch the printer off";
+      break;
   }
-  result.measures = "controller halted (M112); it needs a reset";
   return result;
 }
 
@@ -209,6 +252,10 @@ LinkOutcome Monitor::faulted() {
   if (taken_ == 0) return result;
   if (port_.state() == firmware_link::PortState::kLost) {
     result.measures = "nothing more could be sent: check that the heaters are off";
+    return result;
+  }
+  if (session_.fault_kind() == firmware_link::FaultKind::kHeater) {
+    result.measures = halt().measures;
     return result;
   }
   session_.stop_now(safe_sequence(), link_now());

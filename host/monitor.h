@@ -12,6 +12,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -79,6 +80,7 @@ class Monitor {
   void feed(firmware_link::Instant now);
   void take(const QueuedCommand& queued, firmware_link::Instant now);
   void note_acknowledged();
+  void tell_events();
   void report_progress();
   [[nodiscard]] std::vector<firmware_link::Command> safe_sequence() const;
   [[nodiscard]] LinkOutcome stop(LinkEnd end);
@@ -95,7 +97,9 @@ class Monitor {
   firmware_link::Session session_;
   LinkStatistics statistics_;
 
-  QueuedCommand last_;  // taken last
+  QueuedCommand last_;                    // taken last
+  std::optional<QueuedCommand> waiting_;  // popped, not taken
+  bool unchecked_road_ = false;           // since the position was asked for
   std::int64_t taken_ = 0;
   std::int64_t first_road_ = 0;  // counts as taken_ does; 0: none yet
   std::int64_t z_um_ = -1;       // told last; -1: unknown

@@ -12,6 +12,7 @@
 #include "core/slice_offsets.h"
 #include "core/wall_splitter.h"
 #include "core/wall_style.h"
+#include "host/layer_rules.h"
 #include "host/motion_encoder.h"
 
 namespace host {
@@ -19,31 +20,6 @@ namespace {
 
 double volume_mm3(const core::Region& region, core::Length height) {
   return region.area_mm2() * height.mm();
-}
-
-// Nothing where all beads lie on the bed; else what leaves it, and what to do.
-core::Status check_on_bed(const Job& job, const core::Slice& slice,
-                          const std::vector<core::Road>& roads) {
-  const core::Settings& settings = job.settings;
-  for (const core::Road& road : roads) {
-    const std::int64_t reach = road.width.units() / 2;
-    for (const core::Point point : road.points) {
-      const bool inside = point.x >= reach && point.x + reach <= settings.bed_x.units() &&
-                          point.y >= reach && point.y + reach <= settings.bed_y.units();
-      if (inside) continue;
-      const bool skirt = road.kind == core::RoadKind::kSkirt;
-      return core::Error{
-          core::ErrorCode::kOutOfBounds,
-          fmt::format(
-              "{}, layer {}: {} at ({:.2f}, {:.2f}) mm leaves the bed of {:g} x {:g} mm; {}",
-              job.part_path, slice.index + 1, skirt ? "the skirt" : "a road",
-              core::Length::from_units(point.x).mm(), core::Length::from_units(point.y).mm(),
-              settings.bed_x.mm(), settings.bed_y.mm(),
-              skirt ? "set skirt_loops=0 or a smaller skirt_distance"
-                    : "move the part or set bed_x and bed_y")};
-    }
-  }
-  return {};
 }
 
 class Pipeline {
@@ -93,6 +69,10 @@ class Pipeline {
       if (!next.ok()) return next.error();
       if (!next.value().has_value()) return drain();
       core::Slice slice = *std::move(next).value();
+      if (core::Status status = check_layer_height(job_.part_path, slice, settings_);
+          !status.ok()) {
+        return status.error();
+      }
       signals_.slices_cut.fetch_add(1);
       ++statistics_.layers;
       statistics_.defects.add(slice);
@@ -143,7 +123,8 @@ class Pipeline {
 
     clock().enter(Stage::kRoads);
     const std::vector<core::Road> roads = planner_.plan(layer);
-    if (core::Status status = check_on_bed(job_, slice, roads); !status.ok()) return status;
+    if (core::Status status = check_on_bed(job_.part_path, slice, roads, settings_); !status.ok())
+      return status;
     statistics_.roads += static_cast<std::int64_t>(roads.size());
     keep(outputs_.on_roads ? outputs_.on_roads(layer, roads) : true);
     clock().enter(Stage::kEncode);

@@ -4,7 +4,7 @@
 //     rind print part.stl --port /tmp/printer
 //
 // It powers up when a host opens the port, as a board does that DTR resets.
-#include "firmware_link/virtual_controller.h"
+#include "firmware_link/virtual/virtual_controller.h"
 
 #include <arpa/inet.h>
 #include <fcntl.h>

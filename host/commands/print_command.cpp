@@ -4,7 +4,7 @@
 #include <variant>
 
 #include "firmware_link/ports.h"
-#include "firmware_link/virtual_port.h"
+#include "firmware_link/virtual/virtual_port.h"
 #include "host/commands/commands.h"
 #include "host/exit_codes.h"
 #include "host/port_clock.h"

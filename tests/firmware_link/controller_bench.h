@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "firmware_link/line_codec.h"
-#include "firmware_link/virtual_controller.h"
+#include "firmware_link/virtual/virtual_controller.h"
 
 namespace link_test {
 

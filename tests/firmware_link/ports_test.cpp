@@ -12,9 +12,9 @@
 #include <filesystem>
 #include <string>
 
+#include "firmware_link/dialects/marlin_dialect.h"
 #include "firmware_link/link_step.h"
-#include "firmware_link/marlin_dialect.h"
-#include "firmware_link/virtual_port.h"
+#include "firmware_link/virtual/virtual_port.h"
 
 using namespace firmware_link;
 using namespace std::chrono_literals;
@@ -156,7 +156,7 @@ TEST_CASE("the virtual port prints as fast as it can: an hour takes no time") {
   Session session(std::make_unique<MarlinDialect>(), {}, now);
   const char* const lines[] = {"G28", "M190 S60", "M109 S210", "G1 X100 F1", "M400", "G4 S1000"};
   std::size_t next = 0;
-  for (int turn = 0; turn < 2000 && session.state() != SessionState::kFinished; ++turn) {
+  for (int turn = 0; turn < 20000 && session.state() != SessionState::kFinished; ++turn) {
     while (session.can_take() && next < std::size(lines)) {
       session.take(std::get<Verbatim>(verbatim_from(lines[next++])), now);
     }

@@ -12,7 +12,7 @@ using namespace firmware_link;
 TEST_CASE("lines go, are acknowledged, come back") {
   SendWindow window;
   for (const char* text : {"A", "B", "C"}) {
-    window.push(text);
+    window.push(text, true);
     CHECK(window.next_text() == text);
     window.sent(20);
   }
@@ -42,13 +42,13 @@ TEST_CASE("lines go, are acknowledged, come back") {
 
 TEST_CASE("what was dropped cannot come back, what was forgotten neither") {
   SendWindow window;
-  window.push("A");
+  window.push("A", true);
   window.sent(10);
-  window.push("B");
+  window.push("B", true);
   window.drop_never_sent();
   CHECK(window.all_sent());
   CHECK(window.end() == 1);
-  window.push("C");
+  window.push("C", true);
   CHECK(window.next_text() == "C");
   window.sent(10);
   window.restart(1);
@@ -72,7 +72,7 @@ TEST_CASE("the history holds as many lines as it says, and agrees with a simple 
       case 1:
         if (window.all_sent()) {
           all.push_back(std::to_string(random() % 1'000'000));
-          window.push(all.back());
+          window.push(all.back(), true);
         }
         if (window.lines_in_flight() < kWindowLinesMax) window.sent(1 + random() % 30);
         break;

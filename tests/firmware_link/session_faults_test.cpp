@@ -61,6 +61,8 @@ Outcome check_damage(const Damage& down, const Damage& up, const VirtualControll
     } else {
       CHECK(link.session->state() == SessionState::kFaulted);
       CHECK_FALSE(link.session->reason().empty());
+      // The one fault that means that a line ran damaged, its checksum none the less right.
+      if (link.session->fault_kind() == firmware_link::FaultKind::kPosition) continue;
       REQUIRE(printed.size() <= texts.size());
       CHECK(std::equal(printed.begin(), printed.end(), texts.begin()));
     }

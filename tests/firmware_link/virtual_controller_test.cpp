@@ -1,5 +1,5 @@
 // Every answer in the table of firmware_link/README.md, byte for byte.
-#include "firmware_link/virtual_controller.h"
+#include "firmware_link/virtual/virtual_controller.h"
 
 #include <doctest/doctest.h>
 

@@ -13,10 +13,11 @@
 #include <utility>
 #include <vector>
 
+#include "firmware_link/dialects/marlin_dialect.h"
 #include "firmware_link/line_codec.h"
-#include "firmware_link/marlin_dialect.h"
 #include "firmware_link/session.h"
-#include "firmware_link/virtual_controller.h"
+#include "firmware_link/virtual/virtual_controller.h"
+#include "tests/support/own_lines.h"
 
 namespace link_test {
 
@@ -27,6 +28,7 @@ using firmware_link::Move;
 using firmware_link::Session;
 using firmware_link::SessionOptions;
 using firmware_link::SessionState;
+using firmware_link::Verbatim;
 using firmware_link::VirtualController;
 using firmware_link::VirtualControllerOptions;
 
@@ -169,12 +171,11 @@ class VirtualLink {
            session->state() == SessionState::kStopped || session->state() == SessionState::kFaulted;
   }
 
-  // Numbered commands, without those that only greet.
+  // Numbered commands, without the link's own.
   [[nodiscard]] std::vector<std::string> printed() const {
     std::vector<std::string> texts;
     for (const Executed& one : executed) {
-      const bool greeting = one.text == "M115" || one.text.substr(0, 4) == "M110";
-      if (one.numbered && !greeting) texts.push_back(one.text);
+      if (one.numbered && !test::is_own_line(one.text)) texts.push_back(one.text);
     }
     return texts;
   }
@@ -202,11 +203,12 @@ inline std::vector<std::string> texts_of(const std::vector<Command>& commands) {
   return texts;
 }
 
-// Short extruding moves, no two the same.
+// Short extruding moves, no two the same, with relative filament as all of rind's.
 inline std::vector<Command> moves(std::size_t count, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::vector<Command> commands;
-  for (std::size_t i = 0; i < count; ++i) {
+  commands.emplace_back(std::get<Verbatim>(firmware_link::verbatim_from("M83")));
+  for (std::size_t i = 0; i + 1 < count; ++i) {
     Move move;
     move.extruding = true;
     move.x_um = 20'000 + static_cast<std::int64_t>(random() % 160'000);

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "firmware_link/limits.h"
-#include "firmware_link/virtual_controller.h"
+#include "firmware_link/virtual/virtual_controller.h"
 #include "tests/firmware_link/controller_bench.h"
 
 using namespace link_test;

@@ -13,12 +13,13 @@
 #include <utility>
 #include <vector>
 
-#include "firmware_link/virtual_port.h"
+#include "firmware_link/virtual/virtual_port.h"
 #include "host/gcode_writer.h"
 #include "host/part_file.h"
 #include "host/pipeline.h"
 #include "host/port_clock.h"
 #include "host/print_job.h"
+#include "tests/support/own_lines.h"
 #include "tests/support/part_folder.h"
 
 namespace print_test {
@@ -61,7 +62,8 @@ inline host::Job open(const core::Settings& settings, const std::string& path) {
 
 struct Rig {
   host::Job job;
-  std::vector<std::string> executed;  // numbered commands, as the controller took them
+  // Numbered commands as the controller took them, without the link's own.
+  std::vector<std::string> executed;
   std::function<void()> on_executed;  // after each
   std::function<int()> stop_count = [] { return 0; };
   std::unique_ptr<firmware_link::VirtualPort> port;
@@ -72,7 +74,8 @@ struct Rig {
     options.bed_x_mm = settings.bed_x.mm();
     options.bed_y_mm = settings.bed_y.mm();
     options.executed = [this](const firmware_link::ExecutedCommand& command) {
-      if (command.number) executed.emplace_back(command.text);
+      const std::string text(command.text);
+      if (command.number && !test::is_own_line(text)) executed.push_back(text);
       if (on_executed) on_executed();
     };
     port = std::make_unique<firmware_link::VirtualPort>(options, host::steady_port_clock(), 0);

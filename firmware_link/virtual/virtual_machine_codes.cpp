@@ -3,8 +3,8 @@
 #include <chrono>
 #include <iterator>
 
-#include "firmware_link/virtual_firmware.h"
-#include "firmware_link/virtual_texts.h"  // kFirmwareName …
+#include "firmware_link/virtual/virtual_firmware.h"
+#include "firmware_link/virtual/virtual_texts.h"  // kFirmwareName …
 
 namespace firmware_link {
 namespace {

@@ -1,4 +1,4 @@
-#include "firmware_link/virtual_planner.h"
+#include "firmware_link/virtual/virtual_planner.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "firmware_link/marlin_dialect.h"
+#include "firmware_link/dialects/marlin_dialect.h"
 
 #include <chrono>
 
@@ -7,6 +7,7 @@ namespace firmware_link {
 LinkRules MarlinDialect::rules() const {
   LinkRules rules;
   rules.numbered = true;
+  rules.tells_position = true;
   // Three busy lines missing in a row.
   rules.silence_max = std::chrono::seconds(6);
   // Builds without busy lines still report temperatures each second while they heat.
@@ -33,8 +34,9 @@ Meaning MarlinDialect::meaning_of(const Reply& reply) const {
     case Kind::kStart:
       return Meaning::kReset;
     case Kind::kHalted:
-    case Kind::kAlarm:
       return Meaning::kFatal;
+    case Kind::kAlarm:
+      return Meaning::kAlarm;
     case Kind::kTemperatures:
     case Kind::kAction:
     case Kind::kPosition:

@@ -1,6 +1,6 @@
-#include "firmware_link/virtual_controller.h"
+#include "firmware_link/virtual/virtual_controller.h"
 
-#include "firmware_link/virtual_firmware.h"
+#include "firmware_link/virtual/virtual_firmware.h"
 
 namespace firmware_link {
 

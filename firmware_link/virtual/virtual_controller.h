@@ -31,7 +31,8 @@ namespace firmware_link {
 struct ExecutedCommand {
   Instant when;
   std::optional<std::int64_t> number;  // nothing when the line came without N
-  std::string_view text;               // without number and checksum; valid during the call only
+  std::string_view text;               // without number and checksum, moves spelled out; valid
+                                       // during the call only
   bool known = true;                   // false: answered with `echo:Unknown command:`
 };
 

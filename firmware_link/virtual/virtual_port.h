@@ -10,9 +10,9 @@
 
 #include <functional>
 
-#include "firmware_link/byte_port.h"           // BytePort
-#include "firmware_link/instant.h"             // Instant
-#include "firmware_link/virtual_controller.h"  // VirtualController
+#include "firmware_link/byte_port.h"                   // BytePort
+#include "firmware_link/instant.h"                     // Instant
+#include "firmware_link/virtual/virtual_controller.h"  // VirtualController
 
 namespace firmware_link {
 

@@ -1,7 +1,7 @@
 // Bytes become lines become command slots, in the order of Marlin's queue.cpp (bugfix-2.1.x).
 #include <charconv>
 
-#include "firmware_link/virtual_firmware.h"
+#include "firmware_link/virtual/virtual_firmware.h"
 
 namespace firmware_link {
 namespace {

@@ -1,4 +1,4 @@
-#include "firmware_link/virtual_port.h"
+#include "firmware_link/virtual/virtual_port.h"
 
 #include <algorithm>
 #include <chrono>

@@ -7,9 +7,10 @@
 #include <cstddef>
 #include <string_view>
 
-#include "firmware_link/instant.h"  // Duration
-#include "firmware_link/limits.h"   // kWindowLinesMax
-#include "firmware_link/reply.h"    // Reply
+#include "firmware_link/capabilities.h"  // Capabilities
+#include "firmware_link/instant.h"       // Duration
+#include "firmware_link/limits.h"        // kWindowLinesMax
+#include "firmware_link/reply.h"         // Reply
 
 namespace firmware_link {
 
@@ -22,13 +23,20 @@ enum class Meaning {
   kResend,       // reply.number is the line to go on from; an empty `ok` follows
   kWarning,      // a line was accepted but did nothing
   kReset,        // the controller has just begun its life
-  kFatal,        // the print is over
+  kAlarm,        // the print is over, but the controller still obeys
+  kFatal,        // the print is over, and the controller too
 };
 
 struct LinkRules {
   // Lines carry a number and a checksum, and may be asked for again. Without, each line has
   // exactly one acknowledgement, and nothing is ever repeated.
   bool numbered = true;
+
+  // Lines carry number and checksum though nothing is ever repeated. REQUIRES: !numbered.
+  bool checksummed = false;
+
+  // Its M114 tells what it was commanded, in two decimals, without waiting for motion.
+  bool tells_position = false;
 
   std::size_t window_lines = kWindowLinesMax;
   std::size_t window_bytes = kWindowBytesMax;
@@ -50,6 +58,9 @@ class Dialect {
   [[nodiscard]] virtual std::string_view name() const = 0;
   [[nodiscard]] virtual LinkRules rules() const = 0;
   [[nodiscard]] virtual Meaning meaning_of(const Reply& reply) const = 0;
+
+  // Puts in what this kind of firmware can do without ever saying so.
+  virtual void amend(Capabilities& capabilities) const { (void)capabilities; }
 };
 
 }  // namespace firmware_link

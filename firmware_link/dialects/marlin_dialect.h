@@ -1,11 +1,11 @@
-// Marlin, Prusa's and all that follow them: numbered lines, Resend, `echo:busy:` every 2 s.
+// Marlin and all that follow it: numbered lines, Resend, `echo:busy:` every 2 s.
 #pragma once
 
-#include "firmware_link/dialect.h"  // Dialect
+#include "firmware_link/dialects/dialect.h"  // Dialect
 
 namespace firmware_link {
 
-class MarlinDialect final : public Dialect {
+class MarlinDialect : public Dialect {
  public:
   [[nodiscard]] std::string_view name() const override { return "Marlin"; }
   [[nodiscard]] LinkRules rules() const override;

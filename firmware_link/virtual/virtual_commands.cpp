@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "firmware_link/check.h"
-#include "firmware_link/virtual_firmware.h"
+#include "firmware_link/virtual/virtual_firmware.h"
 
 namespace firmware_link {
 namespace {
@@ -55,7 +55,10 @@ void VirtualController::Firmware::begin_command() {
   ++totals_.commands;
   if (!known) ++totals_.unknown_commands;
   if (!current_number_) ++totals_.unnumbered_commands;
-  if (options_.executed) options_.executed({now_, current_number_, text, known});
+  if (options_.executed) {
+    SpelledBuffer buffer;
+    options_.executed({now_, current_number_, spelled_out(text, buffer), known});
+  }
   if (!known) {
     print("echo:Unknown command: \"");
     print(text);

@@ -16,9 +16,9 @@
 
 #include "firmware_link/check.h"
 #include "firmware_link/line_codec.h"  // word
-#include "firmware_link/virtual_controller.h"
-#include "firmware_link/virtual_heater.h"   // VirtualHeater
-#include "firmware_link/virtual_planner.h"  // VirtualPlanner
+#include "firmware_link/virtual/virtual_controller.h"
+#include "firmware_link/virtual/virtual_heater.h"   // VirtualHeater
+#include "firmware_link/virtual/virtual_planner.h"  // VirtualPlanner
 
 namespace firmware_link {
 

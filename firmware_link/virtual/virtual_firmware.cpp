@@ -1,10 +1,10 @@
-#include "firmware_link/virtual_firmware.h"
+#include "firmware_link/virtual/virtual_firmware.h"
 
 #include <algorithm>
 #include <chrono>
 
 #include "firmware_link/check.h"
-#include "firmware_link/virtual_texts.h"  // kBanner
+#include "firmware_link/virtual/virtual_texts.h"  // kBanner
 
 namespace firmware_link {
 namespace {

@@ -1,0 +1,14 @@
+// Which dialect a controller speaks, by what it calls itself.
+#pragma once
+
+#include <memory>
+#include <string_view>
+
+#include "firmware_link/dialects/dialect.h"  // Dialect
+
+namespace firmware_link {
+
+// By M115's FIRMWARE_NAME; Marlin's for what isn't known, because most others follow it.
+[[nodiscard]] std::unique_ptr<Dialect> dialect_for(std::string_view firmware_name);
+
+}  // namespace firmware_link

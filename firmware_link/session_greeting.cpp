@@ -1,0 +1,132 @@
+// How a conversation begins: numbers from 0, a name, the dialect that goes with it.
+#include <algorithm>
+#include <chrono>
+#include <string>
+#include <utility>
+
+#include "firmware_link/check.h"
+#include "firmware_link/dialects/dialects.h"  // dialect_for
+#include "firmware_link/line_codec.h"         // number_line
+#include "firmware_link/session.h"
+
+namespace firmware_link {
+namespace {
+
+// A greeting begins only when the controller has said all that it says by itself.
+constexpr Duration kQuiet = std::chrono::milliseconds(200);
+
+}  // namespace
+
+void Session::tick_greeting(Instant now) {
+  const bool quiet = now - last_heard_ >= kQuiet;
+  if (phase_ == Phase::kSettling) {
+    if (quiet && now - phase_began_ >= kQuiet) open(now);
+    return;
+  }
+  if (phase_ == Phase::kBanner) {
+    if (quiet && (start_seen_ || now - phase_began_ >= options_.banner_wait)) greet(now);
+    return;
+  }
+  const bool late = now - std::max(phase_began_, last_progress_) >= options_.greeting_wait;
+  if (!late && !(greeting_refused_ && quiet)) return;
+  if (greetings_ < options_.greetings_max) {
+    greet(now);
+    return;
+  }
+  fault(FaultKind::kNoAnswer,
+        start_seen_ ? "the controller said `start` but does not answer M110; is the baud right?"
+                    : "no answer from the controller: is it the right port, and the right baud?",
+        true);
+}
+
+void Session::greet(Instant now) {
+  const bool ask_line =
+      phase_ == Phase::kBanner && options_.ask_found_line && !start_seen_ && !line_asked_;
+  phase_ = Phase::kGreeting;
+  phase_began_ = now;
+  greeting_refused_ = false;
+  skip_next_ok_ = false;
+  asking_line_ = ask_line;
+  line_asked_ = line_asked_ || ask_line;
+  if (!ask_line) ++greetings_;
+  if (output_end_ - output_begin_ + 2 * kLineBytesMax > output_.size()) return;
+  LineBuffer buffer;
+  // The end of line first finishes whatever half line the controller may hold. The number is that
+  // of the line itself, which Marlin sets as it reads it; "M110 N0" would set it again when its
+  // turn in the queue comes, behind lines that an `ok` too many has let in, which were then run
+  // twice. It is numbered for all dialects: those that number nothing read over it.
+  put("\n");
+  put(ask_line ? number_line(kResyncLineNumber, "M105", buffer) : number_line(0, "M110", buffer));
+  put("\n");
+}
+
+void Session::reply_while_greeting(const Reply& reply, Meaning meaning, Instant now) {
+  if (phase_ != Phase::kGreeting) return;
+  if (meaning == Meaning::kResend || meaning == Meaning::kRefused) {
+    if (asking_line_ && meaning == Meaning::kResend && reply.number && *reply.number >= 1 &&
+        *reply.number <= kLineNumberMax) {
+      found_line_ = static_cast<std::int32_t>(*reply.number - 1);
+    }
+    greeting_refused_ = true;
+    skip_next_ok_ = true;
+    last_refusal_ = std::string(reply.text);
+  } else if (meaning == Meaning::kWarning) {
+    // "Unknown command" to what is left of a damaged greeting.
+    greeting_refused_ = true;
+    skip_next_ok_ = true;
+  } else if (meaning == Meaning::kAcknowledge) {
+    if (skip_next_ok_) {
+      skip_next_ok_ = false;
+    } else if (asking_line_) {
+      greeting_refused_ = true;  // it numbers nothing, so there is no last line
+    } else if (!greeting_refused_) {
+      greeted(now);
+    }
+  }
+}
+
+// Line numbers have begun anew; what is sent next is N1.
+void Session::greeted(Instant now) {
+  window_.forget_acknowledged();
+  numbering_base_ = window_.next_to_send() - 1;
+  repeated_line_ = -1;
+  last_life_ = last_progress_ = now;
+  if (state_ == SessionState::kConnecting) {
+    phase_ = Phase::kAsking;
+    push_own("M115");
+  } else {
+    phase_ = Phase::kOpen;
+  }
+}
+
+void Session::named(std::string_view name) {
+  firmware_name_ = firmware_name_in(name);
+  named_ = true;
+}
+
+// What asks for names has been answered, to its `ok`.
+void Session::speak_its_dialect() {
+  std::unique_ptr<Dialect> found = dialect_for(firmware_name_);
+  found->amend(capabilities_);
+  events_.push(SessionEvent::Kind::kDialect, std::string(found->name()));
+  const bool numbered = rules_.numbered;
+  dialect_ = std::move(found);
+  rules_ = dialect_->rules();
+  LINK_CHECK(rules_.window_lines >= 1 && rules_.window_lines <= kWindowLinesMax);
+  LINK_CHECK(rules_.window_bytes > kLineBytesMax && rules_.window_bytes <= kWindowBytesMax);
+  LINK_CHECK(!rules_.numbered || !rules_.checksummed);
+  calm_lines_missing_ = 0;
+  // Where nothing is numbered, an `ok` to a question that was asked twice can't be told from one
+  // to a command: all must have come.
+  settling_needed_ = numbered && !rules_.numbered;
+}
+
+void Session::open(Instant now) {
+  phase_ = Phase::kOpen;
+  state_ = SessionState::kStreaming;
+  last_life_ = last_progress_ = last_polled_ = now;
+  wishes_.report_temperatures =
+      options_.temperature_interval.count() > 0 && capabilities_.autoreport_temperatures;
+}
+
+}  // namespace firmware_link

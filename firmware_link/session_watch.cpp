@@ -1,0 +1,237 @@
+// What the session says of its own accord, and what it watches: temperatures, place, filament.
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <string>
+#include <variant>
+
+#include "firmware_link/check.h"
+#include "firmware_link/line_codec.h"  // write_fixed
+#include "firmware_link/session.h"
+
+namespace firmware_link {
+namespace {
+
+// The controller's count of filament is a float: it is set back to 0 before it gets coarse.
+constexpr std::int64_t kFilamentCount10nmMax = 10'000'000;
+// A difference must be told twice: the telling may be damaged too.
+constexpr int kQuestionsMax = 3;
+// How long nothing may be heard before temperatures are asked for, to see that it lives.
+constexpr Duration kIdlePoll = std::chrono::seconds(10);
+
+// Commands that let the planner run empty before the next one begins.
+bool waits_for_planner(std::string_view text) {
+  const std::size_t end = std::min(text.find(' '), text.size());
+  constexpr std::string_view kWaiting[] = {"G4",   "G28",  "G29",  "G30",  "M0",   "M1",   "M18",
+                                           "M84",  "M109", "M190", "M191", "M226", "M303", "M400",
+                                           "M600", "G34",  "M125", "M701", "M702"};
+  return std::find(std::begin(kWaiting), std::end(kWaiting), text.substr(0, end)) !=
+         std::end(kWaiting);
+}
+
+std::string mm_text(std::int64_t value_10nm) {
+  char text[32];
+  return std::string(text, write_fixed(text, value_10nm, 5));
+}
+
+}  // namespace
+
+void Session::give(const Command& command, bool is_command, Instant now) {
+  LINK_CHECK(can_take());
+  TextBuffer long_buffer;
+  TextBuffer buffer;
+  const std::string_view text = encode(command, long_buffer);
+  Duration nominal(0);
+  if (const auto* move = std::get_if<Move>(&command)) {
+    nominal = position_.nominal_time(*move);
+    position_.gave(*move);
+  } else if (std::holds_alternative<Verbatim>(command)) {
+    position_.gave_unknown();
+  }
+  if (waits_for_planner(text)) nominal = Duration(-1);
+  nominal_[static_cast<std::size_t>(window_.end()) % nominal_.size()] = nominal;
+  window_.push(shortened(text, buffer), is_command);
+  if (is_command) ++statistics_.commands_taken;
+  pump(now);
+}
+
+void Session::push_own(std::string_view text) {
+  nominal_[static_cast<std::size_t>(window_.end()) % nominal_.size()] = Duration(0);
+  window_.push(text, false);
+}
+
+bool Session::own_line_due() const {
+  if (phase_ != Phase::kOpen) return false;
+  if (state_ != SessionState::kStreaming && state_ != SessionState::kFinishing) return false;
+  return wishes_.feed_percent || wishes_.flow_percent || wishes_.filament_correction_10nm ||
+         wishes_.reset_filament || wishes_.ask_temperatures || wishes_.report_temperatures ||
+         (wishes_.ask_position && !question_);
+}
+
+// Puts the most pressing one of the own lines into the window; false when there is none.
+bool Session::push_own_line() {
+  if (!own_line_due()) return false;
+  if (wishes_.feed_percent) {
+    push_own("M220 S" + std::to_string(*wishes_.feed_percent));
+    wishes_.feed_percent.reset();
+  } else if (wishes_.flow_percent) {
+    push_own("M221 S" + std::to_string(*wishes_.flow_percent));
+    wishes_.flow_percent.reset();
+  } else if (wishes_.filament_correction_10nm) {
+    push_own("G1 E" + mm_text(*wishes_.filament_correction_10nm));
+    wishes_.filament_correction_10nm.reset();
+  } else if (wishes_.reset_filament ||
+             (wishes_.ask_position && !question_ && !position_.expected().e_10nm)) {
+    // From here on its count is known exactly.
+    push_own("G92 E0");
+    position_.gave_filament_reset();
+    wishes_.reset_filament = false;
+  } else if (wishes_.ask_position && !question_) {
+    question_ = PositionQuestion{window_.end(), position_.expected(), std::nullopt};
+    push_own("M114");
+    wishes_.ask_position = false;
+  } else if (wishes_.report_temperatures) {
+    const auto interval =
+        std::chrono::duration_cast<std::chrono::seconds>(options_.temperature_interval).count();
+    push_own("M155 S" + std::to_string(std::clamp<std::int64_t>(interval, 1, 60)));
+    wishes_.report_temperatures = false;
+  } else {
+    push_own("M105");
+    wishes_.ask_temperatures = false;
+  }
+  return true;
+}
+
+void Session::tick_watch(Instant now) {
+  if (phase_ != Phase::kOpen || state_ != SessionState::kStreaming) return;
+  const Duration interval = options_.temperature_interval;
+  if (interval.count() <= 0) return;
+  const bool polls = !capabilities_.autoreport_temperatures && now - last_polled_ >= interval;
+  const bool idle =
+      window_.lines_in_flight() == 0 && now - std::max(last_heard_, last_polled_) >= kIdlePoll;
+  if (!polls && !idle) return;
+  last_polled_ = now;
+  wishes_.ask_temperatures = true;
+}
+
+void Session::check_position(Instant now) {
+  if (!rules_.tells_position || state_ != SessionState::kStreaming) return;
+  wishes_.ask_position = true;
+  pump(now);
+}
+
+void Session::set_feed_percent(int percent, Instant now) {
+  LINK_CHECK(percent >= 10 && percent <= 500);
+  wishes_.feed_percent = percent;
+  pump(now);
+}
+
+void Session::set_flow_percent(int percent, Instant now) {
+  LINK_CHECK(percent >= 10 && percent <= 500);
+  wishes_.flow_percent = percent;
+  pump(now);
+}
+
+void Session::hold(bool holding, Instant now) {
+  holding_ = holding;
+  planner_.expect_gap(now);
+}
+
+// An account that was asked for is complete when its `ok` has come.
+void Session::settle_position() {
+  if (!question_ || window_.acknowledged() <= question_->sequence) return;
+  const PositionQuestion question = *question_;
+  question_.reset();
+  if (!question.told) {
+    if (++questions_in_a_row_ < kQuestionsMax) {
+      wishes_.ask_position = true;
+    } else {
+      questions_in_a_row_ = 0;
+    }
+    return;
+  }
+  ++statistics_.positions_checked;
+  const PositionWatch::Verdict verdict = PositionWatch::compare(question.expected, *question.told);
+  if (verdict == PositionWatch::Verdict::kAgrees) {
+    questions_in_a_row_ = 0;
+    const auto count = position_.expected().e_10nm;
+    if (count && std::abs(*count) > kFilamentCount10nmMax) wishes_.reset_filament = true;
+    return;
+  }
+  if (++questions_in_a_row_ == 1) {
+    wishes_.ask_position = true;
+    return;
+  }
+  questions_in_a_row_ = 0;
+  if (verdict == PositionWatch::Verdict::kPositionDiffers) {
+    fault(FaultKind::kPosition,
+          "the controller is not where it was sent: at " + PositionWatch::text_of(*question.told) +
+              ", not " + PositionWatch::text_of(question.expected),
+          true);
+    return;
+  }
+  filament_differs(PositionWatch::filament_excess_10nm(question.expected, *question.told));
+}
+
+void Session::filament_differs(std::int64_t excess_10nm) {
+  const std::string what = mm_text(std::abs(excess_10nm)) + " mm of filament " +
+                           (excess_10nm > 0 ? "too much" : "too little");
+  if (std::abs(excess_10nm) > options_.filament_correction_10nm_max ||
+      statistics_.filament_corrections >= options_.filament_corrections_max) {
+    fault(FaultKind::kPosition, "the controller has counted " + what + ": lines were damaged",
+          true);
+    return;
+  }
+  ++statistics_.filament_corrections;
+  wishes_.filament_correction_10nm = -excess_10nm;
+  events_.push(SessionEvent::Kind::kFilamentCorrected, what);
+}
+
+void Session::note_temperatures(const Reply& reply, Instant now) {
+  Temperatures& known = statistics_.temperatures;
+  const Temperatures& heard = reply.temperatures;
+  const auto update = [](std::optional<double>& kept, const std::optional<double>& value) {
+    if (value) kept = value;
+  };
+  update(known.nozzle_celsius, heard.nozzle_celsius);
+  update(known.nozzle_target_celsius, heard.nozzle_target_celsius);
+  update(known.bed_celsius, heard.bed_celsius);
+  update(known.bed_target_celsius, heard.bed_target_celsius);
+  if (state_ != SessionState::kStreaming && state_ != SessionState::kFinishing) return;
+  std::optional<std::string> complaint;
+  if (heard.nozzle_celsius && heard.nozzle_target_celsius) {
+    complaint = nozzle_watch_.heard(*heard.nozzle_celsius, *heard.nozzle_target_celsius, now);
+  }
+  if (!complaint && heard.bed_celsius && heard.bed_target_celsius) {
+    complaint = bed_watch_.heard(*heard.bed_celsius, *heard.bed_target_celsius, now);
+  }
+  if (complaint) fault(FaultKind::kHeater, *complaint, true);
+}
+
+void Session::note_action(std::string_view action) {
+  using Kind = SessionEvent::Kind;
+  struct Known {
+    std::string_view words;
+    Kind kind;
+  };
+  constexpr Known kKnown[] = {{"pause", Kind::kPauseAsked},
+                              {"resume", Kind::kResumeAsked},
+                              {"cancel", Kind::kCancelAsked},
+                              {"paused", Kind::kPaused},
+                              {"resumed", Kind::kResumed}};
+  for (const Known& known : kKnown) {
+    if (action == known.words) {
+      events_.push(known.kind, std::string(action));
+      return;
+    }
+  }
+  events_.push(Kind::kAction, std::string(action));
+}
+
+void Session::warn(std::string_view words) {
+  ++statistics_.warnings;
+  last_warning_ = std::string(words);
+  events_.push(SessionEvent::Kind::kWarning, last_warning_);
+}
+
+}  // namespace firmware_link
