@@ -1,10 +1,13 @@
 #include "host/options.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <optional>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include "host/exit_codes.h"
 #include "host/settings_text.h"
@@ -19,6 +22,10 @@ namespace {
 constexpr const char* kAbout =
     "rind prints a part while it is still being sliced: a dense wall where the surface is near, "
     "loose fill inside, in memory that does not grow with the part's height.";
+
+// Sides of the square that show --zoom draws; the bed is no larger.
+constexpr double kZoomMinMm = 0.1;
+constexpr double kZoomMaxMm = 100'000;
 
 // Adds `--flag VALUE` as a short way to type `--set key=VALUE`.
 void add_shortcut(CLI::App& command, Options& options, const std::string& flag,
@@ -157,6 +164,23 @@ SectionPlace section_place(const std::string& text) {
   return place;
 }
 
+SectionZoom section_zoom(const std::string& text) {
+  std::vector<double> numbers;
+  std::istringstream parts(text);
+  for (std::string part; std::getline(parts, part, ',');) {
+    const core::Result<double> read = read_number(part, "mm");
+    if (!read.ok()) break;
+    numbers.push_back(read.value());
+  }
+  const bool three = std::count(text.begin(), text.end(), ',') == 2 && numbers.size() == 3;
+  if (!three || numbers[2] < kZoomMinMm || numbers[2] > kZoomMaxMm) {
+    throw CLI::ValidationError(
+        "--zoom", "'" + text + "' is no square; write 4,10,6 for 6 mm around the place 4 mm from " +
+                      "the part's edge and 10 mm above the bed");
+  }
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
 CLI::App* add_show(CLI::App& app, Options& options) {
   CLI::App* command =
       app.add_subcommand("show", "draw one layer, or a vertical cut: wall, inside and roads");
@@ -174,6 +198,14 @@ CLI::App* add_show(CLI::App& app, Options& options) {
       ->type_name("Y=MM|X=MM")
       ->trigger_on_parse();
   which->require_option(1);
+  command
+      ->add_option_function<std::string>(
+          "--zoom", [&options](const std::string& text) { options.zoom = section_zoom(text); },
+          "only a square of the section: the middle's mm from the part's edge, mm above the bed, "
+          "and its side in mm")
+      ->type_name("ALONG,HEIGHT,SIZE")
+      ->needs("--section")
+      ->trigger_on_parse();
   command->add_option("-o,--output", options.output, "FILE.svg, or - for standard output")
       ->type_name("FILE")
       ->required();

@@ -35,6 +35,14 @@ struct SectionPlace {
   bool percent = false;  // otherwise mm
 };
 
+// The square of the section that `show --zoom` draws, in mm: its middle, from the part's edge and
+// above the bed, and its side.
+struct SectionZoom {
+  double along = 0;
+  double height = 0;
+  double size = 0;
+};
+
 struct Options {
   Subcommand subcommand = Subcommand::kPlan;
   std::string part;  // "-": standard input
@@ -49,6 +57,7 @@ struct Options {
   OutputFormat format = OutputFormat::kGcode;
   core::LayerIndex layer = 0;  // 0: none, a section is asked for
   std::optional<SectionPlace> section;
+  std::optional<SectionZoom> zoom;  // only with a section
 
   std::size_t sort_bytes = kSortBytesDefault;
   PipeSorted sorted = PipeSorted::kAuto;

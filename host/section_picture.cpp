@@ -15,6 +15,8 @@ namespace {
 
 constexpr double kWidePx = 840;        // a wide part's longer side
 constexpr double kWideHeightPx = 560;  // and at most its height
+constexpr double kPairWidthPx = 440;   // of each, where two squarish ones stand side by side
+constexpr double kPairHeightPx = 480;
 constexpr double kTallHeightPx = 900;
 constexpr double kTallWidthPx = 460;
 // A part like a needle is drawn this wide, unless its rows were more than that tall then; its page
@@ -54,72 +56,122 @@ SectionPicture::SectionPicture(Options options) : options_(std::move(options)) {
 void SectionPicture::lay_out() {
   const core::Box& box = options_.box;
   const bool along_x = options_.line.across == core::SectionLine::Across::kY;
-  low_ = along_x ? box.min.x : box.min.y;
-  high_ = along_x ? box.max.x : box.max.y;
-  const double width_mm = std::max(0.01, to_mm(high_ - low_));
-  const double height_mm = std::max(0.01, options_.height.mm());
-  const bool wide = width_mm >= 0.8 * height_mm;
-
-  seam_px_ = kSeamPx;
-  px_per_mm_ = wide ? std::min(kWidePx / width_mm, kWideHeightPx / height_mm)
-                    : std::min(kTallWidthPx / width_mm, kTallHeightPx / height_mm);
+  view_ = {{along_x ? box.min.x : box.min.y, along_x ? box.max.x : box.max.y}, {}, options_.height};
+  if (options_.view) view_ = *options_.view;
+  const double width_mm = std::max(0.01, to_mm(view_.along.to - view_.along.from));
+  const double height_mm = std::max(0.01, (view_.top - view_.bottom).mm());
   const double row_mm = options_.settings.layer_height.mm();
+  const auto scale = [&](double width_px, double height_px) {
+    return std::min(width_px / width_mm, height_px / height_mm);
+  };
+  layout_ = width_mm >= 0.8 * height_mm ? Layout::kStacked : Layout::kTall;
+  px_per_mm_ = layout_ == Layout::kStacked ? scale(kWidePx, kWideHeightPx)
+                                           : scale(kTallWidthPx, kTallHeightPx);
+  const double paired = scale(kPairWidthPx, kPairHeightPx);
+  if (layout_ == Layout::kStacked && width_mm < 1.5 * height_mm && paired * row_mm >= kBeadRowPx) {
+    layout_ = Layout::kPaired;
+    px_per_mm_ = paired;
+  }
   px_per_mm_ = std::max(px_per_mm_, std::min(kNeedlePx / width_mm, kNeedleRowPx / row_mm));
   // Whole pixels for a row, where that is near enough: edges come out sharp.
+  seam_px_ = kSeamPx;
   const double row_px = row_mm * px_per_mm_;
   if (row_px >= 2) {
     px_per_mm_ *= std::floor(row_px) / row_px;
     seam_px_ = 0;
   }
-  const bool beads = std::floor(row_px) >= kBeadRowPx;
+  place_panels(std::ceil(width_mm * px_per_mm_), std::floor(row_px) >= kBeadRowPx);
+}
 
-  const double panel_width = std::max(wide ? kWidePx : 0.0, width_mm * px_per_mm_) + 2 * kPadPx;
-  const double panel_height = std::ceil(height_mm * px_per_mm_);
-  const double inset = std::floor((panel_width - width_mm * px_per_mm_) / 2);
+void SectionPicture::place_panels(double width, bool beads) {
+  const double height = panel_height_px();
   const double top = kTitlePx + kPadTopPx;
-  panels_.push_back({inset, top});
-  const double beneath = top + panel_height + 2 * kLegendRowPx;
-  if (wide) {
-    const double lower = beneath + 5.5 * kLegendRowPx;
-    page_width_ = panel_width;
-    if (beads) panels_.push_back({inset, lower});
-    legend_left_ = bead_legend_left_ = kMarginPx;
-    legend_top_ = beneath;
-    bead_legend_top_ = lower + panel_height + 2 * kLegendRowPx;
-    page_height_ = beads ? bead_legend_top_ + 2.2 * kLegendRowPx : lower - kLegendRowPx;
+  const double beneath = top + height + 2 * kLegendRowPx;
+  legend_left_ = bead_legend_left_ = kMarginPx;
+  legend_top_ = beneath;
+  bead_legend_top_ = beneath + 5.5 * kLegendRowPx;
+  if (layout_ == Layout::kStacked) {
+    page_width_ = kWidePx + 2 * kPadPx;
+    const double inset = std::floor((page_width_ - width) / 2);
+    panels_.push_back({inset, top});
+    if (beads) panels_.push_back({inset, bead_legend_top_});
+    page_height_ = bead_legend_top_ - kLegendRowPx;
+    if (!beads) return;
+    bead_legend_top_ += height + 2 * kLegendRowPx;
+    page_height_ = bead_legend_top_ + 2.2 * kLegendRowPx;
+  } else if (layout_ == Layout::kPaired) {
+    page_width_ = std::max(2 * width + 3 * kPadPx, 2 * kSideLegendPx);
+    const double gap = std::floor((page_width_ - 2 * width) / 3);
+    panels_.push_back({gap, top});
+    panels_.push_back({2 * gap + width, top});
+    page_height_ = bead_legend_top_ + 2.2 * kLegendRowPx;
   } else {
-    const double columns = beads ? 2 : 1;
-    if (beads) panels_.push_back({inset + panel_width - kPadPx, top});
-    legend_left_ = bead_legend_left_ = columns * (panel_width - kPadPx) + 2 * kPadPx;
+    panels_.push_back({kPadPx, top});
+    if (beads) panels_.push_back({2 * kPadPx + width, top});
+    legend_left_ = bead_legend_left_ = panels_.back().left + width + kPadPx;
     legend_top_ = top + kLegendRowPx / 2;
     bead_legend_top_ = legend_top_ + 11 * kLegendRowPx;
     page_width_ = legend_left_ + kSideLegendPx;
-    page_height_ = std::max(
-        beneath, beads ? bead_legend_top_ + 6 * kLegendRowPx : legend_top_ + 11 * kLegendRowPx);
+    page_height_ = std::max(beneath, legend_top_ + (beads ? 16 : 11) * kLegendRowPx);
   }
 }
 
+double SectionPicture::panel_height_px() const {
+  return std::ceil((view_.top - view_.bottom).mm() * px_per_mm_);
+}
+
 double SectionPicture::along_px(std::int64_t units) const {
-  return panels_[0].left + to_mm(units - low_) * px_per_mm_;
+  return panels_[0].left + to_mm(units - view_.along.from) * px_per_mm_;
 }
 
 double SectionPicture::height_px(core::Length height) const {
-  return panels_[0].top + std::ceil(options_.height.mm() * px_per_mm_) - height.mm() * px_per_mm_;
+  return panels_[0].top + panel_height_px() - (height - view_.bottom).mm() * px_per_mm_;
+}
+
+// More than half a layer within the view is all of it.
+bool SectionPicture::in_view(const core::Slice& slice) const {
+  const core::Length middle = slice.bottom + core::Length::from_units(slice.height.units() / 2);
+  return view_.bottom <= middle && middle <= view_.top;
+}
+
+core::Intervals SectionPicture::in_view(const core::Intervals& intervals) const {
+  return core::intersect(intervals, {view_.along});
+}
+
+bool SectionPicture::in_view(const Ball& ball) const {
+  const double left = along_px(view_.along.from), right = along_px(view_.along.to);
+  const double top = height_px(view_.top), bottom = height_px(view_.bottom);
+  return left <= ball.x && ball.x <= right && top <= ball.y && ball.y <= bottom;
 }
 
 std::string SectionPicture::begin() {
   std::string svg;
   begin_page(svg, page_width_, page_height_, kPageHeightMaxPx);
   append_title(svg, options_.title, options_.subtitle);
-  const double width = to_mm(high_ - low_) * px_per_mm_;
+  const double width = to_mm(view_.along.to - view_.along.from) * px_per_mm_;
   for (const Panel& panel : panels_) {
-    const double bed = panel.top + std::ceil(options_.height.mm() * px_per_mm_);
-    append_bed(svg, panel.left - kPadPx / 2, width + kPadPx, bed);
+    const double bed = panel.top + panel_height_px();
+    if (view_.bottom == core::Length()) {
+      append_bed(svg, panel.left - kPadPx / 2, width + kPadPx, bed);
+    }
+    if (!options_.view) continue;
+    fmt::format_to(std::back_inserter(svg),
+                   "<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" "
+                   "fill=\"#fff\" stroke=\"#d8d0c2\" stroke-width=\"3\"/>\n",
+                   panel.left, panel.top, width, bed - panel.top);
+  }
+  // What is measured may reach out of a view, and not into the legend.
+  if (options_.view) {
+    fmt::format_to(std::back_inserter(svg),
+                   "<clipPath id=\"view\"><rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" "
+                   "height=\"{:.2f}\"/></clipPath>\n",
+                   panels_[0].left, panels_[0].top, width, panel_height_px());
   }
   return svg;
 }
 
 std::string SectionPicture::roads(const core::Slice& slice, const std::vector<core::Road>& roads) {
+  if (!in_view(slice)) return {};
   const double dx = panels_[1].left - panels_[0].left, dy = panels_[1].top - panels_[0].top;
   const double thickness = slice.height.mm() * px_per_mm_;
   const double y = rounded_px((height_px(slice.bottom) + height_px(slice.top())) / 2 + dy);
@@ -127,7 +179,7 @@ std::string SectionPicture::roads(const core::Slice& slice, const std::vector<co
   for (const core::Road& road : roads) {
     if (road.kind == core::RoadKind::kSkirt) continue;
     const auto kind = static_cast<std::size_t>(road.kind);
-    for (const core::Interval& met : core::section_of(road, options_.line)) {
+    for (const core::Interval& met : in_view(core::section_of(road, options_.line))) {
       // A line with round ends, as thick as the layer, is a bead's cross-section.
       const double from = along_px(met.from) + dx + thickness / 2;
       const double to = std::max(along_px(met.to) + dx - thickness / 2, from + 0.01);
@@ -156,8 +208,8 @@ std::string SectionPicture::layer(const core::LayerWindow& window) {
   const std::array<const core::Intervals*, kTints> tints = {
       &section.loose, &section.own, &section.uncovered, &section.neighbours, &section.further};
   RowPieces row;
-  for (std::size_t tint = 0; tint < kTints; ++tint) {
-    for (const core::Interval& piece : *tints[tint]) {
+  for (std::size_t tint = 0; in_view(slice) && tint < kTints; ++tint) {
+    for (const core::Interval& piece : in_view(*tints[tint])) {
       const double from = rounded_px(along_px(piece.from));
       row[tint].emplace_back(from, rounded_px(along_px(piece.to)) - from);
       tint_seen_[tint] = true;
@@ -174,9 +226,17 @@ std::string SectionPicture::layer(const core::LayerWindow& window) {
   const double loose_mm = core::total_length(section.loose).mm();
   loose_mm2_ += loose_mm * slice.height.mm();
   solid_mm2_ += (core::total_length(section.slice).mm() - loose_mm) * slice.height.mm();
+  if (!section.loose.empty()) {
+    const auto widest = std::max_element(section.loose.begin(), section.loose.end(),
+                                         [](const core::Interval& a, const core::Interval& b) {
+                                           return a.to - a.from < b.to - b.from;
+                                         });
+    highest_loose_ = slice.bottom + core::Length::from_units(slice.height.units() / 2);
+    highest_loose_along_ = widest->from + (widest->to - widest->from) / 2;
+  }
   const std::optional<core::WallPlace> place = core::thinnest_wall(window, options_.line);
   if (place && (!thinnest_ || place->thickness_mm < thinnest_->thickness_mm)) thinnest_ = place;
-  note_balls(slice, section.loose);
+  if (in_view(slice)) note_balls(slice, in_view(section.loose));
   return svg;
 }
 
@@ -198,20 +258,20 @@ void SectionPicture::flush_row(std::string& svg) {
 void SectionPicture::note_balls(const core::Slice& slice, const core::Intervals& loose) {
   if (loose.empty()) return;
   const core::Length middle = slice.bottom + core::Length::from_units(slice.height.units() / 2);
-  const auto widest = std::max_element(loose.begin(), loose.end(),
-                                       [](const core::Interval& a, const core::Interval& b) {
-                                         return a.to - a.from < b.to - b.from;
-                                       });
-  highest_loose_ = middle;
-  highest_loose_along_ = widest->from + (widest->to - widest->from) / 2;
-  const double share = static_cast<double>(next_ball_) / static_cast<double>(kBallHeights);
-  if (next_ball_ >= kBallHeights || middle.mm() < share * options_.height.mm()) return;
-  while (next_ball_ < kBallHeights &&
-         middle.mm() >= static_cast<double>(next_ball_) / kBallHeights * options_.height.mm()) {
-    ++next_ball_;
+  const core::Length tall = view_.top - view_.bottom;
+  const auto due = [&] {
+    const auto share = static_cast<double>(next_ball_) / static_cast<double>(kBallHeights);
+    return next_ball_ < kBallHeights && (middle - view_.bottom).mm() >= share * tall.mm();
+  };
+  if (!due()) return;
+  while (due()) ++next_ball_;
+  // Not where the view ends within the inside.
+  if (loose.front().from > view_.along.from) {
+    balls_.push_back({along_px(loose.front().from), height_px(middle)});
   }
-  balls_.push_back({along_px(loose.front().from), height_px(middle)});
-  balls_.push_back({along_px(loose.back().to), height_px(middle)});
+  if (loose.back().to < view_.along.to) {
+    balls_.push_back({along_px(loose.back().to), height_px(middle)});
+  }
 }
 
 void SectionPicture::append_measures(std::string& svg) {
@@ -219,10 +279,12 @@ void SectionPicture::append_measures(std::string& svg) {
   const core::Settings& settings = options_.settings;
   const double radius = settings.wall_thickness.mm() * px_per_mm_;
   if (settings.style == core::BuildStyle::kThinWall && radius >= kBallPxMin) {
-    if (highest_loose_ > core::Length()) {
-      balls_.push_back({along_px(highest_loose_along_), height_px(highest_loose_)});
-    }
-    svg += "<g fill=\"#fff\" fill-opacity=\".18\" stroke=\"#3a2c14\" stroke-width=\"1.1\">\n";
+    const Ball highest{along_px(highest_loose_along_), height_px(highest_loose_)};
+    if (highest_loose_ > core::Length() && in_view(highest)) balls_.push_back(highest);
+    fmt::format_to(out,
+                   "<g fill=\"#fff\" fill-opacity=\".18\" stroke=\"#3a2c14\" "
+                   "stroke-width=\"1.1\"{}>\n",
+                   options_.view ? " clip-path=\"url(#view)\"" : "");
     const double reach = (core::wall_layers(settings) + 0.5) * settings.layer_height.mm();
     for (const Ball& ball : balls_) {
       if (settings.wall_shape == core::WallShape::kBall) {
@@ -238,7 +300,10 @@ void SectionPicture::append_measures(std::string& svg) {
     }
     svg += "</g>\n";
   }
-  if (!thinnest_) return;
+  if (!thinnest_ || !in_view(Ball{along_px(thinnest_->loose_along.units()),
+                                  height_px(thinnest_->loose_height)})) {
+    return;
+  }
   const double x0 = along_px(thinnest_->loose_along.units()),
                y0 = height_px(thinnest_->loose_height);
   const double x1 = along_px(thinnest_->outside_along.units()),
@@ -267,26 +332,27 @@ void SectionPicture::append_legend(std::string& svg) {
     append_legend_row(svg, legend_left_, y, *kTintColours[tint], texts[tint]);
     y += kLegendRowPx;
   }
-  const bool wide = legend_top_ > panels_[0].top + options_.height.mm() * px_per_mm_;
+  const bool wide = layout_ != Layout::kTall;
   const double x = wide ? legend_left_ + kSideLegendPx : legend_left_;
   y = wide ? legend_top_ : y + kLegendRowPx / 2;
   append_scale_bar(svg, x, y, px_per_mm_, 150);
   y += kLegendRowPx;
   const double whole = std::max(1e-9, solid_mm2_ + loose_mm2_);
   append_text(svg, x, y,
-              fmt::format("wall {:.1f} mm² ({:.0f} %), inside {:.1f} mm² ({:.0f} %)", solid_mm2_,
-                          100 * solid_mm2_ / whole, loose_mm2_, 100 * loose_mm2_ / whole));
+              fmt::format("{}wall {:.1f} mm² ({:.0f} %), inside {:.1f} mm² ({:.0f} %)",
+                          options_.view ? "whole cut: " : "", solid_mm2_, 100 * solid_mm2_ / whole,
+                          loose_mm2_, 100 * loose_mm2_ / whole));
   y += kLegendRowPx;
   if (!balls_.empty() && options_.settings.wall_thickness.mm() * px_per_mm_ >= kBallPxMin) {
     const bool ball = options_.settings.wall_shape == core::WallShape::kBall;
     append_text(svg, x, y,
-                fmt::format("{} of the asked thickness, {:g} mm, on the inside's edge",
+                fmt::format("{}, {:g} mm in radius, rolled along the inside's edge",
                             ball ? "balls" : "cylinders", options_.settings.wall_thickness.mm()));
     y += kLegendRowPx;
   }
   if (thinnest_) {
     append_text(svg, x, y,
-                fmt::format("thinnest wall in this cut: {:.3f} mm", thinnest_->thickness_mm));
+                fmt::format("thinnest wall in the whole cut: {:.3f} mm", thinnest_->thickness_mm));
   }
   if (!shows_roads()) return;
   std::size_t row = 0;

@@ -32,12 +32,20 @@ inline constexpr double kBeadRowPx = 3;
 
 class SectionPicture {
  public:
+  // Along the line as an interval, and heights above the bed.
+  struct View {
+    core::Interval along;
+    core::Length bottom, top;
+  };
+
   struct Options {
     std::string title;     // the part's name
     std::string subtitle;  // where it is cut
     core::SectionLine line;
     core::Box box;        // of the part
     core::Length height;  // of the part
+    // What of the cut is drawn; all of it where nothing is said.
+    std::optional<View> view;
     core::Settings settings;
   };
 
@@ -74,7 +82,16 @@ class SectionPicture {
     double x = 0, y = 0;
   };
 
+  // The panels one above the other; side by side with the legend beneath; side by side with the
+  // legend beside.
+  enum class Layout { kStacked, kPaired, kTall };
+
   void lay_out();
+  void place_panels(double width, bool beads);
+  [[nodiscard]] double panel_height_px() const;
+  [[nodiscard]] bool in_view(const core::Slice& slice) const;
+  [[nodiscard]] core::Intervals in_view(const core::Intervals& intervals) const;
+  [[nodiscard]] bool in_view(const Ball& ball) const;
   [[nodiscard]] double along_px(std::int64_t units) const;
   [[nodiscard]] double height_px(core::Length height) const;
   void flush_row(std::string& svg);
@@ -83,13 +100,13 @@ class SectionPicture {
   void append_legend(std::string& svg);
 
   Options options_;
+  Layout layout_ = Layout::kStacked;
   double px_per_mm_ = 1;
   double seam_px_ = 0;
   double page_width_ = 0, page_height_ = 0;
   double legend_left_ = 0, legend_top_ = 0;
   double bead_legend_left_ = 0, bead_legend_top_ = 0;
-  std::int64_t low_ = 0;  // of the box along the line, in units
-  std::int64_t high_ = 0;
+  View view_;
   std::vector<Panel> panels_;
 
   // The rows that look the same, not yet written.

@@ -95,6 +95,31 @@ core::Result<core::SectionLine> line_through(const SectionPlace& place, const co
                            core::Length::from_units(at)};
 }
 
+// The square that was asked for; an error where it misses the part.
+core::Result<SectionPicture::View> view_of(const SectionZoom& zoom, const PartSummary& summary,
+                                           const core::SectionLine& line, const std::string& part) {
+  const bool across_y = line.across == core::SectionLine::Across::kY;
+  const core::Box& box = summary.box;
+  const std::int64_t edge = across_y ? box.min.x : box.min.y;
+  const std::int64_t far_edge = across_y ? box.max.x : box.max.y;
+  const double width_mm = core::Length::from_units(far_edge - edge).mm();
+  const double half_mm = zoom.size / 2;
+  if (zoom.along + half_mm <= 0 || zoom.along - half_mm >= width_mm || zoom.height + half_mm <= 0 ||
+      zoom.height - half_mm >= summary.height.mm()) {
+    return core::Error{
+        core::ErrorCode::kOutOfBounds,
+        fmt::format("{}: a square of {:g} mm around {:g} mm along the cut and {:g} mm "
+                    "above the bed misses the part, which is {:g} mm wide there and "
+                    "{:g} mm high",
+                    part, zoom.size, zoom.along, zoom.height, width_mm, summary.height.mm())};
+  }
+  const auto units = [](double mm) { return core::Length::from_mm(mm).units(); };
+  return SectionPicture::View{
+      {edge + units(zoom.along - half_mm), edge + units(zoom.along + half_mm)},
+      core::Length::from_mm(std::max(zoom.height - half_mm, 0.0)),
+      core::Length::from_mm(zoom.height + half_mm)};
+}
+
 SectionPicture::Options picture_options(const Options& options, const Job& job,
                                         const core::SectionLine& line) {
   const PartSummary& summary = job.part.summary;
@@ -104,13 +129,15 @@ SectionPicture::Options picture_options(const Options& options, const Job& job,
   const std::string where = across_y
                                 ? fmt::format("{:.4g} mm behind its front, seen from the front", mm)
                                 : fmt::format("{:.4g} mm from its left, seen from the right", mm);
-  return {part_title(options.part),
-          fmt::format("cut {}; {} layers of {:g} mm; {}", where, summary.layers,
-                      job.settings.layer_height.mm(), wall_words(job.settings)),
-          line,
-          summary.box,
-          summary.height,
-          core::with_style(job.settings)};
+  SectionPicture::Options asked;
+  asked.title = part_title(options.part);
+  asked.subtitle = fmt::format("cut {}; {} layers of {:g} mm; {}", where, summary.layers,
+                               job.settings.layer_height.mm(), wall_words(job.settings));
+  asked.line = line;
+  asked.box = summary.box;
+  asked.height = summary.height;
+  asked.settings = core::with_style(job.settings);
+  return asked;
 }
 
 // Row by row into the file: what is held does not grow with the part.
@@ -118,9 +145,16 @@ int show_section(const Options& options, Job& job, Reporter& reporter) {
   const core::Result<core::SectionLine> line =
       line_through(*options.section, job.part.summary.box, options.part);
   if (!line.ok()) return fail(line.error(), reporter);
+  SectionPicture::Options asked = picture_options(options, job, line.value());
+  if (options.zoom) {
+    const core::Result<SectionPicture::View> view =
+        view_of(*options.zoom, job.part.summary, line.value(), options.part);
+    if (!view.ok()) return fail(view.error(), reporter);
+    asked.view = view.value();
+  }
   core::Result<OutputFile> file = OutputFile::open(options.output);
   if (!file.ok()) return fail(file.error(), reporter);
-  SectionPicture picture(picture_options(options, job, line.value()));
+  SectionPicture picture(std::move(asked));
   core::LayerWindow window(core::with_style(job.settings));
   core::Status written = file.value().write(picture.begin());
   const auto write = [&](const std::string& svg) {

@@ -86,6 +86,11 @@ TEST_CASE("a cut is asked for by axis, in mm or per cent") {
   CHECK_EQ(section("x=50%").value, 50);
   CHECK(section("x=50%").percent);
   CHECK_FALSE(parse_good({"show", "p.stl", "-o", "a.svg", "--layer", "2"}).section.has_value());
+  const Options zoomed =
+      parse_good({"show", "p.stl", "-o", "a.svg", "--section", "Y=1", "--zoom", "4,10.5,6"});
+  CHECK_EQ(zoomed.zoom.value().along, 4);
+  CHECK_EQ(zoomed.zoom.value().height, 10.5);
+  CHECK_EQ(zoomed.zoom.value().size, 6);
 }
 
 TEST_CASE("what can't be understood is refused with exit code 2 and the reason") {
@@ -101,6 +106,11 @@ TEST_CASE("what can't be understood is refused with exit code 2 and the reason")
       {{"show", "p.stl", "-o", "a.svg", "--section", "Y="}, "Y=12.5"},
       {{"show", "p.stl", "-o", "a.svg", "--section", "Y=1inch"}, "Y=12.5"},
       {{"show", "p.stl", "-o", "a.svg", "--section", "X=nan"}, "X=50%"},
+      {{"show", "p.stl", "-o", "a.svg", "--layer", "3", "--zoom", "1,2,3"}, "--section"},
+      {{"show", "p.stl", "-o", "a.svg", "--section", "Y=1", "--zoom", "1,2"}, "4,10,6"},
+      {{"show", "p.stl", "-o", "a.svg", "--section", "Y=1", "--zoom", "1,2,3,4"}, "4,10,6"},
+      {{"show", "p.stl", "-o", "a.svg", "--section", "Y=1", "--zoom", "1,b,3"}, "4,10,6"},
+      {{"show", "p.stl", "-o", "a.svg", "--section", "Y=1", "--zoom", "1,2,0"}, "4,10,6"},
       {{"print", "p.stl", "--baud", "fast"}, "--baud"},
       {{"print", "p.stl", "--baud", "7"}, "--baud"},
       {{"print", "p.stl", "--virtual-speed", "-1"}, "--virtual-speed"},

@@ -2,9 +2,12 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/boolean.h"
@@ -32,6 +35,8 @@ struct Drawn {
   bool shows_roads = false;
 };
 
+using View = SectionPicture::View;
+
 SectionPicture::Options options_for(const Settings& settings, double width_mm, int layers) {
   SectionPicture::Options options;
   options.title = "a <part> & more";
@@ -45,8 +50,11 @@ SectionPicture::Options options_for(const Settings& settings, double width_mm, i
 
 // A block of this width, 10 mm deep, through the splitter and the window into a picture; each
 // layer has one road along its front and one that is cut across.
-Drawn draw_block(const Settings& settings, double width_mm, int layers) {
-  SectionPicture picture(options_for(settings, width_mm, layers));
+Drawn draw_block(const Settings& settings, double width_mm, int layers,
+                 const std::optional<View>& view = std::nullopt) {
+  SectionPicture::Options options = options_for(settings, width_mm, layers);
+  options.view = view;
+  SectionPicture picture(std::move(options));
   core::OffsetCutter cutter(settings);
   core::WallSplitter splitter(settings);
   LayerWindow window(settings);
@@ -102,7 +110,7 @@ TEST_CASE("a block's cut: areas, thickness, legend, a bead for each road and lay
   CHECK_EQ(drawn.loose_mm2, doctest::Approx(18.4 * 8.4));
   CHECK_EQ(count(drawn.svg, "wall 45.4 mm² (23 %), inside 154.6 mm² (77 %)"), 1);
   CHECK_LT(std::abs(drawn.thinnest_mm - 0.8), 0.0028);
-  CHECK_EQ(count(drawn.svg, "thinnest wall in this cut: 0.800 mm"), 1);
+  CHECK_EQ(count(drawn.svg, "thinnest wall in the whole cut: 0.800 mm"), 1);
   CHECK_EQ(count(drawn.svg, "region 1"), 1);
   CHECK_EQ(count(drawn.svg, "region 2"), 1);
   // Its sides are upright: the slices around have no edge that its own has not.
@@ -124,6 +132,18 @@ TEST_CASE("rows that look the same are one, and what is held does not grow") {
   CHECK_EQ(count(tall.svg, "<path fill=\"#"), 2 + 2 + 2);
   CHECK_LE(tall.svg.size(), low.svg.size() + 100);
   CHECK_LE(tall.longest_piece, 1'000);
+}
+
+TEST_CASE("a view draws what lies in it, and measures all") {
+  // A corner: 3 mm from the left, from 1 to 4 mm above the bed.
+  const View view{{-5'000, 30'000}, Length::from_mm(1), Length::from_mm(4)};
+  const Drawn drawn = draw_block(Settings(), 20, 50, view);
+  CHECK_EQ(test::svg_fault(drawn.svg), "");
+  CHECK_EQ(drawn.loose_mm2, doctest::Approx(18.4 * 8.4));
+  // No layer of the bed's wall, 15 layers' beads, and one run of rows.
+  CHECK_EQ(count(drawn.svg, ">region 2"), 0);
+  CHECK_EQ(count(drawn.svg, "fill=\"none\" stroke-linecap=\"round\"/>\n"), 15);
+  CHECK_EQ(count(drawn.svg, "<path fill=\"#"), 2);
 }
 
 TEST_CASE("odd parts are pictures too") {
