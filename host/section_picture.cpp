@@ -35,6 +35,8 @@ constexpr double kSeamPx = 1;
 constexpr std::array<const Colours*, 5> kTintColours = {
     &kLooseColours, &kOwnColours, &kUncoveredColours, &kNeighbourColours, &kFurtherColours};
 
+constexpr std::array<std::size_t, 5> kLegendOrder = {1, 2, 3, 4, 0};
+
 double rounded_px(double px) { return std::round(px * 100) / 100; }
 
 void append_bed(std::string& svg, double left, double width, double y) {
@@ -327,7 +329,7 @@ void SectionPicture::append_legend(std::string& svg) {
   const std::array<std::string, kTints> texts = {"inside, filled loosely", words.own,
                                                  words.uncovered, words.neighbours, words.further};
   double y = legend_top_;
-  for (const std::size_t tint : {1, 2, 3, 4, 0}) {
+  for (const std::size_t tint : kLegendOrder) {
     if (!tint_seen_[tint]) continue;
     append_legend_row(svg, legend_left_, y, *kTintColours[tint], texts[tint]);
     y += kLegendRowPx;
