@@ -122,7 +122,7 @@ std::vector<Area> areas_of(const core::WallRegions& regions, const core::SplitLa
   return {{&regions.own, &kOwnColours, words.own},
           {&regions.uncovered, &kUncoveredColours, words.uncovered},
           {&regions.neighbours, &kNeighbourColours, words.neighbours},
-          {&regions.further, &kFurtherColours, words.further},
+          {&regions.further, &further_colours(settings), words.further},
           {&layer.loose, &kLooseColours, "inside, filled loosely"}};
 }
 

@@ -17,6 +17,10 @@ const KindStyle& style_of(core::RoadKind kind) {
   return *found;
 }
 
+const Colours& further_colours(const core::Settings& settings) {
+  return settings.style == core::BuildStyle::kThinWall ? kFurtherColours : kOwnColours;
+}
+
 double to_mm(std::int64_t units) { return static_cast<double>(units) / core::kUnitsPerMm; }
 
 std::string wall_words(const core::Settings& settings) {

@@ -45,6 +45,9 @@ inline constexpr std::array<KindStyle, core::kRoadKindCount> kKindStyles = {{
     {core::RoadKind::kSkirt, "skirt", {"#8d8d8d", "#bdbdbd"}},
 }};
 
+// Of what is solid for another reason than the three regions: all that is, where the style decides.
+[[nodiscard]] const Colours& further_colours(const core::Settings& settings);
+
 [[nodiscard]] const KindStyle& style_of(core::RoadKind kind);
 
 [[nodiscard]] double to_mm(std::int64_t units);

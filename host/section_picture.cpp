@@ -8,7 +8,6 @@
 #include <string_view>
 
 #include "core/wall_regions.h"
-#include "host/picture_style.h"
 
 namespace host {
 namespace {
@@ -23,17 +22,15 @@ constexpr double kTallWidthPx = 460;
 // is as tall as it takes.
 constexpr double kNeedlePx = 110;
 constexpr double kNeedleRowPx = 2;
-constexpr double kPadPx = 66;     // beside the part: room for a measure
-constexpr double kPadTopPx = 30;  // over it
+constexpr double kPadPx = 66;      // beside the part: room for a measure
+constexpr double kPadTopPx = 30;   // over it
+constexpr double kLetterPx = 7.5;  // of the subtitle, about
 constexpr double kSideLegendPx = 490;
 constexpr double kPageHeightMaxPx = 16'000;  // as shown; what is drawn in can be taller
 constexpr double kBallPxMin = 4;
 constexpr std::size_t kBallHeights = 6;
 // Where rows are no whole pixels, they overlap the next by so much, lest the page shines through.
 constexpr double kSeamPx = 1;
-
-constexpr std::array<const Colours*, 5> kTintColours = {
-    &kLooseColours, &kOwnColours, &kUncoveredColours, &kNeighbourColours, &kFurtherColours};
 
 constexpr std::array<std::size_t, 5> kLegendOrder = {1, 2, 3, 4, 0};
 
@@ -54,6 +51,19 @@ void append_bed(std::string& svg, double left, double width, double y) {
 }  // namespace
 
 SectionPicture::SectionPicture(Options options) : options_(std::move(options)) { lay_out(); }
+
+const Colours& SectionPicture::colours_of(std::size_t tint) const {
+  const std::array<const Colours*, kTints> colours = {&kLooseColours, &kOwnColours,
+                                                      &kUncoveredColours, &kNeighbourColours,
+                                                      &further_colours(options_.settings)};
+  return *colours[tint];
+}
+
+// Where the style decides, the wall is nobody's ball's; and small ones are specks.
+bool SectionPicture::shows_balls() const {
+  return options_.settings.style == core::BuildStyle::kThinWall &&
+         options_.settings.wall_thickness.mm() * px_per_mm_ >= kBallPxMin;
+}
 
 void SectionPicture::lay_out() {
   const core::Box& box = options_.box;
@@ -83,6 +93,8 @@ void SectionPicture::lay_out() {
     seam_px_ = 0;
   }
   place_panels(std::ceil(width_mm * px_per_mm_), std::floor(row_px) >= kBeadRowPx);
+  page_width_ = std::max(page_width_,
+                         2 * kMarginPx + kLetterPx * static_cast<double>(options_.subtitle.size()));
 }
 
 void SectionPicture::place_panels(double width, bool beads) {
@@ -247,7 +259,7 @@ void SectionPicture::flush_row(std::string& svg) {
   const double tall = rounded_px(height_px(row_bottom_) - top);
   for (std::size_t tint = 0; tint < kTints; ++tint) {
     if (row_[tint].empty()) continue;
-    fmt::format_to(std::back_inserter(svg), "<path fill=\"{}\" d=\"", kTintColours[tint]->body);
+    fmt::format_to(std::back_inserter(svg), "<path fill=\"{}\" d=\"", colours_of(tint).body);
     for (const auto& [from, width] : row_[tint]) {
       fmt::format_to(std::back_inserter(svg), "M{} {}h{}v{}h-{}z", from, top, rounded_px(width),
                      tall, rounded_px(width));
@@ -280,7 +292,7 @@ void SectionPicture::append_measures(std::string& svg) {
   const auto out = std::back_inserter(svg);
   const core::Settings& settings = options_.settings;
   const double radius = settings.wall_thickness.mm() * px_per_mm_;
-  if (settings.style == core::BuildStyle::kThinWall && radius >= kBallPxMin) {
+  if (shows_balls()) {
     const Ball highest{along_px(highest_loose_along_), height_px(highest_loose_)};
     if (highest_loose_ > core::Length() && in_view(highest)) balls_.push_back(highest);
     fmt::format_to(out,
@@ -331,7 +343,7 @@ void SectionPicture::append_legend(std::string& svg) {
   double y = legend_top_;
   for (const std::size_t tint : kLegendOrder) {
     if (!tint_seen_[tint]) continue;
-    append_legend_row(svg, legend_left_, y, *kTintColours[tint], texts[tint]);
+    append_legend_row(svg, legend_left_, y, colours_of(tint), texts[tint]);
     y += kLegendRowPx;
   }
   const bool wide = layout_ != Layout::kTall;
@@ -345,7 +357,7 @@ void SectionPicture::append_legend(std::string& svg) {
                           options_.view ? "whole cut: " : "", solid_mm2_, 100 * solid_mm2_ / whole,
                           loose_mm2_, 100 * loose_mm2_ / whole));
   y += kLegendRowPx;
-  if (!balls_.empty() && options_.settings.wall_thickness.mm() * px_per_mm_ >= kBallPxMin) {
+  if (!balls_.empty() && shows_balls()) {
     const bool ball = options_.settings.wall_shape == core::WallShape::kBall;
     append_text(svg, x, y,
                 fmt::format("{}, {:g} mm in radius, rolled along the inside's edge",

@@ -18,13 +18,14 @@
 #include <utility>
 #include <vector>
 
-#include "core/geometry.h"      // Box
-#include "core/layer_window.h"  // LayerWindow
-#include "core/road.h"          // Road
-#include "core/section.h"       // SectionLine
-#include "core/settings.h"      // Settings
-#include "core/units.h"         // Length
-#include "core/wall_gauge.h"    // WallPlace
+#include "core/geometry.h"       // Box
+#include "core/layer_window.h"   // LayerWindow
+#include "core/road.h"           // Road
+#include "core/section.h"        // SectionLine
+#include "core/settings.h"       // Settings
+#include "core/units.h"          // Length
+#include "core/wall_gauge.h"     // WallPlace
+#include "host/picture_style.h"  // Colours
 
 namespace host {
 
@@ -86,6 +87,8 @@ class SectionPicture {
   // legend beside.
   enum class Layout { kStacked, kPaired, kTall };
 
+  [[nodiscard]] const Colours& colours_of(std::size_t tint) const;
+  [[nodiscard]] bool shows_balls() const;
   void lay_out();
   void place_panels(double width, bool beads);
   [[nodiscard]] double panel_height_px() const;

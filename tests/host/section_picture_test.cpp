@@ -146,6 +146,16 @@ TEST_CASE("a view draws what lies in it, and measures all") {
   CHECK_EQ(count(drawn.svg, "<path fill=\"#"), 2);
 }
 
+TEST_CASE("where the style decides, nothing is said of regions and balls") {
+  Settings regular;
+  regular.style = core::BuildStyle::kRegular;
+  const Drawn drawn = draw_block(regular, 20, 50);
+  CHECK_EQ(count(drawn.svg, ">filled densely</text>"), 1);
+  CHECK_EQ(count(drawn.svg, "region"), 0);
+  CHECK_EQ(count(drawn.svg, "balls"), 0);
+  CHECK_EQ(count(draw_block(Settings(), 20, 50).svg, ">balls, 0.8 mm in radius"), 1);
+}
+
 TEST_CASE("odd parts are pictures too") {
   Settings cylinder;
   cylinder.wall_shape = core::WallShape::kCylinder;
