@@ -12,6 +12,12 @@ namespace {
 constexpr WindingRule kAnywhere{WindingRule::Kind::kAtLeast, 1};
 constexpr WindingRule kInBoth{WindingRule::Kind::kAtLeast, 2};
 constexpr WindingRule kNotCancelled{WindingRule::Kind::kNonZero, 0};
+constexpr WindingRule kOdd{WindingRule::Kind::kOdd, 0};
+
+const WindingRule& winding_rule(FillRule rule) {
+  if (rule == FillRule::kNonZero) return kNotCancelled;
+  return rule == FillRule::kEvenOdd ? kOdd : kAnywhere;
+}
 
 Region both(const Region& a, const Region& b) {
   std::vector<Ring> rings = a.rings();
@@ -36,7 +42,7 @@ Region clean(const std::vector<Ring>& rings, FillRule rule, BooleanScratch& scra
       RIND_CHECK(p.y >= -kCoordinateMax && p.y <= kCoordinateMax);
     }
   }
-  return scratch.overlay().combine(rings, rule == FillRule::kNonZero ? kNotCancelled : kAnywhere);
+  return scratch.overlay().combine(rings, winding_rule(rule));
 }
 
 Region unite(const Region& a, const Region& b, BooleanScratch& scratch) {

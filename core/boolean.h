@@ -39,6 +39,7 @@ class BooleanScratch {
 enum class FillRule {
   kNonZero,   // winding number other than 0: what a mesh's section means, whichever way it turns
   kPositive,  // winding number above 0
+  kEvenOdd,   // winding number odd: contours that nest, whichever way they turn
 };
 
 // REQUIRES: coordinates within ±kCoordinateMax. Rings may cross, overlap, touch and degenerate.

@@ -4,6 +4,7 @@
 //     operands a, b, … (k of them)         winding >= k    intersection
 //     a weighted 1, b weighted -1          winding > 0     a − b
 //     a weighted 1, b weighted -1          winding != 0    a xor b
+//     rings weighted 1 each                winding odd     contours that nest, turned as they like
 #pragma once
 
 #include <cstdint>
@@ -11,12 +12,20 @@
 namespace core {
 
 struct WindingRule {
-  enum class Kind { kAtLeast, kNonZero };
+  enum class Kind { kAtLeast, kNonZero, kOdd };
   Kind kind = Kind::kAtLeast;
   std::int32_t least = 1;
 
   [[nodiscard]] bool inside(std::int32_t winding) const {
-    return kind == Kind::kNonZero ? winding != 0 : winding >= least;
+    switch (kind) {
+      case Kind::kNonZero:
+        return winding != 0;
+      case Kind::kOdd:
+        return winding % 2 != 0;
+      case Kind::kAtLeast:
+        break;
+    }
+    return winding >= least;
   }
 };
 

@@ -24,6 +24,8 @@ int run(const host::Options& options, host::Reporter& reporter) {
       return host::ports_command(options, reporter);
     case host::Subcommand::kSettings:
       return host::settings_command(options, reporter);
+    case host::Subcommand::kFormats:
+      return host::formats_command(options, reporter);
   }
   return host::kExitUsage;
 }

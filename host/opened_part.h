@@ -28,10 +28,11 @@ struct OpenOptions {
 // What is known of a part before its first slice. One that is sliced as it comes through a pipe is
 // known only as far as it was read: `layers` and `height` are 0 then.
 struct PartSummary {
-  std::string format;           // "binary STL", "ASCII STL"
-  std::int64_t facets = 0;      // in the file
+  std::string format;           // "binary STL", "ASCII CLI"
+  std::int64_t facets = 0;      // in the file; layer files have none
   std::int64_t degenerate = 0;  // of them, two corners at one point: left out
-  core::Box box;                // on the bed
+  // Not known of layers from a pipe before its end: an empty box, and 0.
+  core::Box box;  // on the bed
   core::Length height;
   core::LayerIndex layers = 0;
   std::vector<std::string> warnings;  // for people: what was odd and how it was taken

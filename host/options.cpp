@@ -131,16 +131,27 @@ CLI::App* add_print(CLI::App& app, Options& options) {
   return command;
 }
 
-CLI::App* add_slice(CLI::App& app, Options& options, std::string& format) {
+CLI::App* add_slice(CLI::App& app, Options& options, std::string& format, std::string& contents) {
   CLI::App* command = app.add_subcommand("slice", "write what would be printed to a file");
   add_part(*command, options);
   add_sorted(*command, options);
-  command->add_option("-o,--output", options.output, "OUT.gcode, OUT.cli, or - for standard output")
+  command
+      ->add_option("-o,--output", options.output,
+                   "OUT.gcode, .cli, .lsif, .ssl, .svg, or - for standard output")
       ->type_name("OUT")
       ->required();
-  command->add_option("--format", format, "gcode or cli, when the name does not say it")
+  command
+      ->add_option("--format", format,
+                   "when the name does not say it: gcode, cli, cli-binary, cli-roads (hatches), "
+                   "lsif, ssl (Slice V0), svg")
       ->type_name("FORMAT")
-      ->check(CLI::IsMember({"gcode", "cli"}));
+      ->check(CLI::IsMember(output_format_names()));
+  command
+      ->add_option("--contents", contents,
+                   "what a layer file holds: walls (wall and inside apart; cli, lsif), slices (the "
+                   "part; ssl, svg), or quickslice: walls, shared contours twice with the inside's")
+      ->type_name("WHAT")
+      ->check(CLI::IsMember({"walls", "slices", "quickslice"}));
   add_settings(*command, options);
   add_reports(*command, options);
   return command;
@@ -214,19 +225,17 @@ CLI::App* add_show(CLI::App& app, Options& options) {
   return command;
 }
 
-std::optional<OutputFormat> format_of(const Options& options, const std::string& format) {
-  std::string word = format;
-  // What has no name to tell by gets what a printer reads.
-  const bool nameless = options.output == "-" || options.output.rfind("/dev/", 0) == 0;
-  if (word.empty() && nameless) return OutputFormat::kGcode;
-  if (word.empty()) {
-    word = std::filesystem::path(options.output).extension().string();
-    if (!word.empty()) word.erase(0, 1);
-  }
-  for (char& c : word) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-  if (word == "gcode" || word == "gco" || word == "g") return OutputFormat::kGcode;
-  if (word == "cli") return OutputFormat::kCli;
-  return std::nullopt;
+CLI::App* add_formats(CLI::App& app, Options& options) {
+  CLI::App* command = app.add_subcommand("formats", "list the kinds of file, read and written");
+  command->add_flag("--json", options.json, "as JSON");
+  return command;
+}
+
+std::string unknown_format(const Options& options) {
+  std::string known;
+  for (const std::string& name : output_format_names()) known += " " + name;
+  return "what '" + options.output +
+         "' is to be can't be told from its name; add --format, one of" + known;
 }
 
 // CLI11 says only that a command is missing when it met a word that is none.
@@ -248,14 +257,14 @@ OptionsExit usage_error(const std::string& message) {
 
 std::variant<Options, OptionsExit> parse_options(int argc, const char* const* argv) {
   Options options;
-  std::string format;
+  std::string format, contents;
   CLI::App app(kAbout, "rind");
   app.set_version_flag("--version", "rind " RIND_VERSION);
   app.require_subcommand(1);
   app.footer("rind COMMAND --help tells a command's options.");
 
   const CLI::App* print = add_print(app, options);
-  const CLI::App* slice = add_slice(app, options, format);
+  const CLI::App* slice = add_slice(app, options, format, contents);
   CLI::App* plan = app.add_subcommand("plan", "layers, filament, time and defects; prints nothing");
   add_part(*plan, options);
   add_settings(*plan, options);
@@ -265,6 +274,8 @@ std::variant<Options, OptionsExit> parse_options(int argc, const char* const* ar
   CLI::App* settings = app.add_subcommand("settings", "list all settings with unit and range");
   add_settings(*settings, options);
   settings->add_flag("--json", options.json, "as JSON");
+
+  const CLI::App* formats = add_formats(app, options);
 
   try {
     app.parse(argc, argv);
@@ -279,21 +290,20 @@ std::variant<Options, OptionsExit> parse_options(int argc, const char* const* ar
     options.subcommand = Subcommand::kPrint;
   } else if (*slice) {
     options.subcommand = Subcommand::kSlice;
-    const std::optional<OutputFormat> known = format_of(options, format);
+    const std::optional<OutputFormat> known = output_format_of(options.output, format);
     if (!known) {
-      return usage_error(options.output == "-"
-                             ? "'-o -' needs --format gcode or --format cli"
-                             : "'" + options.output +
-                                   "' ends neither in .gcode nor in .cli; name it so, or add "
-                                   "--format gcode or --format cli");
+      return usage_error(unknown_format(options));
     }
     options.format = *known;
+    options.contents = contents_of(options.format, contents);
   } else if (*plan) {
     options.subcommand = Subcommand::kPlan;
   } else if (*show) {
     options.subcommand = Subcommand::kShow;
   } else if (*ports) {
     options.subcommand = Subcommand::kPorts;
+  } else if (*formats) {
+    options.subcommand = Subcommand::kFormats;
   } else {
     options.subcommand = Subcommand::kSettings;
   }

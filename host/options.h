@@ -10,12 +10,13 @@
 #include <variant>
 #include <vector>
 
-#include "core/units.h"   // LayerIndex
-#include "host/limits.h"  // kSortBytesDefault
+#include "core/units.h"          // LayerIndex
+#include "host/limits.h"         // kSortBytesDefault
+#include "host/output_format.h"  // OutputFormat
 
 namespace host {
 
-enum class Subcommand { kPrint, kSlice, kPlan, kShow, kPorts, kSettings };
+enum class Subcommand { kPrint, kSlice, kPlan, kShow, kPorts, kSettings, kFormats };
 
 // Whether a mesh that comes through a pipe is taken to be in order of height, so that it can be
 // sliced as it comes. A wrong yes ends in mid-part, a needless no costs time and disk.
@@ -24,8 +25,6 @@ enum class PipeSorted {
   kYes,   // when it begins so
   kNo,
 };
-
-enum class OutputFormat { kGcode, kCli };
 
 // Where `show --section` cuts: "Y=12.5" is 12.5 mm behind the part's front, "X=50%" half-way
 // between its left and its right side.
@@ -55,6 +54,7 @@ struct Options {
   // slice, show
   std::string output;  // "-": standard output
   OutputFormat format = OutputFormat::kGcode;
+  LayerContents contents = LayerContents::kWalls;
   core::LayerIndex layer = 0;  // 0: none, a section is asked for
   std::optional<SectionPlace> section;
   std::optional<SectionZoom> zoom;  // only with a section

@@ -1,10 +1,12 @@
 #include "host/part_file.h"
 
+#include <functional>
 #include <memory>
 #include <utility>
 
-#include "host/formats/stl.h"      // StlReader
+#include "host/formats/formats.h"  // kind_of
 #include "host/input_file.h"       // InputFile
+#include "host/layer_file.h"       // open_layer_file
 #include "host/mesh_layers.h"      // open_mesh
 #include "host/triangle_source.h"  // TriangleSource
 
@@ -13,31 +15,40 @@ namespace {
 
 using core::Result;
 
-Result<std::unique_ptr<TriangleSource>> open_triangles(InputFile file) {
-  Result<std::unique_ptr<StlReader>> reader = StlReader::open(std::move(file));
-  if (!reader.ok()) return reader.error();
-  return std::unique_ptr<TriangleSource>(std::move(reader).value());
+// How to open the same file once more as the same kind; nothing for what can be read only once.
+template <typename Reader>
+std::function<Result<Reader>()> opener(const InputFile& file, const std::string& path,
+                                       FileKind kind, Result<Reader> (*open)(FileKind, InputFile)) {
+  if (!file.rereadable()) return {};
+  return [path, kind, open]() -> Result<Reader> {
+    Result<InputFile> reopened = InputFile::open(path);
+    if (!reopened.ok()) return reopened.error();
+    return open(kind, std::move(reopened).value());
+  };
 }
 
 }  // namespace
 
 Result<OpenedPart> open_part(const std::string& path, const core::Settings& settings,
                              const OpenOptions& options) {
-  Result<InputFile> file = InputFile::open(path);
-  if (!file.ok()) return file.error();
-  const std::string name = file.value().name();
-  const bool rereadable = file.value().rereadable();
-  Result<std::unique_ptr<TriangleSource>> triangles = open_triangles(std::move(file).value());
-  if (!triangles.ok()) return triangles.error();
-  MeshInput mesh{name, std::move(triangles).value(), {}};
-  if (rereadable) {
-    mesh.again = [path]() -> Result<std::unique_ptr<TriangleSource>> {
-      Result<InputFile> reopened = InputFile::open(path);
-      if (!reopened.ok()) return reopened.error();
-      return open_triangles(std::move(reopened).value());
-    };
+  Result<InputFile> opened = InputFile::open(path);
+  if (!opened.ok()) return opened.error();
+  InputFile& file = opened.value();
+  const std::string name = file.name();
+  const Result<FileKind> kind = kind_of(file);
+  if (!kind.ok()) return kind.error();
+  if (is_layers(kind.value())) {
+    LayerFileInput input{name, nullptr, opener(file, path, kind.value(), open_layers)};
+    Result<std::unique_ptr<LayerReader>> layers = open_layers(kind.value(), std::move(file));
+    if (!layers.ok()) return layers.error();
+    input.layers = std::move(layers).value();
+    return open_layer_file(std::move(input), settings);
   }
-  return open_mesh(std::move(mesh), settings, options);
+  MeshInput input{name, nullptr, opener(file, path, kind.value(), open_triangles)};
+  Result<std::unique_ptr<TriangleSource>> triangles = open_triangles(kind.value(), std::move(file));
+  if (!triangles.ok()) return triangles.error();
+  input.triangles = std::move(triangles).value();
+  return open_mesh(std::move(input), settings, options);
 }
 
 Result<OpenedPart> open_whole_part(const std::string& path, const core::Settings& settings,

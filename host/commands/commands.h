@@ -19,6 +19,7 @@ int plan_command(const Options& options, Reporter& reporter);
 int show_command(const Options& options, Reporter& reporter);
 int ports_command(const Options& options, Reporter& reporter);
 int settings_command(const Options& options, Reporter& reporter);
+int formats_command(const Options& options, Reporter& reporter);
 
 // Profile, then the command line's assignments, then the check that all fit together.
 [[nodiscard]] core::Result<core::Settings> load_settings_of(const Options& options,

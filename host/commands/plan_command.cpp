@@ -36,13 +36,21 @@ std::string table(const Options& options, const Job& job, const GeometryStatisti
   const auto out = std::back_inserter(text);
   const core::Box& box = job.part.summary.box;
   const auto mm = [](std::int64_t units) { return core::Length::from_units(units).mm(); };
-  fmt::format_to(out, "part       {} ({}, {} facets)\n", part_title(options.part),
-                 job.part.summary.format, job.part.summary.facets);
-  fmt::format_to(out, "size       {:.2f} x {:.2f} x {:.2f} mm\n", mm(box.max.x - box.min.x),
-                 mm(box.max.y - box.min.y), job.part.summary.height.mm());
-  fmt::format_to(out, "layers     {} of {:g} mm, wall {:g} mm = {} layers\n", statistics.layers,
-                 job.settings.layer_height.mm(), job.settings.wall_thickness.mm(),
-                 core::wall_layers(job.settings));
+  const std::int64_t facets = job.part.summary.facets;
+  fmt::format_to(out, "part       {} ({}{})\n", part_title(options.part), job.part.summary.format,
+                 facets > 0 ? fmt::format(", {} facets", facets) : "");
+  if (!box.empty()) {
+    fmt::format_to(out, "size       {:.2f} x {:.2f} x {:.2f} mm\n", mm(box.max.x - box.min.x),
+                   mm(box.max.y - box.min.y), job.part.summary.height.mm());
+  }
+  if (facets > 0) {
+    fmt::format_to(out, "layers     {} of {:g} mm, wall {:g} mm = {} layers\n", statistics.layers,
+                   job.settings.layer_height.mm(), job.settings.wall_thickness.mm(),
+                   core::wall_layers(job.settings));
+  } else {
+    fmt::format_to(out, "layers     {} of the file's own heights, wall {:g} mm\n",
+                   statistics.layers, job.settings.wall_thickness.mm());
+  }
   const double volume = statistics.solid_mm3 + statistics.loose_mm3;
   fmt::format_to(out, "volume     {:.2f} cm3, of it wall {:.1f} %\n", volume / 1'000,
                  volume > 0 ? 100 * statistics.solid_mm3 / volume : 0);

@@ -29,12 +29,14 @@ int stopped(const Options& options, Reporter& reporter) {
 // The layer's neighbours are waited for: they say why its wall is where it is.
 int show_layer(const Options& options, Job& job, Reporter& reporter) {
   const core::LayerIndex layers = job.part.summary.layers;
-  if (options.layer > layers) {
+  const auto no_such_layer = [&](core::LayerIndex highest) {
     return fail(
         {core::ErrorCode::kOutOfBounds, fmt::format("{}: there is no layer {}; the highest is {}",
-                                                    options.part, options.layer, layers)},
+                                                    options.part, options.layer, highest)},
         reporter);
-  }
+  };
+  // How many there are is not always known before the end.
+  if (layers > 0 && options.layer > layers) return no_such_layer(layers);
   std::string svg;
   std::vector<core::Road> roads_there;
   core::LayerWindow window(core::with_style(job.settings));
@@ -59,6 +61,7 @@ int show_layer(const Options& options, Job& job, Reporter& reporter) {
   if (svg.empty() && end.value() == PipelineEnd::kDone) {
     window.finish();
     draw();
+    if (svg.empty()) return no_such_layer(statistics.layers);
   }
   if (svg.empty()) return stopped(options, reporter);
 
@@ -70,7 +73,9 @@ int show_layer(const Options& options, Job& job, Reporter& reporter) {
   if (core::Status status = file.value().commit(); !status.ok()) {
     return fail(status.error(), reporter);
   }
-  reporter.note("done", fmt::format("{}: layer {} of {}", options.output, options.layer, layers),
+  reporter.note("done",
+                fmt::format("{}: layer {}{}", options.output, options.layer,
+                            layers > 0 ? fmt::format(" of {}", layers) : ""),
                 {{"output", options.output}});
   return save_statistics(options, statistics, nullptr, kExitDone, reporter);
 }
@@ -78,6 +83,12 @@ int show_layer(const Options& options, Job& job, Reporter& reporter) {
 // The plane that was asked for, on the bed; an error where it misses the part.
 core::Result<core::SectionLine> line_through(const SectionPlace& place, const core::Box& box,
                                              const std::string& part) {
+  if (box.empty()) {
+    return core::Error{core::ErrorCode::kBadPart,
+                       part +
+                           ": its extent is not known before its end, so it can't be cut; save "
+                           "it to a file first"};
+  }
   const bool across_y = place.axis == 'Y';
   const std::int64_t low = across_y ? box.min.y : box.min.x;
   const std::int64_t high = across_y ? box.max.y : box.max.x;

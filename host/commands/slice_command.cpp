@@ -1,13 +1,18 @@
 #include <fmt/format.h>
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "core/check.h"
-#include "host/cli_writer.h"
 #include "host/commands/commands.h"
 #include "host/exit_codes.h"
+#include "host/formats/cli_writer.h"
+#include "host/formats/lsif_writer.h"
+#include "host/formats/slice_v0_writer.h"
+#include "host/formats/svg_writer.h"
 #include "host/gcode_writer.h"
 #include "host/output_file.h"
 #include "host/pipeline.h"
@@ -16,25 +21,65 @@
 namespace host {
 namespace {
 
+// Nothing for G-code, which is written motion by motion.
+std::unique_ptr<LayerWriter> layer_writer(const Options& options, const Job& job) {
+  LayerFileHead head;
+  head.layers = job.part.summary.layers;
+  head.layer_height = job.settings.layer_height;
+  head.bed_x = job.settings.bed_x;
+  head.bed_y = job.settings.bed_y;
+  head.contents = options.contents;
+  switch (options.format) {
+    case OutputFormat::kGcode:
+      return nullptr;
+    case OutputFormat::kCli:
+      return cli_writer(CliKind::kText, head);
+    case OutputFormat::kCliBinary:
+      return cli_writer(CliKind::kBinary, head);
+    case OutputFormat::kCliRoads:
+      return cli_writer(CliKind::kRoads, head);
+    case OutputFormat::kLsif:
+      return lsif_writer(head);
+    case OutputFormat::kSliceV0:
+      return slice_v0_writer(head);
+    case OutputFormat::kSvg:
+      return svg_writer(head);
+  }
+  return nullptr;
+}
+
+std::string gcode_title(const Job& job) {
+  const core::LayerIndex layers = job.part.summary.layers;
+  return fmt::format("; sliced by rind, {}{:g} mm roads, {:g} mm wall\n",
+                     layers > 0 ? fmt::format("{} layers, ", layers) : "",
+                     job.settings.road_width.mm(), job.settings.wall_thickness.mm());
+}
+
 // The pipeline's outputs as a file, with the first error that writing met.
 class SliceFile {
  public:
-  SliceFile(const Job& job, OutputFile file, OutputFormat format, Reporter& reporter)
-      : job_(job), file_(std::move(file)), format_(format), reporter_(reporter) {
-    if (format_ == OutputFormat::kCli) {
-      write_cli_header(job.part.summary.layers, text_);
+  SliceFile(const Job& job, OutputFile file, std::unique_ptr<LayerWriter> layers,
+            Reporter& reporter)
+      : job_(job), file_(std::move(file)), layers_(std::move(layers)), reporter_(reporter) {
+    if (layers_) {
+      layers_->begin(text_);
     } else {
-      const core::LayerIndex layers = job.part.summary.layers;
-      text_ = fmt::format("; sliced by rind, {}{:g} mm roads, {:g} mm wall\n",
-                          layers > 0 ? fmt::format("{} layers, ", layers) : "",
-                          job.settings.road_width.mm(), job.settings.wall_thickness.mm());
+      text_ = gcode_title(job);
     }
   }
 
   [[nodiscard]] PipelineOutputs outputs() {
     PipelineOutputs outputs;
-    outputs.on_layer = [this](const core::SplitLayer& layer) { return take(layer); };
-    if (format_ == OutputFormat::kGcode) {
+    const bool roads = layers_ && layers_->wants_roads();
+    outputs.on_layer = [this, roads](const core::SplitLayer& layer) {
+      report(layer.layer.slice);
+      return !layers_ || roads || take(layer, {});
+    };
+    if (roads) {
+      outputs.on_roads = [this](const core::SplitLayer& layer,
+                                const std::vector<core::Road>& laid) { return take(layer, laid); };
+    }
+    if (!layers_) {
       outputs.on_motion = [this](const core::Motion& motion,
                                  const std::optional<firmware_link::Command>& command) {
         gcode_.write(motion, command, text_);
@@ -45,7 +90,7 @@ class SliceFile {
   }
 
   [[nodiscard]] core::Status commit() {
-    if (format_ == OutputFormat::kCli) write_cli_end(text_);
+    if (layers_) layers_->end(text_);
     if (!flush()) return status_;
     return file_.commit();
   }
@@ -53,8 +98,12 @@ class SliceFile {
   [[nodiscard]] const core::Status& status() const { return status_; }
 
  private:
-  bool take(const core::SplitLayer& layer) {
-    const core::Slice& slice = layer.layer.slice;
+  bool take(const core::SplitLayer& layer, const std::vector<core::Road>& roads) {
+    layers_->layer(layer, roads, text_);
+    return flush();
+  }
+
+  void report(const core::Slice& slice) {
     const double now = steady_seconds();
     ProgressReport report;
     report.layer = slice.index + 1;
@@ -62,8 +111,6 @@ class SliceFile {
     report.height = slice.top();
     report.elapsed_s = now - began_s_;
     reporter_.progress(report, now);
-    if (format_ == OutputFormat::kCli) write_cli_layer(layer, text_);
-    return flush();
   }
 
   bool flush() {
@@ -74,7 +121,7 @@ class SliceFile {
 
   const Job& job_;
   OutputFile file_;
-  OutputFormat format_;
+  std::unique_ptr<LayerWriter> layers_;
   Reporter& reporter_;
   GcodeWriter gcode_;
   std::string text_;
@@ -105,7 +152,7 @@ int slice_command(const Options& options, Reporter& reporter) {
   core::Result<OutputFile> output = OutputFile::open(options.output);
   if (!output.ok()) return fail(output.error(), reporter);
 
-  SliceFile file(job, std::move(output).value(), options.format, reporter);
+  SliceFile file(job, std::move(output).value(), layer_writer(options, job), reporter);
   PipelineSignals signals;
   signals.stop_asked = [] { return stop_signal_count() > 0; };
   GeometryStatistics statistics;

@@ -3,9 +3,10 @@
 #include <cmath>
 #include <utility>
 
-#include "core/limits.h"             // kCoordinateMax
-#include "core/units.h"              // kUnitsPerMm
-#include "host/formats/stl_kinds.h"  // open_binary_stl, open_text_stl
+#include "core/limits.h"                 // kCoordinateMax
+#include "core/units.h"                  // kUnitsPerMm
+#include "host/formats/format_limits.h"  // kPlaneMaxMm
+#include "host/formats/stl_kinds.h"      // open_binary_stl, open_text_stl
 
 namespace host {
 namespace {

@@ -24,11 +24,6 @@
 
 namespace host {
 
-// Corners in mm have to lie within this of 0: in the plane because coordinates do (limits.h), in
-// height because half units are counted in 64 bits.
-inline constexpr double kPlaneMaxMm = 53'687.0;
-inline constexpr double kHeightMaxMm = 1e11;
-
 // format() is "binary STL" or "ASCII STL". A file that ends within a facet, text without its
 // "endsolid", a corner that is no number or out of range, are errors that name the facet and its
 // byte or line.

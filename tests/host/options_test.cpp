@@ -68,8 +68,29 @@ TEST_CASE("the form of the output follows its name, or --format") {
   CHECK_EQ(parse_good({"slice", "p.stl", "-o", "-"}).format, OutputFormat::kGcode);
   CHECK_EQ(parse_good({"slice", "p.stl", "-o", "/dev/null"}).format, OutputFormat::kGcode);
 
-  CHECK(says(parse_bad({"slice", "p.stl", "-o", "a.stl"}), "'a.stl' ends neither"));
+  CHECK_EQ(parse_good({"slice", "p.stl", "-o", "a.lsif"}).format, OutputFormat::kLsif);
+  CHECK_EQ(parse_good({"slice", "p.stl", "-o", "a.ssl"}).format, OutputFormat::kSliceV0);
+  CHECK_EQ(parse_good({"slice", "p.stl", "-o", "a.svg"}).format, OutputFormat::kSvg);
+  const Options roads = parse_good({"slice", "p.stl", "-o", "a.cli", "--format", "cli-roads"});
+  CHECK_EQ(roads.format, OutputFormat::kCliRoads);
+
+  CHECK(says(parse_bad({"slice", "p.stl", "-o", "a.stl"}), "what 'a.stl' is to be"));
   CHECK(says(parse_bad({"slice", "p.stl", "-o", "a"}), "--format"));
+}
+
+TEST_CASE("a layer file holds walls where it can tell them apart, or what is asked for") {
+  using host::LayerContents;
+  const auto contents = [](const char* output, const char* asked) {
+    if (asked == nullptr) return parse_good({"slice", "p.stl", "-o", output}).contents;
+    return parse_good({"slice", "p.stl", "-o", output, "--contents", asked}).contents;
+  };
+  CHECK_EQ(contents("a.cli", nullptr), LayerContents::kWalls);
+  CHECK_EQ(contents("a.lsif", nullptr), LayerContents::kWalls);
+  CHECK_EQ(contents("a.ssl", nullptr), LayerContents::kSlices);
+  CHECK_EQ(contents("a.svg", nullptr), LayerContents::kSlices);
+  CHECK_EQ(contents("a.cli", "slices"), LayerContents::kSlices);
+  CHECK_EQ(contents("a.ssl", "quickslice"), LayerContents::kWallsForQuickSlice);
+  CHECK_EQ(parse_good({"formats"}).subcommand, host::Subcommand::kFormats);
 }
 
 TEST_CASE("a cut is asked for by axis, in mm or per cent") {

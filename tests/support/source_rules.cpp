@@ -38,6 +38,8 @@ constexpr std::array kLibraries = {
     Library{"ini.h", {"host/settings_file.cpp"}},
     Library{"CLI/", {"host/options.cpp", "tools/"}},
     Library{"fast_float/", {"host/formats/"}},
+    Library{"expat.h", {"host/formats/xml_scanner.cpp"}},
+    Library{"zip.h", {"host/formats/zip_archive.cpp"}},
     Library{"spdlog/", {"host/"}},
     Library{"nlohmann/", {"host/", "tools/"}},
     Library{"tbb/", {"host/"}},

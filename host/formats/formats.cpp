@@ -1,0 +1,166 @@
+#include "host/formats/formats.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "core/check.h"                    // RIND_CHECK
+#include "host/formats/cli_reader.h"       // open_cli
+#include "host/formats/lsif_reader.h"      // open_lsif
+#include "host/formats/slc_reader.h"       // open_slc
+#include "host/formats/slice_v0_reader.h"  // open_slice_v0
+#include "host/formats/stl.h"              // StlReader
+#include "host/formats/svg_reader.h"       // open_svg
+#include "host/formats/text_scanner.h"     // is_blank
+
+namespace host {
+namespace {
+
+using core::Error;
+using core::ErrorCode;
+using core::Result;
+
+// Enough for most kinds, so that a pipe's first bytes are not waited for; and enough for all.
+constexpr std::array<std::size_t, 2> kLookBytes{64, 4'096};
+
+constexpr std::array kFormats = {
+    FormatRow{"STL", ".stl", "mesh", true, false, "binary and ASCII"},
+    FormatRow{"CLI 2.0", ".cli", "layers", true, true, "ASCII and binary; walls or slices"},
+    FormatRow{"CLI roads", ".cli", "roads", false, true, "each road as hatches"},
+    FormatRow{"L-SIF", ".lsif", "layers", true, true, "booleans in and out"},
+    FormatRow{"SLC 2.0", ".slc", "layers", true, false, "3D Systems"},
+    FormatRow{"Slice V0", ".ssl .slc", "layers", true, true, "Stratasys, ASCII, inches"},
+    FormatRow{"SVG layers", ".svg", "layers", true, true, "Slic3r's two dialects"},
+    FormatRow{"G-code", ".gcode", "roads", false, true, "what the controller is sent"},
+};
+
+// Behind a byte order mark, blanks, and what both SIF and OBJ take as comments.
+std::string_view significant(std::string_view text) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  while (!text.empty()) {
+    if (is_blank(static_cast<unsigned char>(text.front()))) {
+      text.remove_prefix(1);
+    } else if (text.starts_with('#')) {
+      text.remove_prefix(std::min(text.find_first_of("\r\n"), text.size()));
+    } else if (text.starts_with("(*")) {
+      int open = 0;
+      do {
+        const bool opens = text.starts_with("(*"), closes = text.starts_with("*)");
+        open += opens ? 1 : closes ? -1 : 0;
+        text.remove_prefix(opens || closes ? 2 : 1);
+      } while (open > 0 && !text.empty());
+    } else {
+      break;
+    }
+  }
+  return text;
+}
+
+bool contains(std::string_view text, std::string_view wanted) {
+  return text.find(wanted) != std::string_view::npos;
+}
+
+// "(SIF_SFF", blanks allowed behind the parenthesis.
+bool begins_form(std::string_view text, std::string_view keyword) {
+  if (!text.starts_with('(')) return false;
+  return significant(text.substr(1)).starts_with(keyword);
+}
+
+// Nothing where these bytes do not tell.
+std::optional<FileKind> kind_of_bytes(std::string_view bytes) {
+  const std::string_view text = significant(bytes);
+  if (bytes.starts_with("PK\x03\x04")) return FileKind::kZip;
+  if (text.starts_with("Slice V0")) return FileKind::kSliceV0;
+  if (contains(bytes, "$$HEADERSTART")) return FileKind::kCli;
+  if (contains(bytes, "-SLCVER")) return FileKind::kSlc;
+  if (begins_form(text, "LSIF")) return FileKind::kLsif;
+  if (text.starts_with('<')) {
+    if (contains(text, "<svg")) return FileKind::kSvg;
+  }
+  return std::nullopt;
+}
+
+// Kinds that are known by their first words, and refused.
+std::string refusal(std::string_view bytes) {
+  const std::string_view text = significant(bytes);
+  for (const char* keyword : {"ASCII", "MODELER"}) {
+    const std::string_view word(keyword);
+    if (text.starts_with(word) &&
+        (text.size() == word.size() || is_blank(static_cast<unsigned char>(text[word.size()])))) {
+      return "line 1: '" + std::string(word) +
+             "' begins a QuickSlice 6 .ssl file, of which no description is public, so it can't "
+             "be read; export Slice V0, CLI or STL";
+    }
+  }
+  if (bytes.starts_with("EOS 1993 SLI FILE")) {
+    return "byte 0: an EOS SLI file, which can't be read; export CLI or STL";
+  }
+  if (bytes.starts_with("\x1F\x8B")) return "byte 0: gzip; unpack it first: gzip -dc FILE | rind …";
+  return {};
+}
+
+}  // namespace
+
+std::span<const FormatRow> formats() { return kFormats; }
+
+Result<FileKind> kind_of(InputFile& file) {
+  std::string_view bytes;
+  for (const std::size_t count : kLookBytes) {
+    const Result<std::string_view> window = file.window(count);
+    if (!window.ok()) return window.error();
+    bytes = window.value().substr(0, kLookBytes.back());
+    if (const std::optional<FileKind> kind = kind_of_bytes(bytes)) return *kind;
+  }
+  if (bytes.empty()) {
+    return Error{ErrorCode::kBadPart, file.name() + ": the file is empty; export the part again"};
+  }
+  if (const std::string cause = refusal(bytes); !cause.empty()) {
+    return Error{ErrorCode::kBadPart, file.name() + ": " + cause};
+  }
+  // Binary files of no other kind are STL, whose header may be anything.
+  return FileKind::kStl;
+}
+
+bool is_layers(FileKind kind) {
+  switch (kind) {
+    case FileKind::kStl:
+    case FileKind::kZip:
+    case FileKind::kAmf:
+    case FileKind::kObj:
+    case FileKind::kSif:
+      return false;
+    case FileKind::kLsif:
+    case FileKind::kCli:
+    case FileKind::kSlc:
+    case FileKind::kSliceV0:
+    case FileKind::kSvg:
+      return true;
+  }
+  return false;
+}
+
+Result<std::unique_ptr<LayerReader>> open_layers(FileKind kind, InputFile file) {
+  RIND_CHECK(is_layers(kind));
+  switch (kind) {
+    case FileKind::kLsif:
+      return open_lsif(std::move(file));
+    case FileKind::kSlc:
+      return open_slc(std::move(file));
+    case FileKind::kSliceV0:
+      return open_slice_v0(std::move(file));
+    case FileKind::kSvg:
+      return open_svg(std::move(file));
+    default:
+      return open_cli(std::move(file));
+  }
+}
+
+Result<std::unique_ptr<TriangleSource>> open_triangles(FileKind kind, InputFile file) {
+  RIND_CHECK(!is_layers(kind));
+  Result<std::unique_ptr<StlReader>> reader = StlReader::open(std::move(file));
+  if (!reader.ok()) return reader.error();
+  return std::unique_ptr<TriangleSource>(std::move(reader).value());
+}
+
+}  // namespace host

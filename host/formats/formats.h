@@ -1,0 +1,44 @@
+// The kinds of file, in one table: what they are told by, who reads them, who writes them.
+//
+// A kind is told by the content, never by the name: .slc is the name of three formats at least,
+// .ssl and .sif of two.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "core/result.h"                // Result
+#include "host/formats/layer_reader.h"  // LayerReader
+#include "host/formats/layer_writer.h"  // LayerWriter, LayerFileHead
+#include "host/input_file.h"            // InputFile
+#include "host/triangle_source.h"       // TriangleSource
+
+namespace host {
+
+enum class FileKind { kStl, kZip, kAmf, kObj, kSif, kLsif, kCli, kSlc, kSliceV0, kSvg };
+
+struct FormatRow {
+  const char* name;
+  const char* extensions;
+  const char* holds;  // "mesh", "layers", "roads"
+  bool reads;
+  bool writes;
+  const char* remarks;
+};
+
+// For people: `rind formats`.
+[[nodiscard]] std::span<const FormatRow> formats();
+
+// Reads as much as tells the kind. Errors: an empty file, and kinds that are known and can't be
+// read, by name.
+[[nodiscard]] core::Result<FileKind> kind_of(InputFile& file);
+
+[[nodiscard]] bool is_layers(FileKind kind);
+// REQUIRES: is_layers(kind), `file` not read but by kind_of().
+[[nodiscard]] core::Result<std::unique_ptr<LayerReader>> open_layers(FileKind kind, InputFile file);
+// REQUIRES: !is_layers(kind), likewise.
+[[nodiscard]] core::Result<std::unique_ptr<TriangleSource>> open_triangles(FileKind kind,
+                                                                           InputFile file);
+
+}  // namespace host

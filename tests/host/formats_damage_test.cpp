@@ -1,0 +1,72 @@
+// Each sample cut at every byte, and with every byte changed: read or refused, never a crash, an
+// endless loop or more than the file can hold.
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "tests/support/format_samples.h"
+
+namespace {
+
+// A sample has a few slices or facets, and damage multiplies none of them by much.
+constexpr std::size_t kMost = 1'000;
+
+// Whoever refuses says which file, and something about it.
+void check_outcome(const core::Result<test::ReadFile>& read) {
+  if (read.ok()) return;
+  CAPTURE(read.error().message);
+  CHECK(read.error().message.starts_with("part: "));
+  CHECK(read.error().message.size() > 20);
+}
+
+}  // namespace
+
+TEST_CASE("the samples are fine") {
+  for (const test::FormatSample& sample : test::format_samples()) {
+    CAPTURE(sample.name);
+    const auto read = test::read_bytes(sample.bytes, kMost);
+    REQUIRE_MESSAGE(read.ok(), (read.ok() ? "" : read.error().message));
+    CHECK(read.value().slices.size() + read.value().triangles.size() > 1);
+  }
+}
+
+TEST_CASE("cut at every byte") {
+  for (const test::FormatSample& sample : test::format_samples()) {
+    CAPTURE(sample.name);
+    for (std::size_t size = 0; size < sample.bytes.size(); ++size) {
+      CAPTURE(size);
+      check_outcome(test::read_bytes(sample.bytes.substr(0, size), kMost));
+    }
+  }
+}
+
+TEST_CASE("every byte changed") {
+  for (const test::FormatSample& sample : test::format_samples()) {
+    CAPTURE(sample.name);
+    std::string bytes = sample.bytes;
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+      CAPTURE(i);
+      for (const char flip : {'\x01', '\x10', '\x80', '\xFF'}) {
+        const char was = bytes[i];
+        bytes[i] = static_cast<char>(was ^ flip);
+        check_outcome(test::read_bytes(bytes, kMost));
+        bytes[i] = was;
+      }
+    }
+  }
+}
+
+TEST_CASE("bytes taken out, and there twice") {
+  for (const test::FormatSample& sample : test::format_samples()) {
+    CAPTURE(sample.name);
+    for (std::size_t i = 0; i < sample.bytes.size(); ++i) {
+      CAPTURE(i);
+      std::string bytes = sample.bytes;
+      bytes.erase(i, 1);
+      check_outcome(test::read_bytes(bytes, kMost));
+      bytes = sample.bytes;
+      bytes.insert(i, 1, bytes[i]);
+      check_outcome(test::read_bytes(bytes, kMost));
+    }
+  }
+}
