@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/boolean.h"           // intersect, subtract
+#include "core/boolean.h"           // intersect, subtract_within
 #include "core/check.h"             // RIND_CHECK
 #include "core/voronoi_mountain.h"  // offset
 #include "core/wall_depths.h"       // ball_depth
@@ -50,9 +50,8 @@ std::optional<SplitLayer> BallWall::next() {
       ++layers_reused_;
     } else {
       last_loose_ = intersection(wanted);
-      last_solid_ =
-          last_loose_.empty() ? layer.slice.region : subtract(layer.slice.region, last_loose_);
-      operations_ += last_loose_.empty() ? 0 : 1;
+      // Every loose point is w from the slice's contours.
+      last_solid_ = subtract_within(layer.slice.region, last_loose_);
       last_operands_ = std::move(key);
     }
     result.solid = last_solid_;

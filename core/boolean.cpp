@@ -28,51 +28,61 @@ Region both(const Region& a, const Region& b) {
 
 bool apart(const Region& a, const Region& b) { return !a.box().overlaps(b.box()); }
 
+Overlay& overlay() {
+  thread_local Overlay overlay;
+  return overlay;
+}
+
 }  // namespace
 
-BooleanScratch::BooleanScratch() : overlay_(std::make_unique<Overlay>()) {}
-BooleanScratch::~BooleanScratch() = default;
-BooleanScratch::BooleanScratch(BooleanScratch&&) noexcept = default;
-BooleanScratch& BooleanScratch::operator=(BooleanScratch&&) noexcept = default;
-
-Region clean(const std::vector<Ring>& rings, FillRule rule, BooleanScratch& scratch) {
+Region clean(const std::vector<Ring>& rings, FillRule rule) {
   for (const Ring& ring : rings) {
     for (const Point p : ring) {
       RIND_CHECK(p.x >= -kCoordinateMax && p.x <= kCoordinateMax);
       RIND_CHECK(p.y >= -kCoordinateMax && p.y <= kCoordinateMax);
     }
   }
-  return scratch.overlay().combine(rings, winding_rule(rule));
+  return overlay().combine(rings, winding_rule(rule));
 }
 
-Region unite(const Region& a, const Region& b, BooleanScratch& scratch) {
+Region unite(const Region& a, const Region& b) {
   if (a.empty() || a == b) return b;
   if (b.empty()) return a;
   if (apart(a, b)) return both(a, b);
-  return scratch.overlay().combine(a, 1, b, 1, kAnywhere);
+  return overlay().combine(a, 1, b, 1, kAnywhere);
 }
 
-Region intersect(const Region& a, const Region& b, BooleanScratch& scratch) {
+Region intersect(const Region& a, const Region& b) {
   if (a.empty() || b.empty() || apart(a, b)) return {};
   if (a == b) return a;
-  return scratch.overlay().combine(a, 1, b, 1, kInBoth);
+  return overlay().combine(a, 1, b, 1, kInBoth);
 }
 
-Region subtract(const Region& a, const Region& b, BooleanScratch& scratch) {
+Region subtract(const Region& a, const Region& b) {
   if (a.empty() || a == b) return {};
   if (b.empty() || apart(a, b)) return a;
-  return scratch.overlay().combine(a, 1, b, -1, kAnywhere);
+  return overlay().combine(a, 1, b, -1, kAnywhere);
 }
 
-Region exclusive_or(const Region& a, const Region& b, BooleanScratch& scratch) {
+Region subtract_within(const Region& a, const Region& b) {
+  std::vector<Ring> rings = a.rings();
+  for (Ring ring : b.rings()) {
+    std::reverse(ring.begin() + 1, ring.end());
+    rings.push_back(std::move(ring));
+  }
+  sort_rings(rings);
+  return Region::from_clean_rings(std::move(rings));
+}
+
+Region exclusive_or(const Region& a, const Region& b) {
   if (a == b) return {};
   if (a.empty()) return b;
   if (b.empty()) return a;
   if (apart(a, b)) return both(a, b);
-  return scratch.overlay().combine(a, 1, b, -1, kNotCancelled);
+  return overlay().combine(a, 1, b, -1, kNotCancelled);
 }
 
-Region intersect_all(std::span<const Region* const> operands, BooleanScratch& scratch) {
+Region intersect_all(std::span<const Region* const> operands) {
   RIND_CHECK(!operands.empty());
   std::vector<const Region*> different;
   for (const Region* operand : operands) {
@@ -82,38 +92,8 @@ Region intersect_all(std::span<const Region* const> operands, BooleanScratch& sc
     if (!known) different.push_back(operand);
   }
   if (different.size() == 1) return *different[0];
-  if (different.size() == 2) return intersect(*different[0], *different[1], scratch);
-  return scratch.overlay().intersect(different);
-}
-
-Region clean(const std::vector<Ring>& rings, FillRule rule) {
-  BooleanScratch scratch;
-  return clean(rings, rule, scratch);
-}
-
-Region unite(const Region& a, const Region& b) {
-  BooleanScratch scratch;
-  return unite(a, b, scratch);
-}
-
-Region intersect(const Region& a, const Region& b) {
-  BooleanScratch scratch;
-  return intersect(a, b, scratch);
-}
-
-Region subtract(const Region& a, const Region& b) {
-  BooleanScratch scratch;
-  return subtract(a, b, scratch);
-}
-
-Region exclusive_or(const Region& a, const Region& b) {
-  BooleanScratch scratch;
-  return exclusive_or(a, b, scratch);
-}
-
-Region intersect_all(std::span<const Region* const> operands) {
-  BooleanScratch scratch;
-  return intersect_all(operands, scratch);
+  if (different.size() == 2) return intersect(*different[0], *different[1]);
+  return overlay().intersect(different);
 }
 
 }  // namespace core

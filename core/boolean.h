@@ -7,9 +7,11 @@
 // Results are canonical: every ring starts at its least point (by x, then y) and rings stand in the
 // order of their first points, whatever the order of the operands. No ring passes a point twice at
 // which operands met. How it is done stands in overlay.h.
+//
+// Each thread keeps the memory that its operations need on the way, so that in the steady state
+// nothing but the results is allocated.
 #pragma once
 
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -17,23 +19,6 @@
 #include "core/region.h"    // Region
 
 namespace core {
-
-class Overlay;
-
-// Memory that operations need on the way. Whoever does many keeps one and passes it in: then
-// nothing but the results is allocated once it has grown. One thread at a time.
-class BooleanScratch {
- public:
-  BooleanScratch();
-  ~BooleanScratch();
-  BooleanScratch(BooleanScratch&&) noexcept;
-  BooleanScratch& operator=(BooleanScratch&&) noexcept;
-
-  [[nodiscard]] Overlay& overlay() { return *overlay_; }
-
- private:
-  std::unique_ptr<Overlay> overlay_;
-};
 
 // Which points rings of any kind enclose.
 enum class FillRule {
@@ -44,23 +29,19 @@ enum class FillRule {
 
 // REQUIRES: coordinates within ±kCoordinateMax. Rings may cross, overlap, touch and degenerate.
 // COSTS: near-linear in edges and crossings, as all that follow.
-[[nodiscard]] Region clean(const std::vector<Ring>& rings, FillRule rule, BooleanScratch& scratch);
 [[nodiscard]] Region clean(const std::vector<Ring>& rings, FillRule rule);
 
 // Equal, empty and far operands cost a comparison.
-[[nodiscard]] Region unite(const Region& a, const Region& b, BooleanScratch& scratch);
 [[nodiscard]] Region unite(const Region& a, const Region& b);
-[[nodiscard]] Region intersect(const Region& a, const Region& b, BooleanScratch& scratch);
 [[nodiscard]] Region intersect(const Region& a, const Region& b);
-[[nodiscard]] Region subtract(const Region& a, const Region& b, BooleanScratch& scratch);
 [[nodiscard]] Region subtract(const Region& a, const Region& b);
-[[nodiscard]] Region exclusive_or(const Region& a, const Region& b, BooleanScratch& scratch);
+// The same where b lies within a and touches none of its contours: nothing has to be cut.
+// COSTS: a copy. Canonical where both are.
+[[nodiscard]] Region subtract_within(const Region& a, const Region& b);
 [[nodiscard]] Region exclusive_or(const Region& a, const Region& b);
 
 // What all operands cover: one operation, so that everything is rounded once.
 // REQUIRES: at least one operand.
-[[nodiscard]] Region intersect_all(std::span<const Region* const> operands,
-                                   BooleanScratch& scratch);
 [[nodiscard]] Region intersect_all(std::span<const Region* const> operands);
 
 }  // namespace core

@@ -33,8 +33,8 @@ inline constexpr int kDiagramTurnsMax = 4;
 inline constexpr double kCapsuleToleranceUnits = 5;
 
 // Region operations that a layer of a ball-shaped wall costs at most: 2T intersections of its
-// window's offsets, and a subtraction.
-inline constexpr int kBallOperationsMax = kWindowLayersMax;
+// window's offsets.
+inline constexpr int kBallOperationsMax = kWindowLayersMax - 1;
 
 // Depths that the foot of the mountain tries when the one asked for is critical (mountain_foot.h),
 // before it asks the whole diagram.

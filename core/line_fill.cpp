@@ -206,9 +206,7 @@ class Chainer {
         turn_(turn),
         distance_(distance),
         joins_(joins),
-        boundary_(Length::from_mm(1)) {
-    if (joins_) boundary_.add(region);
-  }
+        boundary_(Length::from_mm(1), joins ? region : Region()) {}
 
   [[nodiscard]] std::vector<std::vector<Point>> chains() {
     std::vector<std::vector<Point>> all;

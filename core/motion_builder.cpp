@@ -36,10 +36,7 @@ class MotionBuilder::Boundary {
   explicit Boundary(const Region& region) : region_(region) {}
 
   [[nodiscard]] bool crossed_by(const Segment& line) {
-    if (!grid_) {
-      grid_.emplace(Length::from_mm(2));
-      grid_->add(region_);
-    }
+    if (!grid_) grid_.emplace(Length::from_mm(2), region_);
     return grid_->crosses(line);
   }
 

@@ -90,8 +90,7 @@ bool all_near(const std::vector<Sample>& ring, bool near) {
 
 // Where the next core is too far from `line` for a next perimeter to fit.
 std::vector<Road> narrow_places(const Region& line, const Region& next_core, Length reach) {
-  SegmentGrid grid(reach);
-  grid.add(next_core);
+  const SegmentGrid grid(reach, next_core);
   std::vector<Road> places;
   for (const Ring& ring : line.rings()) {
     const std::vector<Sample> ring_samples = samples(ring, grid, reach, reach);
@@ -111,8 +110,7 @@ std::vector<Road> roads_near_core(const Region& line, const Region& core, Length
                                   Length width, RoadKind kind, Length tolerance) {
   std::vector<Road> roads;
   if (core.empty()) return roads;
-  SegmentGrid grid(reach);
-  grid.add(core);
+  const SegmentGrid grid(reach, core);
   for (const Ring& whole : line.rings()) {
     const Ring ring = simplify(whole, tolerance);
     if (ring.size() < 3) continue;

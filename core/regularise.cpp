@@ -5,10 +5,18 @@
 
 #include "core/boolean.h"
 #include "core/check.h"
+#include "core/polyline.h"
+#include "core/segment_grid.h"
 #include "core/voronoi_mountain.h"
 
 namespace core {
 namespace {
+
+// A corner of angle α is r / sin(α/2) from what is wide enough: one of 74° or more is nearer than
+// this many radii. A tongue's tip is farther, unless it is no longer than such a corner.
+constexpr double kCornerReach = 1.66;
+// How near to one another the contour's samples are.
+constexpr double kSampleShare = 0.25;
 
 double island_area_mm2(const Island& island) {
   double doubled_units = doubled_area_units(island.outer);
@@ -20,6 +28,22 @@ double island_area_mm2(const Island& island) {
 // 90°, 1.6 r² at 40°. What is larger is a tongue.
 bool is_corner_bit(const Island& island, Length radius) {
   return island_area_mm2(island) <= 1.6 * radius.mm() * radius.mm();
+}
+
+// Whether the contour goes farther than `reach` from what is wide enough.
+bool narrow_somewhere(const Region& loose, const Region& core, Length reach) {
+  const SegmentGrid grid(reach, core);
+  for (const Ring& ring : loose.rings()) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Point a = ring[i], b = ring[i + 1 < ring.size() ? i + 1 : 0];
+      const int parts = 1 + static_cast<int>(distance_mm(a, b) / (kSampleShare * reach.mm()));
+      for (int part = 0; part < parts; ++part) {
+        const Point sample = between(a, b, part / static_cast<double>(parts));
+        if (!grid.any_within(sample, reach)) return true;
+      }
+    }
+  }
+  return false;
 }
 
 Region without_small_islands(const Region& region, double area_min_mm2) {
@@ -36,6 +60,7 @@ Region without_tongues(const Region& loose, Length width_min, Length arc_toleran
   const Length radius = Length::from_units(width_min.units() / 2);
   const Region core = offset(loose, radius, arc_tolerance);
   if (core.empty()) return {};
+  if (!narrow_somewhere(loose, core, Length::from_mm(kCornerReach * radius.mm()))) return loose;
   const Region lost = subtract(loose, offset(core, -radius, arc_tolerance));
   std::vector<Ring> tongues;
   for (Island& island : islands(lost)) {

@@ -23,7 +23,7 @@ struct RegulariseOptions {
 
 // The part of `loose` that stays loose.
 // ENSURES: a subset of `loose`, to 2 units (boolean.h).
-// COSTS: two mountains of `loose`, three region operations.
+// COSTS: a mountain of `loose` where no place is narrow, else two and three region operations.
 [[nodiscard]] Region regularise_loose(const Region& loose, const RegulariseOptions& options);
 
 }  // namespace core

@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "core/check.h"  // RIND_CHECK
 
 namespace core {
 
@@ -23,76 +27,123 @@ bool touch(const Segment& a, const Segment& b) {
   return a0 * a1 <= 0 && b0 * b1 <= 0;
 }
 
-}  // namespace
-
-double distance_units(Point point, const Segment& segment) {
+double distance2_units(Point point, const Segment& segment) {
   const double dx = static_cast<double>(segment.to.x) - segment.from.x;
   const double dy = static_cast<double>(segment.to.y) - segment.from.y;
   const double px = static_cast<double>(point.x) - segment.from.x;
   const double py = static_cast<double>(point.y) - segment.from.y;
   const double length2 = dx * dx + dy * dy;
   const double t = length2 > 0 ? std::clamp((px * dx + py * dy) / length2, 0.0, 1.0) : 0.0;
-  return std::hypot(px - t * dx, py - t * dy);
+  const double x = px - t * dx, y = py - t * dy;
+  return x * x + y * y;
 }
 
-std::int64_t SegmentGrid::column(std::int64_t coordinate) const {
-  const std::int64_t down = coordinate < 0 ? cell_ - 1 : 0;
-  return (coordinate - down) / cell_;
+std::vector<Segment> sides(const Region& region) {
+  std::vector<Segment> all;
+  all.reserve(region.point_count());
+  for (const Ring& ring : region.rings()) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      all.push_back({ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]});
+    }
+  }
+  return all;
 }
 
-SegmentGrid::Cell SegmentGrid::key(std::int64_t column, std::int64_t row) {
-  return (static_cast<Cell>(static_cast<std::uint32_t>(column)) << 32) |
-         static_cast<Cell>(static_cast<std::uint32_t>(row));
+}  // namespace
+
+double distance_units(Point point, const Segment& segment) {
+  return std::sqrt(distance2_units(point, segment));
 }
 
-// Row by row: the columns that the line passes within each row, rounded outwards.
+SegmentGrid::SegmentGrid(Length cell, const Region& region) : SegmentGrid(cell, sides(region)) {}
+
+SegmentGrid::SegmentGrid(Length cell, std::vector<Segment> segments)
+    : segments_(std::move(segments)), cell_(cell.units()) {
+  RIND_CHECK(cell > Length());
+  if (segments_.empty()) return;
+  choose_cells();
+  enter_segments();
+}
+
+void SegmentGrid::choose_cells() {
+  Box box;
+  for (const Segment& segment : segments_) {
+    box.add(segment.from);
+    box.add(segment.to);
+  }
+  origin_ = box.min;
+  const std::int64_t wide = std::int64_t{box.max.x} - box.min.x + 1;
+  const std::int64_t high = std::int64_t{box.max.y} - box.min.y + 1;
+  const auto bound = static_cast<std::int64_t>(segments_.size()) * kCellsPerSegment + 1;
+  // First by each side alone, so that the product below does not overflow.
+  cell_ = std::max(cell_, std::max(wide, high) / bound + 1);
+  while ((wide / cell_ + 1) * (high / cell_ + 1) > bound && cell_ < std::max(wide, high)) {
+    cell_ += cell_ / 2 + 1;
+  }
+  columns_ = wide / cell_ + 1;
+  rows_ = high / cell_ + 1;
+}
+
+void SegmentGrid::enter_segments() {
+  starts_.assign(static_cast<std::size_t>(columns_ * rows_) + 1, 0);
+  for (const Segment& segment : segments_) {
+    walk(segment, [&](std::size_t cell) {
+      ++starts_[cell + 1];
+      return false;
+    });
+  }
+  std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
+  entries_.resize(starts_.back());
+  std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
+  for (std::size_t i = 0; i < segments_.size(); ++i) {
+    walk(segments_[i], [&](std::size_t cell) {
+      entries_[next[cell]++] = static_cast<std::uint32_t>(i);
+      return false;
+    });
+  }
+}
+
+// The cell of a place, the nearest one for a place outside.
+std::int64_t SegmentGrid::column(double x) const {
+  const double at = std::floor((x - origin_.x) / static_cast<double>(cell_));
+  return static_cast<std::int64_t>(std::clamp(at, 0.0, static_cast<double>(columns_ - 1)));
+}
+
+std::int64_t SegmentGrid::row(double y) const {
+  const double at = std::floor((y - origin_.y) / static_cast<double>(cell_));
+  return static_cast<std::int64_t>(std::clamp(at, 0.0, static_cast<double>(rows_ - 1)));
+}
+
+// Row by row: the columns that the line passes within each row, a unit more on either side.
 template <typename Visit>
 bool SegmentGrid::walk(const Segment& line, const Visit& visit) const {
   const Segment up = line.from.y <= line.to.y ? line : Segment{line.to, line.from};
-  const std::int64_t first = column(up.from.y), last = column(up.to.y);
-  const double slope = up.to.y == up.from.y ? 0.0
-                                            : (static_cast<double>(up.to.x) - up.from.x) /
-                                                  (static_cast<double>(up.to.y) - up.from.y);
-  const auto x_at = [&](std::int64_t y) {
-    return static_cast<double>(up.from.x) + slope * static_cast<double>(y - up.from.y);
-  };
-  for (std::int64_t row = first; row <= last; ++row) {
-    double x0 = up.from.x, x1 = up.to.x;
-    if (row > first) x0 = x_at(row * cell_);
-    if (row < last) x1 = x_at((row + 1) * cell_);
-    const auto low = static_cast<std::int64_t>(std::floor(std::min(x0, x1))) - 1;
-    const auto high = static_cast<std::int64_t>(std::ceil(std::max(x0, x1))) + 1;
-    for (std::int64_t at = column(low); at <= column(high); ++at) {
-      if (visit(key(at, row))) return true;
+  const std::int64_t first = row(up.from.y), last = row(up.to.y);
+  const double x_from = up.from.x, x_to = up.to.x;
+  const double slope =
+      first == last ? 0.0 : (x_to - x_from) / (static_cast<double>(up.to.y) - up.from.y);
+  for (std::int64_t at_row = first; at_row <= last; ++at_row) {
+    double x0 = x_from, x1 = x_to;
+    const double bottom = origin_.y + static_cast<double>(at_row * cell_);
+    if (at_row > first) x0 = x_from + slope * (bottom - up.from.y);
+    if (at_row < last) x1 = x_from + slope * (bottom + static_cast<double>(cell_) - up.from.y);
+    const std::int64_t right = column(std::max(x0, x1) + 1);
+    for (std::int64_t at = column(std::min(x0, x1) - 1); at <= right; ++at) {
+      if (visit(static_cast<std::size_t>(at_row * columns_ + at))) return true;
     }
   }
   return false;
 }
 
-void SegmentGrid::add(const Segment& segment) {
-  const auto index = static_cast<std::uint32_t>(segments_.size());
-  segments_.push_back(segment);
-  walk(segment, [&](Cell cell) {
-    cells_[cell].push_back(index);
-    return false;
-  });
-}
-
-void SegmentGrid::add(const Region& region) {
-  for (const Ring& ring : region.rings()) {
-    for (std::size_t i = 0; i < ring.size(); ++i) add({ring[i], ring[(i + 1) % ring.size()]});
-  }
-}
-
 bool SegmentGrid::any_within(Point point, Length reach) const {
-  const std::int64_t r = reach.units();
-  const auto limit = static_cast<double>(r);
-  for (std::int64_t row = column(point.y - r); row <= column(point.y + r); ++row) {
-    for (std::int64_t at = column(point.x - r); at <= column(point.x + r); ++at) {
-      const auto found = cells_.find(key(at, row));
-      if (found == cells_.end()) continue;
-      for (const std::uint32_t index : found->second) {
-        if (distance_units(point, segments_[index]) <= limit) return true;
+  if (segments_.empty()) return false;
+  const auto r = static_cast<double>(reach.units());
+  const std::int64_t right = column(point.x + r), top = row(point.y + r);
+  for (std::int64_t at_row = row(point.y - r); at_row <= top; ++at_row) {
+    for (std::int64_t at = column(point.x - r); at <= right; ++at) {
+      const auto cell = static_cast<std::size_t>(at_row * columns_ + at);
+      for (std::uint32_t i = starts_[cell]; i < starts_[cell + 1]; ++i) {
+        if (distance2_units(point, segments_[entries_[i]]) <= r * r) return true;
       }
     }
   }
@@ -100,11 +151,12 @@ bool SegmentGrid::any_within(Point point, Length reach) const {
 }
 
 bool SegmentGrid::crosses(const Segment& line) const {
-  return walk(line, [&](Cell cell) {
-    const auto found = cells_.find(cell);
-    if (found == cells_.end()) return false;
-    return std::any_of(found->second.begin(), found->second.end(),
-                       [&](std::uint32_t index) { return touch(segments_[index], line); });
+  if (segments_.empty()) return false;
+  return walk(line, [&](std::size_t cell) {
+    for (std::uint32_t i = starts_[cell]; i < starts_[cell + 1]; ++i) {
+      if (touch(segments_[entries_[i]], line)) return true;
+    }
+    return false;
   });
 }
 

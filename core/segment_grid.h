@@ -2,11 +2,10 @@
 // this straight line cross a contour?
 //
 // Each segment is entered in every cell that its own line passes; a query looks only at the cells
-// it reaches. Rows of the grid are hashed, so that far-apart segments cost no memory.
+// it reaches. Cells lie row by row in one array, with a bound of some cells a segment.
 #pragma once
 
 #include <cstdint>
-#include <unordered_map>
 #include <vector>
 
 #include "core/geometry.h"  // Point, Segment
@@ -17,11 +16,11 @@ namespace core {
 
 class SegmentGrid {
  public:
-  // REQUIRES: cell > 0; about the reach of later queries or the segments' length.
-  explicit SegmentGrid(Length cell) : cell_(cell.units()) {}
-
-  void add(const Segment& segment);
-  void add(const Region& region);
+  // REQUIRES: cell > 0; about the reach of later queries or the segments' length. Cells are larger
+  // where there would be more than kCellsPerSegment for each.
+  // COSTS: O(segments + entries); a segment has an entry for every cell it passes.
+  SegmentGrid(Length cell, std::vector<Segment> segments);
+  SegmentGrid(Length cell, const Region& region);
 
   // True when a segment lies within `reach` of the point.
   [[nodiscard]] bool any_within(Point point, Length reach) const;
@@ -30,15 +29,22 @@ class SegmentGrid {
   [[nodiscard]] bool crosses(const Segment& line) const;
 
  private:
-  using Cell = std::uint64_t;
-  [[nodiscard]] std::int64_t column(std::int64_t coordinate) const;
-  [[nodiscard]] static Cell key(std::int64_t column, std::int64_t row);
-  template <typename Visit>  // bool(Cell): stop when true
+  static constexpr std::int64_t kCellsPerSegment = 4;
+
+  void choose_cells();
+  void enter_segments();
+  [[nodiscard]] std::int64_t column(double x) const;
+  [[nodiscard]] std::int64_t row(double y) const;
+  template <typename Visit>  // bool(cell): stop when true
   bool walk(const Segment& line, const Visit& visit) const;
 
-  std::int64_t cell_;
   std::vector<Segment> segments_;
-  std::unordered_map<Cell, std::vector<std::uint32_t>> cells_;
+  std::int64_t cell_;
+  Point origin_;
+  std::int64_t columns_ = 0;
+  std::int64_t rows_ = 0;
+  std::vector<std::uint32_t> starts_;   // by cell, into entries_
+  std::vector<std::uint32_t> entries_;  // segments
 };
 
 // Distance of a point from a segment, in units.

@@ -100,8 +100,7 @@ class WallFill {
   [[nodiscard]] static bool narrow_somewhere(const Region& piece, const Region& middle,
                                              Length depth) {
     const Length reach = depth * 2;
-    SegmentGrid grid(reach);
-    grid.add(middle);
+    const SegmentGrid grid(reach, middle);
     for (const Ring& ring : piece.rings()) {
       for (std::size_t i = 0; i < ring.size(); ++i) {
         const Point a = ring[i], b = ring[(i + 1) % ring.size()];

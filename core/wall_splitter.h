@@ -66,7 +66,7 @@ class WallSplitter {
   // if any, offsets and all.
   //
   // COSTS: cylinder: at most ⌈log2(2T+1)⌉ <= kFoldCostMax intersections and one subtraction; ball:
-  // 2T intersections and one subtraction. On any call: the link is fed from here, and a rare
+  // 2T intersections. On any call: the link is fed from here, and a rare
   // slow one would be a blob of plastic, however good the mean.
   //
   // REQUIRES: layer.slice.index == next_index(); finish() was never called.

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "core/boolean.h"           // subtract
+#include "core/boolean.h"           // subtract, subtract_within
 #include "core/regularise.h"        // regularise_loose
 #include "core/voronoi_mountain.h"  // offset
 
@@ -36,7 +36,7 @@ SplitLayer WallStyle::regularised(SplitLayer layer) {
                                        .arc_tolerance = settings_.arc_tolerance});
     last_regular_solid_ = last_regular_loose_ == layer.loose
                               ? layer.solid
-                              : subtract(layer.layer.slice.region, last_regular_loose_);
+                              : subtract_within(layer.layer.slice.region, last_regular_loose_);
     last_solid_ = std::move(layer.solid);
     last_loose_ = std::move(layer.loose);
   }

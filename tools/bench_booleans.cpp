@@ -121,7 +121,6 @@ enum class Operation { kIntersect, kSubtract };
 
 void measure(const Pair& pair, Operation operation, int runs) {
   const ClipperLib::Paths a = paths_of(pair.a), b = paths_of(pair.b);
-  core::BooleanScratch scratch;
   const bool intersects = operation == Operation::kIntersect;
   const auto clipper = [&] {
     ClipperLib::Clipper sheet;
@@ -132,8 +131,8 @@ void measure(const Pair& pair, Operation operation, int runs) {
                   ClipperLib::pftNonZero, ClipperLib::pftNonZero);
   };
   const auto ours = [&] {
-    static_cast<void>(intersects ? core::intersect(pair.a, pair.b, scratch)
-                                 : core::subtract(pair.a, pair.b, scratch));
+    static_cast<void>(intersects ? core::intersect(pair.a, pair.b)
+                                 : core::subtract(pair.a, pair.b));
   };
   const auto boost = [&] {
     static_cast<void>(intersects ? core::reference::intersect(pair.a, pair.b)

@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <thread>
 
 #include "core/boolean.h"
 #include "core/limits.h"
 #include "core/reference_boolean.h"
 #include "core/units.h"
+#include "core/voronoi_mountain.h"
 #include "tests/support/boolean_case.h"
 #include "tests/support/random_regions.h"
 #include "tests/support/region_checks.h"
@@ -156,16 +158,37 @@ TEST_CASE("the common part of many is what folding gives, to the last slivers") 
 }
 
 TEST_CASE("kept memory doesn't change a result") {
-  core::BooleanScratch kept;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     CAPTURE(seed);
     Random random(seed);
     const Region a = test::random_region(random, random.integer(20, 300), 20);
     const Region b = test::random_region(random, random.integer(20, 300), 20);
-    CHECK_EQ(core::intersect(a, b, kept), core::intersect(a, b));
-    CHECK_EQ(core::subtract(a, b, kept), core::subtract(a, b));
-    CHECK_EQ(core::clean(a.rings(), core::FillRule::kPositive, kept), a);
+    // A new thread has no memory yet.
+    Region common, rest;
+    std::thread([&] { common = core::intersect(a, b); }).join();
+    std::thread([&] { rest = core::subtract(a, b); }).join();
+    CHECK_EQ(core::intersect(a, b), common);
+    CHECK_EQ(core::subtract(a, b), rest);
+    CHECK_EQ(core::clean(a.rings(), core::FillRule::kPositive), a);
   }
+}
+
+TEST_CASE("what lies within needs no cutting to be taken away") {
+  int compared = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    const Region outer = test::random_region(random, random.integer(20, 300), 20);
+    const Region offset =
+        core::offset(outer, core::Length::from_mm(0.2), core::Length::from_mm(0.01));
+    const Region inner = core::clean(offset.rings(), core::FillRule::kPositive);
+    if (inner.empty()) continue;
+    ++compared;
+    CHECK_EQ(core::subtract_within(outer, inner), core::subtract(outer, inner));
+  }
+  CHECK_GE(compared, 20);
+  const Region square = test::region_from_text("0:0 5:0 5:5 0:5");
+  CHECK_EQ(core::subtract_within(square, Region()), square);
 }
 
 TEST_CASE("rings start at their least point and stand in its order, wherever they started") {

@@ -34,15 +34,15 @@ TEST_CASE("a grid of segments agrees with asking every segment") {
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {
     CAPTURE(seed);
     test::Random random(seed);
-    SegmentGrid grid(Length::from_units(random.integer(50, 5'000)));
+    const Length cell = Length::from_units(random.integer(1, 5'000));
     std::vector<Segment> segments;
     for (int i = 0; i < 40; ++i) {
       const Point a = random_point(random, 20'000);
       const Segment s{a,
                       {a.x + random.integer(-3'000, 3'000), a.y + random.integer(-3'000, 3'000)}};
       segments.push_back(s);
-      grid.add(s);
     }
+    const SegmentGrid grid(cell, segments);
     for (int i = 0; i < 100; ++i) {
       const Point p = random_point(random, 22'000);
       const int reach = random.integer(1, 4'000);
@@ -59,8 +59,7 @@ TEST_CASE("a grid of segments agrees with asking every segment") {
 }
 
 TEST_CASE("a line that only touches a contour, or runs along it, crosses it") {
-  SegmentGrid grid(Length::from_mm(1));
-  grid.add(test::region_from_text("0:0 10:0 10:10 0:10"));
+  const SegmentGrid grid(Length::from_mm(1), test::region_from_text("0:0 10:0 10:10 0:10"));
   CHECK(grid.crosses({{-50'000, 0}, {150'000, 0}}));
   CHECK(grid.crosses({{50'000, 50'000}, {100'000, 50'000}}));
   CHECK(grid.crosses({{20'000, 0}, {30'000, 0}}));

@@ -63,14 +63,14 @@ struct Operands {
   Region region[3];
 };
 
-Operands operands_of(const BooleanCase& input, core::BooleanScratch& scratch) {
+Operands operands_of(const BooleanCase& input) {
   Operands operands;
   for (int i = 0; i < 3; ++i) {
     std::vector<Ring> rings = input.rings[i];
     if (i == 1 && input.shares_rings) {
-      rings = core::unite(core::clean(rings, input.rule, scratch), operands.region[0]).rings();
+      rings = core::unite(core::clean(rings, input.rule), operands.region[0]).rings();
     }
-    operands.region[i] = core::clean(rings, input.rule, scratch);
+    operands.region[i] = core::clean(rings, input.rule);
   }
   return operands;
 }
@@ -132,8 +132,7 @@ BooleanCase boolean_case(std::span<const std::uint8_t> bytes) {
 }
 
 std::string check_operations(const BooleanCase& input) {
-  core::BooleanScratch scratch;
-  const Operands operands = operands_of(input, scratch);
+  const Operands operands = operands_of(input);
   const Region &a = operands.region[0], &b = operands.region[1], &c = operands.region[2];
   for (int i = 0; i < 3; ++i) {
     if (!is_clean(operands.region[i])) return "clean() is not clean";
@@ -154,15 +153,15 @@ std::string check_operations(const BooleanCase& input) {
     Region result, other;
     std::function<bool(bool, bool, bool)> wanted;
   } operations[] = {
-      {"unite", core::unite(a, b, scratch), core::unite(b, a, scratch),
+      {"unite", core::unite(a, b), core::unite(b, a),
        [](bool in_a, bool in_b, bool) { return in_a || in_b; }},
-      {"intersect", core::intersect(a, b, scratch), core::intersect(b, a, scratch),
+      {"intersect", core::intersect(a, b), core::intersect(b, a),
        [](bool in_a, bool in_b, bool) { return in_a && in_b; }},
-      {"subtract", core::subtract(a, b, scratch), core::subtract(a, b),
+      {"subtract", core::subtract(a, b), core::subtract(a, b),
        [](bool in_a, bool in_b, bool) { return in_a && !in_b; }},
-      {"exclusive_or", core::exclusive_or(a, b, scratch), core::exclusive_or(b, a, scratch),
+      {"exclusive_or", core::exclusive_or(a, b), core::exclusive_or(b, a),
        [](bool in_a, bool in_b, bool) { return in_a != in_b; }},
-      {"intersect_all", core::intersect_all(all, scratch), core::intersect_all(turned, scratch),
+      {"intersect_all", core::intersect_all(all), core::intersect_all(turned),
        [](bool in_a, bool in_b, bool in_c) { return in_a && in_b && in_c; }},
   };
   for (const auto& operation : operations) {
@@ -178,8 +177,7 @@ std::string check_operations(const BooleanCase& input) {
 
 std::string check_against_reference(const BooleanCase& input) {
   if (input.scale > kReferenceScaleMax) return {};
-  core::BooleanScratch scratch;
-  const Operands operands = operands_of(input, scratch);
+  const Operands operands = operands_of(input);
   const Region &a = operands.region[0], &b = operands.region[1];
   namespace reference = core::reference;
   const struct {
@@ -187,10 +185,10 @@ std::string check_against_reference(const BooleanCase& input) {
     Region ours, theirs;
   } pairs[] = {
       {"clean", operands.region[2], reference::clean(input.rings[2], input.rule)},
-      {"unite", core::unite(a, b, scratch), reference::unite(a, b)},
-      {"intersect", core::intersect(a, b, scratch), reference::intersect(a, b)},
-      {"subtract", core::subtract(a, b, scratch), reference::subtract(a, b)},
-      {"exclusive_or", core::exclusive_or(a, b, scratch), reference::exclusive_or(a, b)},
+      {"unite", core::unite(a, b), reference::unite(a, b)},
+      {"intersect", core::intersect(a, b), reference::intersect(a, b)},
+      {"subtract", core::subtract(a, b), reference::subtract(a, b)},
+      {"exclusive_or", core::exclusive_or(a, b), reference::exclusive_or(a, b)},
   };
   for (const auto& pair : pairs) {
     const double width = widest_piece(reference::exclusive_or(pair.ours, pair.theirs));
