@@ -60,7 +60,7 @@ std::string ContourGatherer::add(const core::Region& region) {
 }
 
 core::Region ContourGatherer::take(core::FillRule rule) {
-  core::Region region = core::clean(rings_, rule, scratch_);
+  core::Region region = core::clean(rings_, rule);
   rings_.clear();
   points_ = 0;
   return region;

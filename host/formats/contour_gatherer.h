@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/boolean.h"   // FillRule, BooleanScratch
+#include "core/boolean.h"   // FillRule
 #include "core/geometry.h"  // Ring
 #include "core/region.h"    // Region
 
@@ -41,7 +41,6 @@ class ContourGatherer {
   std::vector<core::Ring> rings_;
   core::Ring ring_;
   std::size_t points_ = 0;
-  core::BooleanScratch scratch_;
 };
 
 // A point on the grid, unless it lies beyond ±kPlaneMaxMm, or nowhere; and what to say then.
