@@ -9,7 +9,6 @@
 
 #include "core/plane_sweep.h"     // PlaneSweep, layer_count
 #include "host/bed_placing.h"     // shift_to_bed, check_on_bed
-#include "host/limits.h"          // kReorderTriangles
 #include "host/mesh_sorter.h"     // MeshSorter
 #include "host/mesh_survey.h"     // MeshSurvey
 #include "host/reorder_window.h"  // ReorderWindow
@@ -29,7 +28,7 @@ using core::Triangle;
 constexpr std::size_t kBatchTriangles = 1024;
 
 std::size_t window_of(const OpenOptions& options) {
-  return std::min(kReorderTriangles, options.sort_bytes / sizeof(Triangle));
+  return std::min(options.reorder_triangles, options.sort_bytes / sizeof(Triangle));
 }
 
 class MeshLayers : public LayerSource {

@@ -12,7 +12,7 @@
 #include "core/result.h"        // Result
 #include "core/units.h"         // LayerIndex, Length
 #include "host/layer_source.h"  // LayerSource
-#include "host/limits.h"        // kSortBytesDefault
+#include "host/limits.h"        // kSortBytesDefault, kReorderTriangles
 
 namespace host {
 
@@ -20,6 +20,9 @@ namespace host {
 struct OpenOptions {
   // For sorting a mesh. REQUIRES: >= kSortBytesMin (limits.h)
   std::size_t sort_bytes = kSortBytesDefault;
+  // Triangles looked at ahead, and that may be out of order; fewer where sort_bytes holds fewer.
+  // REQUIRES: >= 2
+  std::size_t reorder_triangles = kReorderTriangles;
   // A mesh that comes through a pipe in order of height may be sliced as it comes. The begin of it
   // is looked at; if a facet comes too late all the same, layers->next() ends with an error.
   bool stream_pipes = false;
