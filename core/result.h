@@ -14,6 +14,7 @@ enum class ErrorCode {
   kBadSetting,   // a setting out of range, or two that do not fit together
   kBadPart,      // the part's file: what it says can't be printed or can't be understood
   kUnreadable,   // a file that can't be opened, read or written
+  kNoMemory,     // a layer needs more memory than there is or may be used
   kOutOfBounds,  // the part is larger than the bed, the axes or the coordinate range
 };
 

@@ -1,15 +1,18 @@
 #include "host/input_file.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <utility>
 
-#include "core/check.h"  // RIND_CHECK
+#include "core/check.h"         // RIND_CHECK
+#include "host/stop_signals.h"  // stop_signal_count
 
 namespace host {
 namespace {
@@ -20,7 +23,13 @@ core::Error unreadable(const std::string& name, const std::string& cause) {
   return {core::ErrorCode::kUnreadable, name + ": " + cause};
 }
 
+std::atomic<bool> g_stop_waiting = false;
+
+constexpr int kWait_ms = 100;
+
 }  // namespace
+
+void stop_waiting_for_input() { g_stop_waiting.store(true); }
 
 core::Result<InputFile> InputFile::open(const std::string& path) {
   if (path == "-") return InputFile(kStandardInput, ::dup(STDIN_FILENO));
@@ -89,6 +98,12 @@ core::Status InputFile::fill() {
               buffer_.begin() + static_cast<std::ptrdiff_t>(end_), buffer_.begin());
     end_ -= begin_;
     begin_ = 0;
+  }
+  pollfd waiting{descriptor_, POLLIN, 0};
+  while (::poll(&waiting, 1, kWait_ms) == 0) {
+    if (g_stop_waiting.load() || stop_signal_count() > 0) {
+      return unreadable(name_, "stopped while waiting for more of it");
+    }
   }
   const ssize_t count = ::read(descriptor_, buffer_.data() + end_, buffer_.size() - end_);
   if (count < 0 && errno == EINTR) return {};

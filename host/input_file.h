@@ -14,6 +14,10 @@
 
 namespace host {
 
+// Whoever waits for a pipe's next bytes gets an error instead, from now on; so does everyone after
+// the first stop signal. For a print that has ended in another way.
+void stop_waiting_for_input();
+
 class InputFile {
  public:
   // The buffer's size, and the longest window.

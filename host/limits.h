@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 namespace host {
 
@@ -24,6 +25,17 @@ inline constexpr std::size_t kSortBytesMin = std::size_t{64} << 10;
 // Triangles that are read before anything is decided about a mesh, and that may be out of order
 // without the mesh being sorted: 384 KiB.
 inline constexpr std::size_t kReorderTriangles = 8'192;
+
+// A log file, and how many full ones are kept beside it.
+inline constexpr std::size_t kLogBytesMax = std::size_t{1} << 20;
+inline constexpr std::size_t kLogFilesMax = 2;
+
+// Of progress, a line in the log at most so often.
+inline constexpr double kLogPeriod_s = 60;
+
+// Pieces of memory up to the first size may pass --memory-limit, all together by the second.
+inline constexpr std::size_t kMemorySmallBytes = 1'024;
+inline constexpr std::int64_t kMemoryReserveBytes = 512 * 1'024;
 
 // Warnings that wait to be told; further ones are only counted.
 inline constexpr std::size_t kWarningsHeldMax = 16;

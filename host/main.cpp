@@ -1,10 +1,14 @@
 // Arguments in, exit code out; the rest is in commands/.
 #include <cstdio>
 #include <exception>
+#include <new>
+#include <utility>
 #include <variant>
 
 #include "host/commands/commands.h"
 #include "host/exit_codes.h"
+#include "host/log_file.h"
+#include "host/memory_budget.h"
 #include "host/options.h"
 #include "host/stop_signals.h"
 
@@ -43,9 +47,22 @@ int main(int argc, char** argv) {
   host::Reporter reporter({options.quiet, options.json,
                            options.output == "-" || options.subcommand == host::Subcommand::kPlan});
   try {
+    if (!options.log.empty()) {
+      auto log = host::LogFile::open(options.log);
+      if (!log.ok()) {
+        reporter.error(log.error().message, host::kExitBadInput);
+        return host::kExitBadInput;
+      }
+      reporter.log_to(std::move(log).value());
+    }
+    host::set_memory_limit(static_cast<std::int64_t>(options.memory_limit_bytes));
     return run(options, reporter);
+  } catch (const std::bad_alloc&) {
+    reporter.error(host::memory_refusal() + "; allow more, or simplify the mesh",
+                   host::kExitBadInput);
+    return host::kExitBadInput;
   } catch (const std::exception& error) {
-    // Out of memory, or a library's surprise.
+    // A library's surprise.
     reporter.error(std::string("gave up: ") + error.what(), host::kExitBadInput);
     return host::kExitBadInput;
   }

@@ -135,8 +135,8 @@ void Monitor::tell_events() {
 
 void Monitor::report_progress() {
   const double now = steady_seconds();
-  if (!reporter_.progress_due(now)) return;
   for (const std::string& warning : options_.warnings()) reporter_.note("warning", warning);
+  if (!reporter_.progress_due(now)) return;
   ProgressReport report;
   report.layer = last_.layer;
   report.layers = options_.layers();

@@ -85,6 +85,21 @@ void add_part(CLI::App& command, Options& options) {
       ->type_name("BYTES")
       ->transform(CLI::AsSizeValue(false))
       ->check(CLI::Range(kSortBytesMin, std::size_t{1} << 40).description(""));
+  command
+      .add_option("--memory-limit", options.memory_limit_bytes,
+                  "end with an error rather than use more memory than this in all, as 64M")
+      ->type_name("BYTES")
+      ->transform(CLI::AsSizeValue(false));
+  static const std::map<std::string, OnBadLayer> kWords = {{"repair", OnBadLayer::kRepair},
+                                                           {"neighbour", OnBadLayer::kNeighbour},
+                                                           {"pause", OnBadLayer::kPause},
+                                                           {"stop", OnBadLayer::kStop}};
+  command
+      .add_option("--on-bad-layer", options.on_bad_layer,
+                  "where contours stay open, or nothing is there: repair (print what is sound), "
+                  "neighbour (the slice below once more), pause, stop")
+      ->type_name("WORD")
+      ->transform(CLI::CheckedTransformer(kWords));
 }
 
 void add_sorted(CLI::App& command, Options& options) {
@@ -101,6 +116,8 @@ void add_sorted(CLI::App& command, Options& options) {
 
 void add_reports(CLI::App& command, Options& options) {
   command.add_option("--stats", options.stats, "write statistics to FILE (JSON)")
+      ->type_name("FILE");
+  command.add_option("--log", options.log, "write all messages to FILE too, of bounded size")
       ->type_name("FILE");
   command.add_flag("--quiet", options.quiet, "no progress, no notes; errors only");
   command.add_flag("--json", options.json, "events as JSON lines instead of text");

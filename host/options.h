@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/units.h"          // LayerIndex
+#include "host/bad_layers.h"     // OnBadLayer
 #include "host/limits.h"         // kSortBytesDefault
 #include "host/output_format.h"  // OutputFormat
 
@@ -59,6 +60,9 @@ struct Options {
   std::optional<SectionPlace> section;
   std::optional<SectionZoom> zoom;  // only with a section
 
+  std::size_t memory_limit_bytes = 0;  // 0: none
+  OnBadLayer on_bad_layer = OnBadLayer::kRepair;
+  std::string log;  // empty: none
   std::size_t sort_bytes = kSortBytesDefault;
   PipeSorted sorted = PipeSorted::kAuto;
 

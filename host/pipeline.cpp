@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <new>
 #include <utility>
 
 #include "core/motion_builder.h"
@@ -13,6 +14,7 @@
 #include "core/wall_splitter.h"
 #include "core/wall_style.h"
 #include "host/layer_rules.h"
+#include "host/memory_budget.h"
 #include "host/motion_encoder.h"
 
 namespace host {
@@ -31,6 +33,7 @@ class Pipeline {
         outputs_(outputs),
         signals_(signals),
         statistics_(statistics),
+        bad_layers_(job.on_bad_layer, job.part_path, signals.warnings),
         cutter_(settings_),
         splitter_(settings_),
         style_(settings_),
@@ -41,7 +44,7 @@ class Pipeline {
         sink_([this](const core::Motion& motion) { send(motion); }) {}
 
   core::Result<PipelineEnd> run() {
-    core::Result<PipelineEnd> end = feed();
+    core::Result<PipelineEnd> end = feed_in_memory();
     close_statistics();
     return end;
   }
@@ -61,6 +64,16 @@ class Pipeline {
     return {};
   }
 
+  core::Result<PipelineEnd> feed_in_memory() {
+    try {
+      return feed();
+    } catch (const std::bad_alloc&) {
+      return core::Error{core::ErrorCode::kNoMemory,
+                         fmt::format("{}, layer {}: {}; allow more, or simplify the mesh",
+                                     job_.part_path, statistics_.layers + 1, memory_refusal())};
+    }
+  }
+
   core::Result<PipelineEnd> feed() {
     if (core::Status read = read_rest(); !read.ok()) return read.error();
     while (!stopped()) {
@@ -71,6 +84,9 @@ class Pipeline {
       core::Slice slice = *std::move(next).value();
       if (core::Status status = check_layer_height(job_.part_path, slice, settings_);
           !status.ok()) {
+        return status.error();
+      }
+      if (core::Status status = bad_layers_.check(slice, job_.part.summary.layers); !status.ok()) {
         return status.error();
       }
       signals_.slices_cut.fetch_add(1);
@@ -173,6 +189,7 @@ class Pipeline {
   PipelineSignals& signals_;
   GeometryStatistics& statistics_;
 
+  BadLayers bad_layers_;
   core::OffsetCutter cutter_;
   core::WallSplitter splitter_;
   core::WallStyle style_;

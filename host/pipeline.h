@@ -23,6 +23,7 @@
 #include "core/settings.h"          // Settings
 #include "core/slice.h"             // SplitLayer
 #include "firmware_link/command.h"  // Command
+#include "host/bad_layers.h"        // OnBadLayer
 #include "host/part_file.h"         // OpenedPart
 #include "host/statistics.h"        // GeometryStatistics
 #include "host/warning_box.h"       // WarningBox
@@ -34,6 +35,7 @@ struct Job {
   core::Settings settings;  // REQUIRES: validated, check_user_gcode() fine
   OpenedPart part;          // used up by the run
   std::string part_path;    // for messages
+  OnBadLayer on_bad_layer = OnBadLayer::kRepair;
 };
 
 // What is done with what comes out; any may be empty, and what nobody wants is not computed.
@@ -58,7 +60,8 @@ enum class PipelineEnd { kDone, kStopped };
 // Runs the part through to its end, or until an output or a signal stops it.
 //
 // Where the part has to be read to its end before its first slice, the heaters are turned on first.
-// Errors are the source's own, and: no road fits anywhere (nothing was sent to on_motion then);
+// Errors are the source's own, and: no road fits anywhere (nothing was sent to on_motion then but
+// heating); a layer needs more memory than there is; a bad layer that is to end the print;
 // a road would leave the bed (told on the first layer, before anything was sent).
 // COSTS: at most 2T + 1 layers and 2T partial intersections held (wall_splitter.h).
 [[nodiscard]] core::Result<PipelineEnd> run_pipeline(Job& job, const PipelineOutputs& outputs,

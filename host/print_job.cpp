@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "host/exit_codes.h"
+#include "host/input_file.h"
 #include "host/limits.h"
 #include "host/monitor.h"
 #include "host/pipeline.h"
@@ -135,6 +136,7 @@ PrintOutcome print_part(const PrintRequest& request) {
   }
   link_ended.store(true);
   queue.close();
+  stop_waiting_for_input();
   thread.join();
   for (const std::string& warning : signals.warnings.take()) {
     request.reporter.note("warning", warning);

@@ -7,6 +7,9 @@
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <utility>
+
+#include "host/limits.h"
 
 namespace host {
 namespace {
@@ -81,8 +84,11 @@ void Reporter::json_line(const std::string& name, EventFields fields) {
   std::fflush(out);
 }
 
+void Reporter::log_to(std::unique_ptr<LogFile> log) { log_ = std::move(log); }
+
 void Reporter::note(const std::string& name, const std::string& message,
                     const EventFields& fields) {
+  if (log_) log_->write(name + ": " + message);
   if (options_.json) {
     EventFields all = {{"message", message}};
     all.insert(all.end(), fields.begin(), fields.end());
@@ -95,6 +101,7 @@ void Reporter::note(const std::string& name, const std::string& message,
 }
 
 void Reporter::error(const std::string& message, int exit_code) {
+  if (log_) log_->write("error: " + message);
   if (options_.json) {
     json_line("error", {{"message", message}, {"exit_code", std::int64_t{exit_code}}});
     if (options_.stdout_taken) return;
@@ -103,7 +110,13 @@ void Reporter::error(const std::string& message, int exit_code) {
   std::fprintf(stderr, "rind: %s\n", message.c_str());
 }
 
-bool Reporter::progress_due(double now_s) const {
+bool Reporter::progress_due(double now_s) const { return show_due(now_s) || log_due(now_s); }
+
+bool Reporter::log_due(double now_s) const {
+  return log_ && (!logged_at_s_ || now_s - *logged_at_s_ >= kLogPeriod_s);
+}
+
+bool Reporter::show_due(double now_s) const {
   if (options_.quiet && !options_.json) return false;
   const double period =
       options_.json ? kJsonPeriod_s : (terminal_ ? kTerminalPeriod_s : kPlainPeriod_s);
@@ -111,7 +124,11 @@ bool Reporter::progress_due(double now_s) const {
 }
 
 void Reporter::progress(const ProgressReport& report, double now_s) {
-  if (!progress_due(now_s)) return;
+  if (log_due(now_s)) {
+    logged_at_s_ = now_s;
+    log_->write("progress: " + progress_line(report));
+  }
+  if (!show_due(now_s)) return;
   shown_at_s_ = now_s;
   if (options_.json) {
     EventFields fields = {{"layer", report.layer},

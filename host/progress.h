@@ -3,13 +3,15 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
-#include "core/units.h"  // LayerIndex, Length
+#include "core/units.h"     // LayerIndex, Length
+#include "host/log_file.h"  // LogFile
 
 namespace host {
 
@@ -46,6 +48,10 @@ class Reporter {
     bool stdout_taken = false;  // the result goes there: JSON events go to standard error
   };
   explicit Reporter(const Options& options);
+
+  // From now on all is written to the log as well, even when quiet; progress now and then.
+  void log_to(std::unique_ptr<LogFile> log);
+
   ~Reporter();
   Reporter(const Reporter&) = delete;
   Reporter& operator=(const Reporter&) = delete;
@@ -66,9 +72,13 @@ class Reporter {
   void clear();
 
  private:
+  [[nodiscard]] bool show_due(double now_s) const;
+  [[nodiscard]] bool log_due(double now_s) const;
   void json_line(const std::string& name, EventFields fields);
 
   Options options_;
+  std::unique_ptr<LogFile> log_;
+  std::optional<double> logged_at_s_;  // progress
   bool terminal_;
   bool line_shown_ = false;
   std::optional<double> shown_at_s_;

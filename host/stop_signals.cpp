@@ -35,6 +35,7 @@ void watch_stop_signals() {
   }
   action.sa_handler = SIG_IGN;
   sigaction(SIGPIPE, &action, nullptr);
+  sigaction(SIGXFSZ, &action, nullptr);
 }
 
 int stop_signal_count() { return g_count.load(); }

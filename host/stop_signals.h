@@ -4,7 +4,8 @@
 //     second   while something is at stake: the controller is halted at once (M112)
 //              otherwise: the program ends at once
 //
-// SIGPIPE is ignored: a closed pipe is a write error like any other, and must not end a print.
+// SIGPIPE and SIGXFSZ are ignored: a closed pipe or a file at its limit is a write error like any
+// other, and must not end a print.
 #pragma once
 
 namespace host {

@@ -29,6 +29,9 @@ int formats_command(const Options& options, Reporter& reporter);
 // (OpenedPart::read_rest).
 [[nodiscard]] core::Result<Job> open_job(const Options& options, Reporter& reporter);
 
+// What the pipeline warned of.
+void report_warnings(PipelineSignals& signals, Reporter& reporter);
+
 // What was mended in the part, if anything.
 void report_defects(const DefectLog& defects, Reporter& reporter);
 

@@ -52,7 +52,12 @@ core::Result<Job> open_job(const Options& options, Reporter& reporter) {
   if (!part.ok()) return part.error();
   const PartSummary& summary = part.value().summary;
   for (const std::string& warning : summary.warnings) reporter.note("warning", warning);
-  return Job{std::move(settings).value(), std::move(part).value(), part_title(options.part)};
+  return Job{std::move(settings).value(), std::move(part).value(), part_title(options.part),
+             options.on_bad_layer};
+}
+
+void report_warnings(PipelineSignals& signals, Reporter& reporter) {
+  for (const std::string& warning : signals.warnings.take()) reporter.note("warning", warning);
 }
 
 void report_defects(const DefectLog& defects, Reporter& reporter) {

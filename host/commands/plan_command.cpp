@@ -104,6 +104,7 @@ int plan_command(const Options& options, Reporter& reporter) {
   signals.stop_asked = [] { return stop_signal_count() > 0; };
   GeometryStatistics statistics;
   const core::Result<PipelineEnd> end = run_pipeline(job, outputs, signals, statistics);
+  report_warnings(signals, reporter);
   if (!end.ok()) return fail(end.error(), reporter);
   if (end.value() == PipelineEnd::kStopped) {
     reporter.error("stopped", kExitStopped);

@@ -57,6 +57,7 @@ int show_layer(const Options& options, Job& job, Reporter& reporter) {
   signals.stop_asked = [] { return stop_signal_count() > 0; };
   GeometryStatistics statistics;
   const core::Result<PipelineEnd> end = run_pipeline(job, outputs, signals, statistics);
+  report_warnings(signals, reporter);
   if (!end.ok()) return fail(end.error(), reporter);
   if (svg.empty() && end.value() == PipelineEnd::kDone) {
     window.finish();

@@ -157,6 +157,7 @@ int slice_command(const Options& options, Reporter& reporter) {
   signals.stop_asked = [] { return stop_signal_count() > 0; };
   GeometryStatistics statistics;
   const core::Result<PipelineEnd> end = run_pipeline(job, file.outputs(), signals, statistics);
+  report_warnings(signals, reporter);
 
   int exit_code = kExitDone;
   if (!end.ok()) {

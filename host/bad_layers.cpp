@@ -1,0 +1,38 @@
+#include "host/bad_layers.h"
+
+#include <fmt/format.h>
+
+namespace host {
+
+std::optional<std::string> why_bad(const core::SliceDefects& defects, bool empty, bool more_above) {
+  if (defects.dropped_chains > 0) {
+    return fmt::format("{} open contour{} can't be closed", defects.dropped_chains,
+                       defects.dropped_chains == 1 ? "" : "s");
+  }
+  if (empty && more_above) return "it holds nothing, and the part goes on above it";
+  return std::nullopt;
+}
+
+core::Status BadLayers::check(core::Slice& slice, core::LayerIndex layers) {
+  // A part that is sliced as it comes ends with its last slice that is not empty.
+  const bool more_above = layers == 0 || slice.index + 1 < layers;
+  const std::optional<std::string> why = why_bad(slice.defects, slice.region.empty(), more_above);
+  if (!why) {
+    if (action_ == OnBadLayer::kNeighbour) below_ = slice.region;
+    return {};
+  }
+  ++count_;
+  const std::string place =
+      fmt::format("{}, layer {} at {:g} mm: {}", part_, slice.index + 1, slice.top().mm(), *why);
+  if (action_ == OnBadLayer::kStop || action_ == OnBadLayer::kPause) {
+    const char* pause = action_ == OnBadLayer::kPause ? "; a print can't be paused yet" : "";
+    return core::Error{core::ErrorCode::kBadPart,
+                       place + pause + "; repair the mesh, or say --on-bad-layer repair"};
+  }
+  const bool copied = action_ == OnBadLayer::kNeighbour && !below_.empty();
+  if (copied) slice.region = below_;
+  warnings_.put(place + (copied ? "; the slice below is printed once more" : ""));
+  return {};
+}
+
+}  // namespace host

@@ -1,0 +1,29 @@
+// How much memory the program may use, so that it says what it lacks instead of being killed.
+//
+//     resident when the limit was set  +  what was allocated since  <=  the limit
+//
+// The program's operator new asks here (memory_hook.cpp, in the program only); what does not fit
+// throws std::bad_alloc, which the pipeline turns into an error that names the layer, the need and
+// the limit. Small pieces may go beyond it by kMemoryReserveBytes, so that the link can still bring
+// the printer to a safe end.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace host {
+
+// Counts from here on; 0: no limit.
+void set_memory_limit(std::int64_t bytes);
+
+// From the hook: whether it may be had, and what was. Any thread; neither allocates.
+[[nodiscard]] bool memory_allowed(std::size_t bytes) noexcept;
+void memory_taken(std::size_t bytes) noexcept;
+void memory_given_back(std::size_t bytes) noexcept;
+
+// What was missing when an allocation was refused last, for people: "12.3 MB are needed, 10.0 MB
+// (--memory-limit) allowed", or that the system had no more.
+[[nodiscard]] std::string memory_refusal();
+
+}  // namespace host

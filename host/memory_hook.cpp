@@ -1,0 +1,29 @@
+// The program's own operator new and delete: as the library's, and they count (memory_budget.h).
+#include <malloc.h>
+
+#include <cstdlib>
+#include <new>
+
+#include "host/memory_budget.h"
+
+void* operator new(std::size_t bytes) {
+  if (host::memory_allowed(bytes)) {
+    if (void* memory = std::malloc(bytes > 0 ? bytes : 1)) {
+      host::memory_taken(malloc_usable_size(memory));
+      return memory;
+    }
+  }
+  throw std::bad_alloc();
+}
+
+void* operator new[](std::size_t bytes) { return operator new(bytes); }
+
+void operator delete(void* memory) noexcept {
+  if (memory == nullptr) return;
+  host::memory_given_back(malloc_usable_size(memory));
+  std::free(memory);
+}
+
+void operator delete[](void* memory) noexcept { operator delete(memory); }
+void operator delete(void* memory, std::size_t) noexcept { operator delete(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { operator delete(memory); }
