@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
@@ -44,6 +45,10 @@ core::Result<Job> open_job(const Options& options, Reporter& reporter) {
   const bool sliced = options.subcommand == Subcommand::kSlice;
   OpenOptions open;
   open.sort_bytes = options.sort_bytes;
+  if (options.memory_limit_bytes > 0) {
+    const std::size_t quarter = std::max(kSortBytesMin, options.memory_limit_bytes / 4);
+    open.sort_bytes = std::min(open.sort_bytes, quarter);
+  }
   open.stream_pipes =
       options.sorted == PipeSorted::kYes || (options.sorted == PipeSorted::kAuto && sliced);
   // A print reads the rest with its heaters on already.
