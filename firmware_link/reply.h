@@ -36,6 +36,7 @@ struct Position {
   std::optional<double> y_mm;
   std::optional<double> z_mm;
   std::optional<double> e_mm;
+  friend bool operator==(const Position&, const Position&) = default;
 };
 
 struct Reply {

@@ -38,7 +38,8 @@ Session::Session(std::unique_ptr<Dialect> dialect, const SessionOptions& options
 }
 
 bool Session::can_take() const {
-  return state_ == SessionState::kStreaming && window_.all_sent() && !own_line_due();
+  return state_ == SessionState::kStreaming && window_.all_sent() && !own_line_due() &&
+         !confirming_ && !deferred_;
 }
 
 void Session::take(const Command& command, Instant now) { give(command, true, now); }
@@ -108,7 +109,9 @@ void Session::stop_now(std::span<const Command> safe_sequence, Instant now) {
     safe_sizes_[i] = static_cast<std::uint8_t>(encode(safe_sequence[i], safe_texts_[i]).size());
   }
   wishes_ = {};
+  deferred_.reset();
   question_.reset();
+  end_confirming();
   if (state_ == SessionState::kConnecting || state_ == SessionState::kFaulted) {
     if (controller_may_live_) put_safe_sequence();
     if (state_ == SessionState::kConnecting) state_ = SessionState::kStopped;
@@ -192,7 +195,9 @@ void Session::resynchronise(Instant now) {
 
 void Session::tick_silence(Instant now) {
   if (ended() || (window_.lines_in_flight() == 0 && !resync_pending_)) return;
-  const bool silent = now - last_life_ > rules_.silence_max;
+  const Duration silence_max =
+      waiting_line_in_flight() ? rules_.silence_waiting_max : rules_.silence_max;
+  const bool silent = now - last_life_ > silence_max;
   const bool idle = now - last_progress_ > rules_.idle_talk_max;
   if (!silent && !idle) return;
   if (rules_.numbered && resyncs_in_a_row_ < options_.resyncs_in_a_row_max) {
@@ -200,7 +205,7 @@ void Session::tick_silence(Instant now) {
     resynchronise(now);
     return;
   }
-  const Duration waited = rules_.silence_max * (rules_.numbered ? resyncs_in_a_row_ + 1 : 1);
+  const Duration waited = silence_max * (rules_.numbered ? resyncs_in_a_row_ + 1 : 1);
   std::string why = "the controller has not answered for " + seconds_text(waited);
   if (!last_refusal_.empty()) why += "; its last complaint was \"" + last_refusal_ + "\"";
   fault(FaultKind::kSilence, why, true);
@@ -210,7 +215,7 @@ void Session::tick_silence(Instant now) {
 void Session::settle(Instant now) {
   if (ended() || (phase_ != Phase::kAsking && phase_ != Phase::kOpen)) return;
   const bool idle = window_.all_sent() && window_.lines_in_flight() == 0 && !resync_pending_ &&
-                    !own_line_due() && !question_;
+                    !own_line_due() && !question_ && !deferred_;
   if (phase_ == Phase::kAsking && idle) {
     speak_its_dialect();
     if (settling_needed_) {
@@ -249,7 +254,13 @@ void Session::pump(Instant now) {
 }
 
 bool Session::send_next(Instant now) {
-  if (window_.all_sent() && !push_own_line()) {
+  if (window_.all_sent() && !push_own_line(now)) {
+    if (own_line_due()) return false;
+    if (deferred_) {
+      push_command(deferred_->command, deferred_->is_command);
+      deferred_.reset();
+      return send_next(now);
+    }
     if (state_ != SessionState::kStopping || safe_next_ == safe_count_) return false;
     push_own({safe_texts_[safe_next_].data(), safe_sizes_[safe_next_]});
     ++safe_next_;

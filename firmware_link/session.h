@@ -169,14 +169,16 @@ class Session {
 
   // session_watch.cpp: the link's own lines and what it watches.
   void give(const Command& command, bool is_command, Instant now);
-  void push_own(std::string_view text);
+  void push_command(const Command& command, bool is_command);
+  void push_own(std::string_view text, Duration nominal = Duration(0));
   [[nodiscard]] bool own_line_due() const;
-  [[nodiscard]] bool push_own_line();
+  [[nodiscard]] bool push_own_line(Instant now);
   void tick_watch(Instant now);
   void note_temperatures(const Reply& reply, Instant now);
   void note_action(std::string_view action);
   void warn(std::string_view words);
   void settle_position();
+  void end_confirming();
   void filament_differs(std::int64_t excess_10nm);
 
   // session.cpp: what goes out, and when.
@@ -195,6 +197,10 @@ class Session {
     return sequence - numbering_base_;
   }
 
+  // Marks in nominal_: nothing goes behind such a line until it is acknowledged.
+  static constexpr Duration kWaitsForPlanner{-1};
+  static constexpr Duration kGoesAlone{-2};
+
   // What the session itself has to say, as soon as there is room.
   struct OwnWishes {
     std::optional<int> feed_percent;
@@ -204,6 +210,12 @@ class Session {
     bool ask_position = false;
     bool ask_temperatures = false;
     bool report_temperatures = false;
+  };
+
+  // Taken, and not in the window yet, because a line of the link's own goes before it.
+  struct Deferred {
+    Command command;
+    bool is_command = false;
   };
 
   // An M114 on its way.
@@ -237,13 +249,16 @@ class Session {
   std::size_t safe_next_ = 0;
 
   OwnWishes wishes_;
+  std::optional<Deferred> deferred_;
   std::optional<PositionQuestion> question_;
   int questions_in_a_row_ = 0;  // that found a difference, or no answer
+  bool confirming_ = false;     // a difference was told: no move until it is sure
+  std::optional<Position> told_last_;
   PositionWatch position_;
   PlannerWatch planner_;
   HeaterWatch nozzle_watch_{"the nozzle", nozzle_watch_limits()};
   HeaterWatch bed_watch_{"the bed", bed_watch_limits()};
-  // By sequence, as in the window: how long a move takes; -1: the planner is emptied before it.
+  // By sequence, as in the window: how long a move takes, or one of the marks below.
   std::array<Duration, kHistoryLinesMax> nominal_{};
 
   LineSplitter splitter_;

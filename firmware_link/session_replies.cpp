@@ -164,7 +164,7 @@ void Session::acknowledged(const Reply& reply, Instant now) {
 void Session::note_accepted(std::int64_t from, Instant now) {
   for (std::int64_t i = from; i < window_.acknowledged(); ++i) {
     const Duration nominal = nominal_[static_cast<std::size_t>(i) % nominal_.size()];
-    if (nominal.count() < 0) planner_.expect_gap(now);
+    if (nominal == kWaitsForPlanner) planner_.expect_gap(now);
     if (nominal.count() > 0) planner_.accepted_move(nominal, now);
   }
   settle_position();
@@ -216,7 +216,7 @@ bool Session::repeat_from(std::int64_t sequence) {
   }
   calm_lines_missing_ = kCalmLines;
   // A line that was cut may have run in part.
-  if (rules_.tells_position && state_ == SessionState::kStreaming) wishes_.ask_position = true;
+  if (rules_.tells_position && phase_ == Phase::kOpen) wishes_.ask_position = true;
   if (!warned_of_resends_ && statistics_.lines_sent >= kResendLinesMin &&
       statistics_.resend_ratio() >= kResendRatioMax) {
     warned_of_resends_ = true;

@@ -14,8 +14,8 @@ namespace {
 
 // The controller's count of filament is a float: it is set back to 0 before it gets coarse.
 constexpr std::int64_t kFilamentCount10nmMax = 10'000'000;
-// A difference must be told twice: the telling may be damaged too.
-constexpr int kQuestionsMax = 3;
+// So many accounts in a row that agree neither with what was sent nor with one another are enough.
+constexpr int kQuestionsMax = 8;
 // How long nothing may be heard before temperatures are asked for, to see that it lives.
 constexpr Duration kIdlePoll = std::chrono::seconds(10);
 
@@ -38,6 +38,20 @@ std::string mm_text(std::int64_t value_10nm) {
 
 void Session::give(const Command& command, bool is_command, Instant now) {
   LINK_CHECK(can_take());
+  if (is_command) ++statistics_.commands_taken;
+  const auto* move = std::get_if<Move>(&command);
+  if (rules_.tells_position && move != nullptr && move->e_10nm && !position_.expected().e_10nm) {
+    // From here on the controller's count of filament is to be known. Not earlier, because the
+    // user's own lines may count in their own way.
+    wishes_.reset_filament = true;
+    deferred_ = {command, is_command};
+  } else {
+    push_command(command, is_command);
+  }
+  pump(now);
+}
+
+void Session::push_command(const Command& command, bool is_command) {
   TextBuffer long_buffer;
   TextBuffer buffer;
   const std::string_view text = encode(command, long_buffer);
@@ -48,15 +62,13 @@ void Session::give(const Command& command, bool is_command, Instant now) {
   } else if (std::holds_alternative<Verbatim>(command)) {
     position_.gave_unknown();
   }
-  if (waits_for_planner(text)) nominal = Duration(-1);
+  if (waits_for_planner(text)) nominal = kWaitsForPlanner;
   nominal_[static_cast<std::size_t>(window_.end()) % nominal_.size()] = nominal;
   window_.push(shortened(text, buffer), is_command);
-  if (is_command) ++statistics_.commands_taken;
-  pump(now);
 }
 
-void Session::push_own(std::string_view text) {
-  nominal_[static_cast<std::size_t>(window_.end()) % nominal_.size()] = Duration(0);
+void Session::push_own(std::string_view text, Duration nominal) {
+  nominal_[static_cast<std::size_t>(window_.end()) % nominal_.size()] = nominal;
   window_.push(text, false);
 }
 
@@ -69,8 +81,14 @@ bool Session::own_line_due() const {
 }
 
 // Puts the most pressing one of the own lines into the window; false when there is none.
-bool Session::push_own_line() {
+bool Session::push_own_line(Instant now) {
   if (!own_line_due()) return false;
+  if (confirming_ && rules_.numbered && !confirmed_) {
+    // Only when the controller itself says that it has every line, and no more, is what it tells
+    // of its place the answer to this question.
+    if (window_.lines_in_flight() == 0 && !resync_pending_) resynchronise(now);
+    return false;
+  }
   if (wishes_.feed_percent) {
     push_own("M220 S" + std::to_string(*wishes_.feed_percent));
     wishes_.feed_percent.reset();
@@ -80,15 +98,17 @@ bool Session::push_own_line() {
   } else if (wishes_.filament_correction_10nm) {
     push_own("G1 E" + mm_text(*wishes_.filament_correction_10nm));
     wishes_.filament_correction_10nm.reset();
-  } else if (wishes_.reset_filament ||
-             (wishes_.ask_position && !question_ && !position_.expected().e_10nm)) {
-    // From here on its count is known exactly.
-    push_own("G92 E0");
+  } else if (wishes_.reset_filament) {
+    // Nothing goes behind it: the tail of a line cut there would run before the count begins.
+    push_own("G92 E0", kGoesAlone);
+    wishes_.ask_position = true;
     position_.gave_filament_reset();
     wishes_.reset_filament = false;
   } else if (wishes_.ask_position && !question_) {
     question_ = PositionQuestion{window_.end(), position_.expected(), std::nullopt};
-    push_own("M114");
+    // Where the count has just begun, its `ok` is also the sign that the G92 before it was not
+    // itself such a tail.
+    push_own("M114", position_.expected().moves == 0 ? kGoesAlone : Duration(0));
     wishes_.ask_position = false;
   } else if (wishes_.report_temperatures) {
     const auto interval =
@@ -137,32 +157,36 @@ void Session::hold(bool holding, Instant now) {
   planner_.expect_gap(now);
 }
 
-// An account that was asked for is complete when its `ok` has come.
+// An account that was asked for is complete when its `ok` has come. A difference is believed when
+// two accounts in a row, with no move between them, say the same: an account may be damaged as any
+// answer may, and with an `ok` too many on the way it may be the one before.
 void Session::settle_position() {
   if (!question_ || window_.acknowledged() <= question_->sequence) return;
   const PositionQuestion question = *question_;
   question_.reset();
-  if (!question.told) {
-    if (++questions_in_a_row_ < kQuestionsMax) {
-      wishes_.ask_position = true;
-    } else {
-      questions_in_a_row_ = 0;
+  auto verdict = PositionWatch::Verdict::kAgrees;
+  if (question.told) {
+    ++statistics_.positions_checked;
+    verdict = PositionWatch::compare(question.expected, *question.told);
+    if (verdict == PositionWatch::Verdict::kAgrees) {
+      end_confirming();
+      const auto count = position_.expected().e_10nm;
+      if (count && std::abs(*count) > kFilamentCount10nmMax) wishes_.reset_filament = true;
+      return;
     }
-    return;
   }
-  ++statistics_.positions_checked;
-  const PositionWatch::Verdict verdict = PositionWatch::compare(question.expected, *question.told);
-  if (verdict == PositionWatch::Verdict::kAgrees) {
-    questions_in_a_row_ = 0;
-    const auto count = position_.expected().e_10nm;
-    if (count && std::abs(*count) > kFilamentCount10nmMax) wishes_.reset_filament = true;
-    return;
-  }
-  if (++questions_in_a_row_ == 1) {
+  if (!question.told || !confirming_ || !told_last_ || !(*told_last_ == *question.told)) {
+    if (++questions_in_a_row_ >= kQuestionsMax) {
+      end_confirming();
+      warn("its position could not be confirmed: each answer to M114 was another");
+      return;
+    }
+    confirming_ = question.told.has_value() || confirming_;
+    told_last_ = question.told;
     wishes_.ask_position = true;
     return;
   }
-  questions_in_a_row_ = 0;
+  end_confirming();
   if (verdict == PositionWatch::Verdict::kPositionDiffers) {
     fault(FaultKind::kPosition,
           "the controller is not where it was sent: at " + PositionWatch::text_of(*question.told) +
@@ -171,6 +195,12 @@ void Session::settle_position() {
     return;
   }
   filament_differs(PositionWatch::filament_excess_10nm(question.expected, *question.told));
+}
+
+void Session::end_confirming() {
+  confirming_ = false;
+  told_last_.reset();
+  questions_in_a_row_ = 0;
 }
 
 void Session::filament_differs(std::int64_t excess_10nm) {

@@ -2,10 +2,10 @@
 //
 //     tools/virtual_controller --link /tmp/printer &      prints the pseudo-terminal's path
 //     rind print part.stl --port /tmp/printer
+//     tools/virtual_controller --list-scenarios            what can go wrong, by name
+//     tools/virtual_controller --scenario lost-ok --seed 7 --listen 127.0.0.1:8888
 //
 // It powers up when a host opens the port, as a board does that DTR resets.
-#include "firmware_link/virtual/virtual_controller.h"
-
 #include <arpa/inet.h>
 #include <fcntl.h>
 #include <netinet/in.h>
@@ -23,14 +23,20 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <map>
 #include <memory>
 #include <string>
 
+#include "firmware_link/virtual/hostile_controller.h"
+
 namespace {
 
+using firmware_link::HostileController;
 using firmware_link::Instant;
+using firmware_link::Scenario;
 using firmware_link::VirtualController;
 using firmware_link::VirtualControllerOptions;
+using firmware_link::VirtualDialect;
 
 volatile std::sig_atomic_t stop_asked = 0;
 void ask_to_stop(int) { stop_asked = 1; }
@@ -40,8 +46,13 @@ struct Options {
   std::string socket;
   std::string listen;
   std::string log;
+  std::string scenario = "clean";
+  VirtualDialect dialect = VirtualDialect::kMarlin;
+  std::uint64_t seed = 1;
+  std::size_t within_lines = 400;
   double speed = 1;
   bool once = false;
+  bool list = false;
 };
 
 Instant clock_now() {
@@ -167,17 +178,23 @@ class Entrance {
 // Talks to one host until it hangs up; false when asked to stop.
 class Conversation {
  public:
-  Conversation(int host, double speed, const VirtualControllerOptions& options)
-      : host_(host), speed_(speed), origin_(clock_now()), controller_(options, simulated_now()) {}
+  Conversation(int host, const Options& options, const Scenario& scenario,
+               const VirtualControllerOptions& controller)
+      : host_(host),
+        speed_(options.speed),
+        origin_(clock_now()),
+        controller_(scenario, options.seed, controller, options.within_lines, simulated_now()) {}
 
   bool run() {
     while (stop_asked == 0) {
+      // A host that is unplugged sees a hang-up; it may come back to a controller that has reset.
+      if (!controller_.plugged(simulated_now())) return true;
       if (!write_answers() || !read_lines()) return true;
     }
     return false;
   }
 
-  VirtualController& controller() { return controller_; }
+  VirtualController& controller() { return controller_.controller(); }
 
  private:
   Instant simulated_now() const {
@@ -190,7 +207,7 @@ class Conversation {
     while (true) {
       if (begin_ == end_) {
         begin_ = 0;
-        end_ = controller_.output(answers_);
+        end_ = controller_.output(answers_, simulated_now());
         if (end_ == 0) return true;
       }
       const ssize_t count = ::write(host_, answers_.data() + begin_, end_ - begin_);
@@ -207,7 +224,7 @@ class Conversation {
     const bool busy = controller_.owes_answer() || begin_ != end_;
     if (::poll(&wait, 1, busy ? 1 : 20) <= 0) return true;
     if ((wait.revents & POLLIN) != 0) {
-      std::array<std::byte, 512> bytes;
+      std::array<std::byte, 256> bytes;
       const ssize_t count = ::read(host_, bytes.data(), bytes.size());
       if (count == 0 || (count < 0 && errno != EAGAIN && errno != EINTR)) return false;
       if (count > 0) {
@@ -222,7 +239,7 @@ class Conversation {
   int host_;
   double speed_;
   Instant origin_;
-  VirtualController controller_;
+  HostileController controller_;
   std::array<std::byte, 1024> answers_{};
   std::size_t begin_ = 0;
   std::size_t end_ = 0;
@@ -242,6 +259,13 @@ void print_totals(VirtualController& controller) {
                static_cast<long long>(totals.planner_starvations));
 }
 
+void list_scenarios() {
+  for (const Scenario& scenario : firmware_link::scenarios()) {
+    std::printf("%-22s %s\n", std::string(scenario.name).c_str(),
+                std::string(scenario.what).c_str());
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -253,8 +277,36 @@ int main(int argc, char** argv) {
   app.add_option("--log", options.log, "write each executed command to this file");
   app.add_option("--speed", options.speed, "how many times as fast as real time")
       ->check(CLI::PositiveNumber);
+  const std::map<std::string, VirtualDialect> dialects = {{"marlin", VirtualDialect::kMarlin},
+                                                          {"klipper", VirtualDialect::kKlipper},
+                                                          {"reprap", VirtualDialect::kRepRap},
+                                                          {"prusa", VirtualDialect::kPrusa}};
+  app.add_option("--dialect", options.dialect, "marlin, klipper, reprap, prusa")
+      ->transform(CLI::CheckedTransformer(dialects));
+  app.add_option("--scenario", options.scenario, "what goes wrong; see --list-scenarios");
+  app.add_option("--seed", options.seed, "the scenario's dice");
+  app.add_option("--within-lines", options.within_lines, "when a mishap comes at the latest")
+      ->check(CLI::PositiveNumber);
+  app.add_flag("--list-scenarios", options.list, "tell what can go wrong");
+  VirtualControllerOptions controller_options;
+  app.add_option("--baud", controller_options.baud, "bits a second on the wire; 0: no limit");
+  app.add_flag("--advanced-ok", controller_options.advanced_ok, "tell free slots in each ok");
+  app.add_flag("--emergency-parser", controller_options.emergency_parser, "heed M112 at once");
   app.add_flag("--once", options.once, "end when the first host hangs up");
   CLI11_PARSE(app, argc, argv);
+  if (options.list) {
+    list_scenarios();
+    return 0;
+  }
+  const Scenario* found = firmware_link::find_scenario(options.scenario);
+  if (found == nullptr) {
+    std::fprintf(stderr, "virtual_controller: no scenario '%s'; --list-scenarios tells them\n",
+                 options.scenario.c_str());
+    return 2;
+  }
+  Scenario scenario = *found;
+  if (scenario.name == "clean") scenario.dialect = options.dialect;
+  scenario.advanced_ok = scenario.advanced_ok || controller_options.advanced_ok;
 
   struct sigaction action {};
   action.sa_handler = ask_to_stop;
@@ -263,7 +315,6 @@ int main(int argc, char** argv) {
   ::signal(SIGPIPE, SIG_IGN);
 
   std::ofstream log;
-  VirtualControllerOptions controller_options;
   if (!options.log.empty()) {
     log.open(options.log);
     if (!log) fail(options.log);
@@ -275,7 +326,7 @@ int main(int argc, char** argv) {
   while (true) {
     const int host = entrance.wait_for_host();
     if (host < 0) break;
-    Conversation conversation(host, options.speed, controller_options);
+    Conversation conversation(host, options, scenario, controller_options);
     const bool hung_up = conversation.run();
     log.flush();
     print_totals(conversation.controller());

@@ -41,9 +41,11 @@ struct LinkRules {
   std::size_t window_lines = kWindowLinesMax;
   std::size_t window_bytes = kWindowBytesMax;
 
-  // How long nothing at all may be heard while a line is in flight, and how long only signs of life
-  // that don't prove work (temperatures).
+  // How long nothing at all may be heard while a line is in flight, how long where it is one that
+  // waits (for heat, for the planner, for a user), and how long only signs of life that don't prove
+  // work (temperatures).
   Duration silence_max{};
+  Duration silence_waiting_max{};
   Duration idle_talk_max{};
 
   // After a Resend, how long it must be quiet before anything is sent again, because lines that

@@ -14,8 +14,9 @@ bool begins(std::string_view text, std::string_view with) {
 LinkRules KlipperDialect::rules() const {
   LinkRules rules;
   rules.numbered = false;
-  // A bed that heats, a long homing: nothing is said meanwhile.
-  rules.silence_max = std::chrono::minutes(30);
+  // One slow move behind a full planner; a bed that heats, a long homing, in silence.
+  rules.silence_max = std::chrono::minutes(15);
+  rules.silence_waiting_max = std::chrono::minutes(60);
   rules.idle_talk_max = std::chrono::minutes(60);
   return rules;
 }

@@ -5,6 +5,7 @@
 
 #include "firmware_link/check.h"
 #include "firmware_link/virtual/virtual_firmware.h"
+#include "firmware_link/virtual/virtual_speech.h"  // unknown_command …
 
 namespace firmware_link {
 namespace {
@@ -29,11 +30,13 @@ void VirtualController::Firmware::begin_command() {
   while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
   current_number_.reset();
   const bool numbered = text.size() > 1 && text[0] == 'N' && (is_digit(text[1]) || text[1] == '-');
+  // The checksum of a line is behind its last star; the command ends at its first.
   if (numbered) {
     const NumberedText parts = take_apart(text);
     current_number_ = parts.number;
     text = parts.text;
-  } else if (const std::size_t star = text.find('*'); star != std::string_view::npos) {
+  }
+  if (const std::size_t star = text.find('*'); star != std::string_view::npos) {
     text = text.substr(0, star);
     while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
   }
@@ -41,8 +44,17 @@ void VirtualController::Firmware::begin_command() {
   waiting_cancelled_ = false;
   waiting_ = Waiting::kNothing;
   wait_until_ = now_ + options_.command_cost;
+  if (delay_next_.count() > 0) {
+    wait_until_ += delay_next_;
+    delay_next_ = Duration(0);
+  }
   busy_next_ = now_ + std::chrono::seconds(busy_interval_s_);
 
+  if (!shutdown_words_.empty()) {
+    print("!! " + shutdown_words_ + "\n");
+    return;
+  }
+  if (text.empty() && speaks(VirtualDialect::kKlipper)) return;
   bool known = false;
   if (text.size() > 1 && is_digit(text[1])) {
     std::size_t end = 1;
@@ -60,9 +72,7 @@ void VirtualController::Firmware::begin_command() {
     options_.executed({now_, current_number_, spelled_out(text, buffer), known});
   }
   if (!known) {
-    print("echo:Unknown command: \"");
-    print(text);
-    print("\"\n");
+    print(unknown_command(options_.dialect, text));
   }
 }
 
@@ -81,6 +91,7 @@ bool VirtualController::Firmware::handle_g(std::int64_t code, std::string_view t
       return true;
     case 2:
     case 3:
+      if (speaks(VirtualDialect::kKlipper)) return false;  // without [gcode_arcs]
       arc(code, text);
       return true;
     case 4:
@@ -122,7 +133,7 @@ bool VirtualController::Firmware::finish_command() {
       homed_[axis] = true;
       position_um_[axis] = axis == 2 ? 5000 : 0;
     }
-    print_position();
+    if (numbers_lines(options_.dialect)) print_position();
   }
   end_command();
   return true;
@@ -173,6 +184,8 @@ void VirtualController::Firmware::end_command() {
     return;
   }
   print("ok");
+  if (identity_asked_) print(" FIRMWARE_NAME:Klipper FIRMWARE_VERSION:?");
+  identity_asked_ = false;
   if (options_.advanced_ok) {
     if (current_number_) print_format(" N%lld", static_cast<long long>(*current_number_));
     print_format(" P%zu B%zu", kPlannerBlocks - 1 - planner_.count(), slots_free);
@@ -207,7 +220,7 @@ void VirtualController::Firmware::move(std::string_view text, double arc_length_
   }
   if (filament != 0 && nozzle_.celsius() < options_.extrude_celsius_min) {
     ++totals_.cold_extrusions;
-    print("echo: cold extrusion prevented\n");
+    print(cold_extrusion(options_.dialect));
     filament = 0;
   }
   ++totals_.moves;
@@ -333,10 +346,7 @@ void VirtualController::Firmware::set_position(std::string_view text) {
 }
 
 void VirtualController::Firmware::print_position() {
-  const VirtualControllerState now = state();
-  print_format("X:%.2f Y:%.2f Z:%.2f E:%.2f Count X:%lld Y:%lld Z:%lld\n", now.x_mm, now.y_mm,
-               now.z_mm, now.e_mm, std::llround(now.x_mm * 80), std::llround(now.y_mm * 80),
-               std::llround(now.z_mm * 400));
+  print(position_of(options_.dialect, state()));
 }
 
 }  // namespace firmware_link

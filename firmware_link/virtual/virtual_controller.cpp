@@ -23,6 +23,14 @@ bool VirtualController::owes_answer() const { return firmware_->owes_answer(); }
 
 bool VirtualController::moving() const { return firmware_->moving(); }
 
+void VirtualController::halt(std::string_view words, Instant now) { firmware_->halt(words, now); }
+
+void VirtualController::say(std::string_view words, Instant now) { firmware_->say(words, now); }
+
+void VirtualController::delay_next(Duration delay) { firmware_->delay_next(delay); }
+
+void VirtualController::break_heaters(Instant now) { firmware_->break_heaters(now); }
+
 void VirtualController::reset(Instant now) { firmware_->reset(now); }
 
 VirtualControllerState VirtualController::state() const { return firmware_->state(); }

@@ -36,7 +36,13 @@ struct ExecutedCommand {
   bool known = true;                   // false: answered with `echo:Unknown command:`
 };
 
+// Whose words it speaks, and by whose rules it takes lines (README.md, dialects/).
+enum class VirtualDialect { kMarlin, kKlipper, kRepRap, kPrusa };
+
 struct VirtualControllerOptions {
+  // DEFAULT: kMarlin.
+  VirtualDialect dialect = VirtualDialect::kMarlin;
+
   // Called for every command whose handler begins, in order. May be empty.
   std::function<void(const ExecutedCommand&)> executed;
 
@@ -65,6 +71,7 @@ struct VirtualControllerOptions {
   // Capabilities that vary between builds.
   bool advanced_ok = false;
   bool emergency_parser = false;
+  bool meatpack = false;
 };
 
 struct VirtualControllerTotals {
@@ -133,6 +140,21 @@ class VirtualController {
 
   // True while the planner holds moves.
   [[nodiscard]] bool moving() const;
+
+  // --- what may go wrong with it ---
+
+  // Halts as if killed, with these words before Marlin's last ("Error:Thermal Runaway …\n");
+  // Klipper shuts down with them and answers every line with an alarm.
+  void halt(std::string_view words, Instant now);
+
+  // Says something that nobody asked for. REQUIRES: at most 200 bytes, with line end.
+  void say(std::string_view words, Instant now);
+
+  // The next command takes so much longer, with the usual signs of life.
+  void delay_next(Duration delay);
+
+  // Its heaters give no more warmth.
+  void break_heaters(Instant now);
 
   // Presses the reset button: all is forgotten but the totals, and `start` is said again.
   void reset(Instant now);

@@ -4,7 +4,7 @@
 #include <chrono>
 
 #include "firmware_link/check.h"
-#include "firmware_link/virtual/virtual_texts.h"  // kBanner
+#include "firmware_link/virtual/virtual_speech.h"  // banner_of
 
 namespace firmware_link {
 namespace {
@@ -24,7 +24,8 @@ VirtualController::Firmware::Firmware(const VirtualControllerOptions& options, I
       bed_(options.ambient_celsius, options.bed_heating_celsius_s, now) {
   LINK_CHECK(options_.baud >= 0 && options_.command_cost.count() >= 0);
   LINK_CHECK(options_.acceleration_mm_s2 > 0);
-  print(kBanner);
+  if (!numbers_lines(options_.dialect)) busy_interval_s_ = 0;
+  print(banner_of(options_.dialect));
 }
 
 std::size_t VirtualController::Firmware::input(std::span<const std::byte> bytes, Instant now) {
@@ -45,13 +46,14 @@ std::size_t VirtualController::Firmware::input(std::span<const std::byte> bytes,
 
 void VirtualController::Firmware::receive(char c) {
   if (halted_) return;
-  if (options_.emergency_parser) {
+  // Klipper and RepRapFirmware always look for it in what arrives.
+  if (options_.emergency_parser || !numbers_lines(options_.dialect)) {
     constexpr std::string_view kStop = "M112";
     if (c == '\n' || c == '\r') {
       const bool stop = emergency_matched_ == kStop.size();
       emergency_matched_ = 0;
       if (stop) {
-        kill();
+        kill("echo:M112 Shutdown\n");
         return;
       }
     } else if (emergency_matched_ < kStop.size() && c == kStop[emergency_matched_]) {
@@ -153,7 +155,9 @@ void VirtualController::Firmware::reset(Instant now) {
   waiting_ = Waiting::kNothing;
   homing_ = false;
   pending_move_.reset();
-  busy_interval_s_ = 2;
+  busy_interval_s_ = numbers_lines(options_.dialect) ? 2 : 0;
+  shutdown_words_.clear();
+  delay_next_ = Duration(0);
   auto_report_.reset();
   halted_ = false;
   planner_.clear();
@@ -168,7 +172,7 @@ void VirtualController::Firmware::reset(Instant now) {
   feed_percent_ = 100;
   relative_ = relative_e_ = false;
   emergency_matched_ = 0;
-  print(kBanner);
+  print(banner_of(options_.dialect));
 }
 
 VirtualControllerState VirtualController::Firmware::state() const {
@@ -200,10 +204,18 @@ void VirtualController::Firmware::print(std::string_view text) {
   for (const char c : text) answers_.push(c);
 }
 
-void VirtualController::Firmware::print_temperatures() {
-  print_format(" T:%.2f /%.2f B:%.2f /%.2f @:%d B@:%d", nozzle_.celsius(), nozzle_.target(),
-               bed_.celsius(), bed_.target(), nozzle_.power(), bed_.power());
+std::string VirtualController::Firmware::temperatures() const {
+  HeaterReport report;
+  report.nozzle_celsius = nozzle_.celsius();
+  report.nozzle_target = nozzle_.target();
+  report.nozzle_power = nozzle_.power();
+  report.bed_celsius = bed_.celsius();
+  report.bed_target = bed_.target();
+  report.bed_power = bed_.power();
+  return temperatures_of(options_.dialect, report);
 }
+
+void VirtualController::Firmware::print_temperatures() { print(temperatures()); }
 
 // Says what is due by the clock.
 bool VirtualController::Firmware::report() {
@@ -218,6 +230,11 @@ bool VirtualController::Firmware::report() {
   if (heating && heat_report_next_ <= now_) {
     heat_report_next_ += kSecond;
     (void)heated(waiting_ == Waiting::kNozzle ? nozzle_ : bed_);
+    if (speaks(VirtualDialect::kRepRap)) return true;  // it waits in silence
+    if (speaks(VirtualDialect::kKlipper)) {
+      print(temperatures().substr(1) + "\n");
+      return true;
+    }
     print_temperatures();
     if (within_window_since_) {
       const Duration rest = std::max(Duration(0), *within_window_since_ + kResidency - now_);
@@ -235,16 +252,39 @@ bool VirtualController::Firmware::report() {
   return false;
 }
 
-void VirtualController::Firmware::kill() {
-  print("echo:M112 Shutdown\nError:Printer halted. kill() called!\n");
+void VirtualController::Firmware::kill(std::string_view words) {
+  nozzle_.set_target(0);
+  bed_.set_target(0);
+  planner_.clear();
+  if (speaks(VirtualDialect::kKlipper)) {
+    shutdown_words_ = std::string(words.substr(0, words.find('\n')));
+    print("// Klipper state: Shutdown\n");
+    return;
+  }
+  print(words);
+  print("Error:Printer halted. kill() called!\n");
   halted_ = true;
   handling_ = false;
   slot_count_ = 0;
   receive_.clear();
   wire_.clear();
-  planner_.clear();
-  nozzle_.set_target(0);
-  bed_.set_target(0);
+}
+
+void VirtualController::Firmware::halt(std::string_view words, Instant now) {
+  advance(now);
+  if (!halted_ && !blocked()) kill(words);
+}
+
+void VirtualController::Firmware::say(std::string_view words, Instant now) {
+  advance(now);
+  LINK_CHECK(words.size() <= 200);
+  if (!halted_ && !blocked()) print(words);
+}
+
+void VirtualController::Firmware::break_heaters(Instant now) {
+  advance(now);
+  nozzle_.break_down();
+  bed_.break_down();
 }
 
 }  // namespace firmware_link

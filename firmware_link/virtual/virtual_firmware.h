@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "firmware_link/check.h"
@@ -63,6 +64,10 @@ class VirtualController::Firmware {
   [[nodiscard]] bool owes_answer() const;
   [[nodiscard]] bool moving() const { return !planner_.empty(); }
   void reset(Instant now);
+  void halt(std::string_view words, Instant now);
+  void say(std::string_view words, Instant now);
+  void delay_next(Duration delay) { delay_next_ = delay; }
+  void break_heaters(Instant now);
   [[nodiscard]] VirtualControllerState state() const;
   [[nodiscard]] const VirtualControllerTotals& totals();
 
@@ -92,10 +97,14 @@ class VirtualController::Firmware {
   [[nodiscard]] bool blocked() const { return answers_.room() < kAnswerBytesMax / 2; }
   bool report();
   void print_temperatures();
-  void kill();
+  [[nodiscard]] std::string temperatures() const;
+  [[nodiscard]] bool speaks(VirtualDialect dialect) const { return options_.dialect == dialect; }
+  void kill(std::string_view words);
 
   // virtual_queue.cpp
   bool read_bytes();
+  void take_slot(const Slot& slot);
+  [[nodiscard]] bool plain_line_accepted(Slot& slot) const;
   void end_line();
   [[nodiscard]] bool number_accepted(std::string_view line);
   void line_error(std::string_view what);
@@ -145,6 +154,7 @@ class VirtualController::Firmware {
   Waiting waiting_ = Waiting::kNothing;
   std::optional<std::int64_t> current_number_;
   bool temperatures_asked_ = false;
+  bool identity_asked_ = false;
   bool waiting_cancelled_ = false;
   Duration dwell_{0};  // behind the planner's last move
   bool homing_ = false;
@@ -159,6 +169,8 @@ class VirtualController::Firmware {
   std::optional<Duration> auto_report_;
   Instant auto_report_next_;
   bool halted_ = false;
+  std::string shutdown_words_;  // Klipper: every line is answered with them
+  Duration delay_next_{0};
   std::size_t emergency_matched_ = 0;
 
   VirtualPlanner planner_;

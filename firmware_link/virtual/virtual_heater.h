@@ -14,16 +14,19 @@ class VirtualHeater {
   VirtualHeater(double ambient_celsius, double heating_celsius_s, Instant now)
       : ambient_(ambient_celsius), rate_(heating_celsius_s), celsius_(ambient_celsius), at_(now) {}
 
+  // Gives no more warmth, whatever is asked of it.
+  void break_down() { broken_ = true; }
+
   void set_target(double celsius) { target_ = celsius; }
 
   void advance(Instant now) {
     const double seconds = std::chrono::duration<double>(now - at_).count();
     at_ = now;
-    if (target_ > celsius_) {
+    if (target_ > celsius_ && !broken_) {
       celsius_ = std::min(target_, celsius_ + rate_ * seconds);
     } else {
       // Loses 1/200 of the difference a second.
-      const double rest = std::max(target_, ambient_);
+      const double rest = broken_ ? ambient_ : std::max(target_, ambient_);
       celsius_ = std::max(rest, ambient_ + (celsius_ - ambient_) * std::exp(-seconds / 200));
     }
   }
@@ -43,6 +46,7 @@ class VirtualHeater {
   double target_ = 0;
   double celsius_;
   Instant at_;
+  bool broken_ = false;
 };
 
 }  // namespace firmware_link

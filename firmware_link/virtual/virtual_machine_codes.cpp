@@ -4,7 +4,8 @@
 #include <iterator>
 
 #include "firmware_link/virtual/virtual_firmware.h"
-#include "firmware_link/virtual/virtual_texts.h"  // kFirmwareName …
+#include "firmware_link/virtual/virtual_speech.h"  // identity_of
+#include "firmware_link/virtual/virtual_texts.h"   // kBanner
 
 namespace firmware_link {
 namespace {
@@ -67,6 +68,7 @@ bool VirtualController::Firmware::handle_m_temperature(std::int64_t code, std::s
       temperatures_asked_ = true;
       return true;
     case 155:
+      if (!numbers_lines(options_.dialect)) return false;
       auto_report_.reset();
       if (const auto interval = word(text, 'S', 0); interval && *interval > 0) {
         auto_report_ = std::chrono::seconds(std::min<std::int64_t>(*interval, 60));
@@ -96,9 +98,10 @@ bool VirtualController::Firmware::handle_m_host(std::int64_t code, std::string_v
       }
       return true;
     case 112:
-      kill();
+      kill("echo:M112 Shutdown\n");
       return true;
     case 113:
+      if (!numbers_lines(options_.dialect)) return false;
       if (const auto interval = word(text, 'S', 0)) {
         busy_interval_s_ = static_cast<int>(std::clamp<std::int64_t>(*interval, 0, 60));
       } else {
@@ -109,15 +112,8 @@ bool VirtualController::Firmware::handle_m_host(std::int64_t code, std::string_v
       print_position();
       return true;
     case 115:
-      print(kFirmwareName);
-      print(kCapabilitiesBefore);
-      print_format("Cap:EMERGENCY_PARSER:%d\n", options_.emergency_parser ? 1 : 0);
-      print(kCapabilitiesBehind);
-      print_format(
-          "area:{full:{min:{x:0.0000,y:0.0000,z:0.0000},max:{x:%.4f,y:%.4f,z:%.4f}},work:{min:{x:"
-          "0.0000,y:0.0000,z:0.0000},max:{x:%.4f,y:%.4f,z:%.4f}}}\n",
-          options_.bed_x_mm, options_.bed_y_mm, options_.height_z_mm, options_.bed_x_mm,
-          options_.bed_y_mm, options_.height_z_mm);
+      print(identity_of(options_));
+      identity_asked_ = speaks(VirtualDialect::kKlipper);
       return true;
     case 118: {
       std::string_view message = text.substr(std::min<std::size_t>(text.size(), 5));

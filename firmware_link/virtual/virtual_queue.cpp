@@ -1,7 +1,10 @@
 // Bytes become lines become command slots, in the order of Marlin's queue.cpp (bugfix-2.1.x).
+#include <algorithm>
 #include <charconv>
+#include <string>
 
 #include "firmware_link/virtual/virtual_firmware.h"
+#include "firmware_link/virtual/virtual_speech.h"  // numbers_lines
 
 namespace firmware_link {
 namespace {
@@ -39,6 +42,10 @@ bool VirtualController::Firmware::read_bytes() {
 void VirtualController::Firmware::end_line() {
   Slot slot = assembling_;
   assembling_.size = 0;
+  if (!numbers_lines(options_.dialect)) {
+    if (plain_line_accepted(slot)) take_slot(slot);
+    return;
+  }
   if (slot.size == 0) return;
   std::string_view line = slot.line();
   while (!line.empty() && line.front() == ' ') line.remove_prefix(1);
@@ -47,7 +54,7 @@ void VirtualController::Firmware::end_line() {
   } else if (!options_.emergency_parser) {
     // Without a number these act as soon as they are read, before their turn.
     if (line.substr(0, 4) == "M112") {
-      kill();
+      kill("echo:M112 Shutdown\n");
       return;
     }
     if (line.substr(0, 4) == "M108") waiting_cancelled_ = true;
@@ -60,8 +67,26 @@ void VirtualController::Firmware::end_line() {
       planner_.clear();
     }
   }
+  take_slot(slot);
+}
+
+void VirtualController::Firmware::take_slot(const Slot& slot) {
   slots_[(slot_first_ + slot_count_) % slots_.size()] = slot;
   ++slot_count_;
+}
+
+// Those that number nothing: Klipper takes whatever comes, and reads over number and checksum;
+// RepRapFirmware drops a line with a number and a wrong checksum, without a word.
+bool VirtualController::Firmware::plain_line_accepted(Slot& slot) const {
+  const NumberedText parts = take_apart(slot.line());
+  const bool klipper = speaks(VirtualDialect::kKlipper);
+  if (!klipper && (parts.text.empty() || (parts.number && !parts.checksum_matches))) return false;
+  if (parts.number) {
+    const std::string text(parts.text);
+    std::copy(text.begin(), text.end(), slot.bytes.begin());
+    slot.size = text.size();
+  }
+  return true;
 }
 
 // The number is looked at before the checksum, and the last two numbers are met with silence.
@@ -74,7 +99,8 @@ bool VirtualController::Firmware::number_accepted(std::string_view line) {
   }
   const std::int64_t number = leading_integer(line.substr(number_at + 1));
   if (number != last_number_ + 1 && !sets_number) {
-    if (number >= last_number_ - 1 && number <= last_number_) return false;
+    const bool silent = speaks(VirtualDialect::kMarlin);
+    if (silent && number >= last_number_ - 1 && number <= last_number_) return false;
     line_error("Line Number is not Last Line Number+1");
     return false;
   }

@@ -51,7 +51,24 @@ inline constexpr std::string_view kCapabilitiesBehind =
     "Cap:REPEAT:0\nCap:SD_WRITE:0\nCap:AUTOREPORT_SD_STATUS:0\nCap:LONG_FILENAME:0\n"
     "Cap:LFN_WRITE:0\nCap:CUSTOM_FIRMWARE_UPLOAD:0\nCap:EXTENDED_M20:0\n"
     "Cap:THERMAL_PROTECTION:1\nCap:MOTION_MODES:0\nCap:ARCS:1\nCap:BABYSTEPPING:0\n"
-    "Cap:CHAMBER_TEMPERATURE:0\nCap:COOLER_TEMPERATURE:0\nCap:MEATPACK:0\n"
-    "Cap:CONFIG_EXPORT:0\n";
+    "Cap:CHAMBER_TEMPERATURE:0\nCap:COOLER_TEMPERATURE:0\n";
+
+inline constexpr std::string_view kPrusaBanner =
+    "start\n"
+    "echo: 3.13.2-7080\n"
+    "echo: Last Updated: Nov  6 2023 10:42:38 | Author: (none, default config)\n"
+    "echo: Free Memory: 2347  PlannerBufferBytes: 1760\n"
+    "echo:Hardcoded Default Settings Loaded\n";
+
+inline constexpr std::string_view kPrusaIdentity =
+    "FIRMWARE_NAME:Prusa-Firmware 3.13.2 based on Marlin "
+    "FIRMWARE_URL:https://github.com/prusa3d/Prusa-Firmware PROTOCOL_VERSION:1.0 "
+    "MACHINE_TYPE:Prusa i3 MK3S EXTRUDER_COUNT:1 UUID:00000000-0000-0000-0000-000000000000\n"
+    "Cap:AUTOREPORT_TEMP:1\nCap:AUTOREPORT_FANS:1\nCap:AUTOREPORT_POSITION:1\n"
+    "Cap:EXTENDED_M20:1\nCap:PRUSA_MMU2:1\n";
+
+inline constexpr std::string_view kRepRapIdentity =
+    "FIRMWARE_NAME: RepRapFirmware for Duet 2 WiFi/Ethernet FIRMWARE_VERSION: 3.4.5 "
+    "ELECTRONICS: Duet WiFi 1.02 or later FIRMWARE_DATE: 2022-11-30 19:36:12\n";
 
 }  // namespace firmware_link

@@ -1,0 +1,55 @@
+// What can go wrong between a host and a controller, by name. Each scenario says how it may end:
+// with all motions executed exactly once and in order, or with a safe stop for one of the reasons
+// that it names, and no other.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "firmware_link/instant.h"                     // Duration
+#include "firmware_link/session_types.h"               // FaultKind
+#include "firmware_link/virtual/damaged_wire.h"        // WireDamage
+#include "firmware_link/virtual/virtual_controller.h"  // VirtualDialect
+
+namespace firmware_link {
+
+// What happens once, at a line that the seed chooses.
+enum class Mishap {
+  kNone,
+  kReset,        // the board's reset button, a brown-out
+  kUnplug,       // the port is gone for good
+  kReplug,       // the port is gone for some seconds; the controller lives on
+  kKill,         // somebody's M112
+  kRunaway,      // the controller's own thermal protection
+  kDeadHeaters,  // heaters that never rise, and nothing in the controller that would notice
+  kMute,         // hears and says nothing more
+  kBusy,         // one command takes minutes, with busy lines
+  kUserPause,    // the same, waiting for a button
+  kShutdown,     // Klipper: lost communication with a microcontroller
+  kAlarm,        // Klipper: a move out of range
+  kHostActions,  // //action:pause, then //action:resume
+};
+
+struct Scenario {
+  std::string_view name;
+  std::string_view what;
+  VirtualDialect dialect = VirtualDialect::kMarlin;
+  WireDamage down;  // host -> controller
+  WireDamage up;
+  Mishap mishap = Mishap::kNone;
+  bool advanced_ok = false;
+  bool may_finish = true;
+  std::uint32_t faults = 0;  // bits of fault_bit()
+};
+
+[[nodiscard]] constexpr std::uint32_t fault_bit(FaultKind kind) {
+  return std::uint32_t{1} << static_cast<unsigned>(kind);
+}
+
+[[nodiscard]] std::span<const Scenario> scenarios();
+
+// nullptr when there is none of that name.
+[[nodiscard]] const Scenario* find_scenario(std::string_view name);
+
+}  // namespace firmware_link

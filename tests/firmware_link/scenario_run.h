@@ -1,0 +1,122 @@
+// A session and a hostile controller in simulated time, which jumps where nothing happens.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "firmware_link/dialects/marlin_dialect.h"
+#include "firmware_link/line_codec.h"
+#include "firmware_link/session.h"
+#include "firmware_link/virtual/hostile_controller.h"
+#include "tests/support/own_lines.h"
+
+namespace link_test {
+
+using namespace firmware_link;
+
+class ScenarioRun {
+ public:
+  ScenarioRun(const Scenario& scenario, std::uint64_t seed, std::size_t within_lines,
+              VirtualControllerOptions options = {})
+      : scenario_(scenario) {
+    options.extrude_celsius_min = 0;
+    options.executed = [this](const ExecutedCommand& command) { note(command); };
+    controller = std::make_unique<HostileController>(scenario, seed, options, within_lines, now);
+    session = std::make_unique<Session>(std::make_unique<MarlinDialect>(), SessionOptions{}, now);
+  }
+
+  // Streams all commands and finishes; true when it ended within so much simulated time.
+  bool run(const std::vector<Command>& commands, Duration limit) {
+    const Instant end = now + limit;
+    std::size_t next = 0;
+    Duration pause = kShort;
+    while (now < end) {
+      while (session->can_take() && next < commands.size()) {
+        if (next % 10 == 9) session->check_position(now);
+        if (session->can_take()) session->take(commands[next++], now);
+      }
+      if (next == commands.size() && session->state() == SessionState::kStreaming &&
+          session->can_take()) {
+        session->finish(now);
+      }
+      const bool moved = turn();
+      if (ended()) return true;
+      pause = moved ? kShort : std::min(pause * 2, kLong);
+      Instant then = now + pause;
+      if (const auto event = controller->next_event(); event && *event > now) {
+        then = std::min(then, *event);
+      }
+      now = std::max(then, now + kShort);
+    }
+    return false;
+  }
+
+  [[nodiscard]] bool ended() const {
+    return session->state() == SessionState::kFinished ||
+           session->state() == SessionState::kStopped || session->state() == SessionState::kFaulted;
+  }
+
+  // What was accepted is executed behind the last byte too.
+  void let_controller_work() {
+    // One that waits for heat that never comes is left alone.
+    const bool cold = session->fault_kind() == FaultKind::kHeater;
+    for (int i = 0; i < 100 && !cold && controller->owes_answer(); ++i) {
+      std::array<std::byte, 512> bytes;
+      while (controller->output(bytes, now) > 0) {
+      }
+      now += std::chrono::seconds(30);
+      controller->advance(now);
+    }
+  }
+
+  Instant now{};
+  std::unique_ptr<HostileController> controller;
+  std::unique_ptr<Session> session;
+  std::vector<std::string> printed;  // the print's own commands, as they were begun
+  std::vector<std::string> strays;   // known ones that came without a number
+  int turns = 0;
+
+ private:
+  static constexpr Duration kShort = std::chrono::milliseconds(2);
+  static constexpr Duration kLong = std::chrono::seconds(1);
+
+  // One exchange of bytes; false when there was none.
+  bool turn() {
+    ++turns;
+    bool moved = false;
+    if (const auto output = session->output(); !output.empty()) {
+      const std::size_t count = controller->input(output, now);
+      session->written(count, now);
+      moved = count > 0;
+    }
+    controller->advance(now);
+    std::array<std::byte, 512> bytes;
+    while (const std::size_t count = controller->output(bytes, now)) {
+      session->input(std::span(bytes).first(count), now);
+      moved = true;
+    }
+    session->tick(now);
+    if (!controller->plugged(now)) session->port_lost("the port was lost: unplugged?");
+    return moved;
+  }
+
+  void note(const ExecutedCommand& command) {
+    const std::string text(command.text);
+    if (test::is_own_line(text) || text.substr(0, 4) == "G1 E") return;
+    const bool numbers =
+        scenario_.dialect == VirtualDialect::kMarlin || scenario_.dialect == VirtualDialect::kPrusa;
+    if (command.number || !numbers) {
+      printed.push_back(text);
+    } else if (command.known) {
+      strays.push_back(text);
+    }
+  }
+
+  const Scenario& scenario_;
+};
+
+}  // namespace link_test
