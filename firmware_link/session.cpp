@@ -11,6 +11,10 @@
 namespace firmware_link {
 namespace {
 
+// Forced mismatches without progress, while temperatures still come: each takes room in a busy
+// controller's receive ring.
+constexpr int kProbesMax = 3;
+
 // What cannot come out of a damaged line, and stops at once any garbage before it.
 constexpr std::string_view kEmergencyStop = "\nM112\n";
 
@@ -184,8 +188,12 @@ void Session::put_safe_sequence() {
 
 void Session::resynchronise(Instant now) {
   last_life_ = last_progress_ = now;
-  resync_pending_ = true;
   ++resyncs_in_a_row_;
+  put_forced_mismatch();
+}
+
+void Session::put_forced_mismatch() {
+  resync_pending_ = true;
   if (output_end_ - output_begin_ + kLineBytesMax + 2 > output_.size()) return;
   LineBuffer buffer;
   put("\n");
@@ -199,7 +207,18 @@ void Session::tick_silence(Instant now) {
       waiting_line_in_flight() ? rules_.silence_waiting_max : rules_.silence_max;
   const bool silent = now - last_life_ > silence_max;
   const bool idle = now - last_progress_ > rules_.idle_talk_max;
-  if (!silent && !idle) return;
+  if (!silent && !idle) {
+    // Something talks, and nothing goes on: temperatures that come by themselves hide a lost `ok`.
+    // Asking does no harm, and is not held against a controller that has no time to answer.
+    const bool hidden = rules_.numbered && !waiting_line_in_flight() && probes_ < kProbesMax &&
+                        now - std::max(last_progress_, last_probe_) > rules_.silence_max;
+    if (!hidden) return;
+    ++probes_;
+    last_probe_ = now;
+    ++statistics_.resyncs;
+    put_forced_mismatch();
+    return;
+  }
   if (rules_.numbered && resyncs_in_a_row_ < options_.resyncs_in_a_row_max) {
     ++statistics_.resyncs;
     resynchronise(now);

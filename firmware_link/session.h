@@ -185,6 +185,7 @@ class Session {
   void fault(FaultKind kind, const std::string& why, bool controller_may_live);
   void tick_silence(Instant now);
   void resynchronise(Instant now);
+  void put_forced_mismatch();
   void settle(Instant now);
   void pump(Instant now);
   [[nodiscard]] bool send_next(Instant now);
@@ -273,6 +274,8 @@ class Session {
   Instant last_progress_;  // an acknowledgement, or work being done
   Instant quiet_since_;    // the last answer that belongs to a Resend's aftermath
   Instant last_polled_;
+  Instant last_probe_{};
+  int probes_ = 0;  // since the last progress
   int greetings_ = 0;
   bool start_seen_ = false;
   bool greeting_refused_ = false;

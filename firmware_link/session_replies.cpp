@@ -33,7 +33,10 @@ void Session::input(std::span<const std::byte> bytes, Instant now) {
 void Session::reply(const Reply& reply, Instant now) {
   const Meaning meaning = dialect_->meaning_of(reply);
   if (meaning != Meaning::kNoise) last_life_ = now;
-  if (meaning == Meaning::kWorking || meaning == Meaning::kAcknowledge) last_progress_ = now;
+  if (meaning == Meaning::kWorking || meaning == Meaning::kAcknowledge) {
+    last_progress_ = now;
+    probes_ = 0;
+  }
   note_temperatures(reply, now);
   if (ended()) return;
   note_names(reply);

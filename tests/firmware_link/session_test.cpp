@@ -184,17 +184,20 @@ TEST_CASE("silence is met by a forced mismatch, and its answer settles what was 
     }
     CHECK(hand.take_output().empty());
   }
-  SUBCASE("temperatures alone are believed for two minutes") {
-    for (int i = 0; i < 100; ++i) {
-      hand.pass(1s);
-      hand.say(" T:199.00 /200.00 B:20.00 /0.00 @:127 B@:0\n");
-    }
-    CHECK(hand.take_output().empty());
-    for (int i = 0; i < 30; ++i) {
-      hand.pass(1s);
-      hand.say(" T:199.00 /200.00 B:20.00 /0.00 @:127 B@:0\n");
-    }
+  SUBCASE("temperatures alone hide a lost ok, so it is asked for; they are believed for minutes") {
+    const auto talk = [&](int seconds) {
+      for (int i = 0; i < seconds; ++i) {
+        hand.pass(1s);
+        hand.say(" T:199.00 /200.00 B:20.00 /0.00 @:127 B@:0\n");
+      }
+    };
+    talk(7);
     CHECK(hand.take_output() == "\nN99999999M105*55\n");
+    talk(90);
+    CHECK(hand.take_output() == "\nN99999999M105*55\n\nN99999999M105*55\n");
+    CHECK(hand.session.state() == SessionState::kStreaming);
+    talk(600);
+    CHECK(hand.session.fault_kind() == FaultKind::kSilence);
   }
   SUBCASE("no answer at all is a fault") {
     hand.pass(60s);
