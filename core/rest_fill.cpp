@@ -5,10 +5,11 @@
 #include <numbers>
 #include <utility>
 
-#include "core/bead_cover.h"   // kBeadSeam
-#include "core/medial_axis.h"  // medial_axis
-#include "core/polyline.h"     // between, distance_mm
-#include "core/simplified.h"   // simplified
+#include "core/bead_cover.h"     // kBeadSeam
+#include "core/medial_axis.h"    // medial_axis
+#include "core/mountain_foot.h"  // MountainFoot
+#include "core/polyline.h"       // between, distance_mm
+#include "core/simplified.h"     // simplified
 
 namespace core {
 
@@ -16,7 +17,7 @@ namespace {
 
 // Between roads, room down to this share of the narrowest road gets one; it lays more than the room
 // holds, by a tenth of a millimetre's width at most. At the part's contour there is no such grace.
-constexpr double kRoomMinShare = 0.2;
+constexpr double kRoomMinShare = 0.25;
 
 // Room up to this many road widths gets one road; there is none wider in what rings and rows leave.
 constexpr double kRoomMaxWidths = 2;
@@ -169,7 +170,10 @@ std::vector<Road> rest_roads(const Region& rest, RestEdges edges, Length layer_h
   const Length narrowest = rest_room_min(settings, edges);
   const Length widest = Length::from_mm(kRoomMaxWidths * settings.road_width.mm());
   Cutter cutter(edges, layer_height, settings);
+  MountainFoot foot;
   for (const Region& piece : pieces_of(rest, settings)) {
+    // Asking the foot whether there is room anywhere costs a small part of an axis.
+    if (foot.offset(piece, Length::from_units(narrowest.units() / 2)).empty()) continue;
     const std::size_t before = roads.size();
     for (const ThickPolyline& line : medial_axis(piece, narrowest, widest)) {
       cutter.cut(line, roads);

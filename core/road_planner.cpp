@@ -35,7 +35,8 @@ Region wall_to_fill(const Region& interior, const Region& loose, const Settings&
   Region wall = subtract(interior, loose);
   if (wall.empty() || loose.empty()) return wall;
   const Length outwards = Length() - kWallGrace;
-  return intersect(offset(wall, outwards, settings.arc_tolerance), interior);
+  return simplified(intersect(offset(wall, outwards, settings.arc_tolerance), interior),
+                    kWallSimplify);
 }
 
 }  // namespace

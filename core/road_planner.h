@@ -31,6 +31,9 @@ namespace core {
 // too thin for a road would leave open there, is dense as well.
 inline constexpr Length kWallGrace = Length::from_units(500);
 
+// Half a bead's seam (bead_cover.h): the wall's outline needs no point that moves it by less.
+inline constexpr Length kWallSimplify = Length::from_units(150);
+
 class RoadPlanner {
  public:
   // REQUIRES: settings in their ranges.
