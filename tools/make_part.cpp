@@ -22,11 +22,12 @@ void list(std::ostream& out) {
   }
 }
 
-void write(const parts::Part& part, bool ascii, std::ostream& out) {
+// Into a pipe the first facet goes at once, without the count that stands before it in a file.
+void write(const parts::Part& part, bool ascii, bool pipe, std::ostream& out) {
   if (ascii) {
     parts::write_ascii_stl(part, out);
   } else {
-    parts::write_binary_stl(part, out);
+    parts::write_binary_stl(part, out, !pipe);
   }
   out.flush();
 }
@@ -41,14 +42,18 @@ int fail(const std::string& message) {
 int main(int argc, char** argv) {
   CLI::App app{"Writes a part as an STL file; see --list"};
   std::string name, path;
-  std::int64_t layers = 1000;
-  double detail = 1;
+  parts::PartSizes sizes;
   bool ascii = false, list_only = false;
   app.add_option("part", name, "one of those that --list names");
   app.add_option("-o,--output", path, "file to write, - for standard output");
-  app.add_option("--layers", layers, "the tower's height in layers of 0.2 mm")
+  app.add_option("--layers", sizes.tower.layers, "the tower's height in layers of 0.2 mm")
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{100'000'000}));
-  app.add_option("--detail", detail, "the vase's facets, as a multiple")
+  app.add_option("--corners", sizes.tower.corners, "of the tower's outer contour, and of its bore")
+      ->check(CLI::Range(3, 100'000));
+  app.add_option("--scale", sizes.tower.scale, "the tower's, across")
+      ->check(CLI::Range(0.01, 100.0));
+  app.add_option("--teeth", sizes.teeth, "the comb's")->check(CLI::Range(1, 1'000'000));
+  app.add_option("--detail", sizes.detail, "the vase's facets, as a multiple")
       ->check(CLI::Range(0.05, 20.0));
   app.add_flag("--ascii", ascii, "text instead of binary");
   app.add_flag("--list", list_only, "names every part");
@@ -59,14 +64,14 @@ int main(int argc, char** argv) {
     return 0;
   }
   if (path.empty()) return fail("say where to with -o FILE; --list names the parts");
-  for (const parts::NamedPart& part : parts::all_parts(layers, detail)) {
+  for (const parts::NamedPart& part : parts::all_parts(sizes)) {
     if (part.name != name) continue;
     if (path == "-") {
-      write(part.part, ascii, std::cout);
+      write(part.part, ascii, true, std::cout);
       return std::cout ? 0 : fail("standard output: can't be written");
     }
     std::ofstream file(path, std::ios::binary);
-    write(part.part, ascii, file);
+    write(part.part, ascii, false, file);
     return file ? 0 : fail(path + ": can't be written");
   }
   return fail("no part is named '" + name + "'; --list names them all");

@@ -99,6 +99,13 @@ Part edited(Part part, FacetEdit edit) {
 Facet flipped(const Facet& facet) { return {facet[0], facet[2], facet[1]}; }
 
 std::vector<NamedPart> all_parts(std::int64_t layers, double detail) {
+  PartSizes sizes;
+  sizes.tower.layers = layers;
+  sizes.detail = detail;
+  return all_parts(sizes);
+}
+
+std::vector<NamedPart> all_parts(const PartSizes& sizes) {
   std::vector<NamedPart> all = {
       {"demo", "hose fitting 25 mm tall: flange, slope, overhanging barbs, bore", demo()},
       {"box", "20 x 20 x 10 mm", sound_box()},
@@ -108,8 +115,10 @@ std::vector<NamedPart> all_parts(std::int64_t layers, double detail) {
       {"screw", "hexagon-head bolt, 88 mm long", screw()},
       {"set_screw", "the same thread, thick and without a head: 44 mm across, 48 mm long",
        set_screw(44, 8)},
-      {"tower", "twisted, lobed, with a bore; see --layers", tower(layers)},
-      {"vase", "bumpy tubes, 8 islands a layer; see --detail", vase(detail)},
+      {"tower", "twisted, lobed, with a bore; see --layers, --corners, --scale",
+       tower(sizes.tower)},
+      {"comb", "separate teeth, 8 facets of each at any height; see --teeth", comb(sizes.teeth)},
+      {"vase", "bumpy tubes, 8 islands a layer; see --detail", vase(sizes.detail)},
       {"lattice", "21 x 21 columns on a plate", lattice(21)},
       {"tube", "radii 10 and 6 mm, 20 mm tall", tube(10, 6, 20, 96)},
   };
@@ -123,12 +132,13 @@ std::int64_t count_facets(const Part& part) {
   return count;
 }
 
-void write_binary_stl(const Part& part, std::ostream& out) {
+void write_binary_stl(const Part& part, std::ostream& out, bool counted) {
   std::array<char, kHeaderBytes + 4> header;
   header.fill(' ');
   const std::string text = "binary STL";
   std::copy(text.begin(), text.end(), header.begin());
-  put_u32(&header[kHeaderBytes], static_cast<std::uint32_t>(count_facets(part)));
+  const std::int64_t count = counted ? count_facets(part) : 0;
+  put_u32(&header[kHeaderBytes], count <= UINT32_MAX ? static_cast<std::uint32_t>(count) : 0);
   out.write(header.data(), header.size());
   part([&out](const Facet& facet) {
     std::array<char, kFacetBytes> bytes{};

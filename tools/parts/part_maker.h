@@ -44,8 +44,18 @@ using Part = std::function<void(const FacetSink&)>;
 // The same thread without a head, `turns` × 6 mm long. REQUIRES: diameter > 12, turns >= 2.
 [[nodiscard]] Part set_screw(double diameter, int turns);
 
-// Twisted, lobed, with a vertical bore; `layers` layers of 0.2 mm, 128 points in every section.
+// Twisted, lobed, with a vertical bore; `layers` layers of 0.2 mm, 2 · corners points in every
+// section. Facets come in order of height.
+struct TowerSize {
+  std::int64_t layers = 1'000;
+  int corners = 64;
+  double scale = 1;  // across
+};
+[[nodiscard]] Part tower(const TowerSize& size);
 [[nodiscard]] Part tower(std::int64_t layers);
+
+// Upright square teeth on the bed, 1.6 mm wide and 1 mm high: a plane crosses 8 facets of each.
+[[nodiscard]] Part comb(int teeth);
 
 // Bumpy vase, a bumpy tube in its bore and six around it; 720,000 facets at detail 1.
 [[nodiscard]] Part vase(double detail);
@@ -72,13 +82,20 @@ struct NamedPart {
   Part part;
 };
 
-// Every part that make_part knows. `layers` is for the tower, `detail` for the vase.
+// Every part that make_part knows; `detail` is the vase's.
+struct PartSizes {
+  TowerSize tower;
+  double detail = 1;
+  int teeth = 6'250;
+};
+[[nodiscard]] std::vector<NamedPart> all_parts(const PartSizes& sizes);
 [[nodiscard]] std::vector<NamedPart> all_parts(std::int64_t layers = 1000, double detail = 1);
 
 [[nodiscard]] std::int64_t count_facets(const Part& part);
 
-// Runs the part twice, to write the number of facets first: `out` need not be seekable.
-void write_binary_stl(const Part& part, std::ostream& out);
+// Runs the part twice, to write the number of facets first: `out` need not be seekable. Not
+// counted, the part is run once, and the number is 0, as it is for more than the format can count.
+void write_binary_stl(const Part& part, std::ostream& out, bool counted = true);
 void write_ascii_stl(const Part& part, std::ostream& out);
 
 }  // namespace parts

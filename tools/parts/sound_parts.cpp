@@ -54,24 +54,24 @@ struct Thread {
 
 // One turn of the tower's section, which repeats every 180 rings.
 struct TowerSection {
-  static constexpr int kSegments = 64, kRingsPerTurn = 180, kLayersPerRing = 10;
+  static constexpr int kRingsPerTurn = 180, kLayersPerRing = 10;
   static constexpr double kRadius = 12, kLobe = 0.15, kBore = 5;
   std::vector<CornerRing> outer;
   CornerRing inner;
 
-  TowerSection() {
-    const double c = kRadius * (1 + kLobe) + 1;
+  explicit TowerSection(const TowerSize& size) {
+    const double c = kRadius * size.scale * (1 + kLobe) + 1;
     for (int turn = 0; turn < kRingsPerTurn; ++turn) {
       CornerRing ring;
-      for (int i = 0; i < kSegments; ++i) {
-        const double angle = 2 * kPi * i / kSegments;
+      for (int i = 0; i < size.corners; ++i) {
+        const double angle = 2 * kPi * i / size.corners;
         const double turned = angle + kPi / 180 * 2 * turn;
-        const double radius = kRadius * (1 + kLobe * std::cos(5 * angle));
+        const double radius = kRadius * size.scale * (1 + kLobe * std::cos(5 * angle));
         ring.push_back({c + radius * std::cos(turned), c + radius * std::sin(turned), 0});
       }
       outer.push_back(std::move(ring));
     }
-    inner = circle(kSegments, kBore, {c, c, 0});
+    inner = circle(size.corners, kBore * size.scale, {c, c, 0});
   }
 };
 
@@ -217,8 +217,14 @@ Part set_screw(double diameter, int turns) {
 }
 
 Part tower(std::int64_t layers) {
-  return [layers](const FacetSink& sink) {
-    const TowerSection section;
+  TowerSize size;
+  size.layers = layers;
+  return tower(size);
+}
+
+Part tower(const TowerSize& size) {
+  return [size](const FacetSink& sink) {
+    const TowerSection section(size);
     const auto height = [](std::int64_t done) { return static_cast<double>(done) * kLayerHeight; };
     const auto outer_at = [&](std::int64_t ring, double z) {
       const std::int64_t place = ring % TowerSection::kRingsPerTurn;
@@ -227,8 +233,8 @@ Part tower(std::int64_t layers) {
     CornerRing low = outer_at(0, 0), low_inner = section.inner;
     flat_ring(sink, low, low_inner, Looking::kDown);
     std::int64_t done = 0;
-    for (std::int64_t ring = 1; done < layers; ++ring) {
-      done = std::min(layers, done + TowerSection::kLayersPerRing);
+    for (std::int64_t ring = 1; done < size.layers; ++ring) {
+      done = std::min(size.layers, done + TowerSection::kLayersPerRing);
       CornerRing high = outer_at(ring, height(done));
       CornerRing high_inner = raised(section.inner, height(done));
       band(sink, low, high, Facing::kOutward);
@@ -237,6 +243,16 @@ Part tower(std::int64_t layers) {
       low_inner = std::move(high_inner);
     }
     flat_ring(sink, low, low_inner, Looking::kUp);
+  };
+}
+
+Part comb(int teeth) {
+  return [teeth](const FacetSink& sink) {
+    constexpr double kWidth = 1.6, kPitch = 3.2, kHeight = 1;
+    const int per_row = static_cast<int>(std::ceil(std::sqrt(teeth)));
+    for (int i = 0; i < teeth; ++i) {
+      box({kPitch * (i % per_row), kPitch * (i / per_row), 0}, kWidth, kWidth, kHeight)(sink);
+    }
   };
 }
 
