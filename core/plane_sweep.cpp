@@ -116,32 +116,51 @@ std::vector<Segment> PlaneSweep::cut(std::int64_t doubled_z) const {
   return segments;
 }
 
-Result<std::optional<Slice>> PlaneSweep::next() {
-  if (options_.layers && next_index_ == *options_.layers) return std::optional<Slice>();
-  const std::int64_t doubled_z = (2 * next_index_ + 1) * options_.layer_height.units();
-  if (Status taken = take_triangles_below(doubled_z); !taken.ok()) return taken.error();
+Result<bool> PlaneSweep::advance() {
+  if (options_.layers && next_index_ == *options_.layers) return false;
+  doubled_z_ = (2 * next_index_ + 1) * options_.layer_height.units();
+  if (Status taken = take_triangles_below(doubled_z_); !taken.ok()) return taken.error();
   const bool over = held_.empty() && !waiting_ && source_ended_;
-  if (!options_.layers && over) return std::optional<Slice>();
+  if (!options_.layers && over) return false;
+  ++next_index_;
+  return true;
+}
 
-  Slice slice;
-  slice.index = next_index_;
-  slice.bottom = options_.layer_height * next_index_;
-  slice.height = options_.layer_height;
+std::vector<Ring> PlaneSweep::rings(SliceDefects& defects) const {
   const OnOneLine on_one_line = [this](SegmentIndex a, SegmentIndex b) {
     return on_one_wall(held_[a], held_[b]);
   };
-  std::vector<Ring> rings =
-      rings_of(cut(doubled_z), options_.chain_gap_max, on_one_line, slice.defects);
-  for (Ring& ring : rings) ring = simplify(ring, options_.simplify_tolerance);
-  std::erase_if(rings, [](const Ring& ring) { return ring.empty(); });
-  turn_outwards(rings);
-  rings = in_one_order(std::move(rings));
-  if (rings != last_rings_) {
-    last_region_ = Region::from_clean_rings(in_one_order(clean(rings, FillRule::kNonZero).rings()));
-    last_rings_ = std::move(rings);
+  return rings_of(cut(doubled_z_), options_.chain_gap_max, on_one_line, defects);
+}
+
+Result<std::optional<SliceDefects>> PlaneSweep::next_defects() {
+  const Result<bool> more = advance();
+  if (!more.ok()) return more.error();
+  if (!more.value()) return std::optional<SliceDefects>();
+  SliceDefects defects;
+  (void)rings(defects);
+  return std::optional<SliceDefects>(defects);
+}
+
+Result<std::optional<Slice>> PlaneSweep::next() {
+  const Result<bool> more = advance();
+  if (!more.ok()) return more.error();
+  if (!more.value()) return std::optional<Slice>();
+  Slice slice;
+  slice.index = next_index_ - 1;
+  slice.bottom = options_.layer_height * slice.index;
+  slice.height = options_.layer_height;
+  std::vector<Ring> contours = rings(slice.defects);
+  for (Ring& ring : contours) ring = simplify(ring, options_.simplify_tolerance);
+  std::erase_if(contours, [](const Ring& ring) { return ring.empty(); });
+  turn_outwards(contours);
+  contours = in_one_order(std::move(contours));
+  if (contours != last_rings_) {
+    last_region_ =
+        Region::from_clean_rings(in_one_order(clean(contours, FillRule::kNonZero).rings()));
+    last_rings_ = std::move(contours);
   }
   slice.region = last_region_;
-  ++next_index_;
   return std::optional<Slice>(std::move(slice));
 }
 

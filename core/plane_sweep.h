@@ -51,17 +51,24 @@ class PlaneSweep {
   // COSTS: memory for the triangles that cross the plane.
   [[nodiscard]] Result<std::optional<Slice>> next();
 
+  // The same way up, but only what is wrong with each slice: chains are made, and no region.
+  [[nodiscard]] Result<std::optional<SliceDefects>> next_defects();
+
   // The most triangles that were in memory at once, crossing one plane.
   [[nodiscard]] std::int64_t peak_triangles_held() const { return peak_triangles_held_; }
 
  private:
+  // To the next plane; false after the last one.
+  [[nodiscard]] Result<bool> advance();
   [[nodiscard]] Status take_triangles_below(std::int64_t doubled_z);
+  [[nodiscard]] std::vector<Ring> rings(SliceDefects& defects) const;
   // One for each triangle held, in the same order.
   [[nodiscard]] std::vector<Segment> cut(std::int64_t doubled_z) const;
 
   Options options_;
   TriangleSource source_;
   LayerIndex next_index_ = 0;
+  std::int64_t doubled_z_ = 0;  // of the plane that was reached last
   std::vector<Triangle> held_;
   std::optional<Triangle> waiting_;  // above the plane that was cut last
   bool source_ended_ = false;

@@ -11,6 +11,7 @@
 #include "host/bed_placing.h"     // shift_to_bed, check_on_bed
 #include "host/mesh_sorter.h"     // MeshSorter
 #include "host/mesh_survey.h"     // MeshSurvey
+#include "host/plane_check.h"     // check_planes
 #include "host/reorder_window.h"  // ReorderWindow
 #include "host/stage_clock.h"     // CpuTimer
 
@@ -52,7 +53,8 @@ class MeshLayers : public LayerSource {
     streaming_ = true;
     shift_ = shift_to_bed(survey_.extent(), settings_);
     summarise();
-    return start_sweep(std::nullopt);
+    start_sweep(std::nullopt);
+    return {};
   }
 
   [[nodiscard]] bool ready() const { return sweep_.has_value(); }
@@ -121,7 +123,8 @@ class MeshLayers : public LayerSource {
     ended_ = false;
     if (!in_order) return sort_all();
     surveyed_ = true;
-    return start_sweep(summary_.layers);
+    start_sweep(summary_.layers);
+    return check_and_restart();
   }
 
   [[nodiscard]] Status sort_all() {
@@ -143,10 +146,39 @@ class MeshLayers : public LayerSource {
     const CpuTimer timer(counters_.sort_cpu_s);
     if (Status sorted = sorter_->finish(); !sorted.ok()) return sorted;
     counters_.spilled_bytes = sorter_->spilled_bytes();
-    return start_sweep(summary_.layers);
+    start_sweep(summary_.layers);
+    return check_and_restart();
   }
 
-  [[nodiscard]] Status start_sweep(std::optional<core::LayerIndex> layers) {
+  // Before anything moves; with the heaters on already, where there was more than a look ahead.
+  [[nodiscard]] Status check_and_restart() {
+    if (options_.plane_check == PlaneCheck::kNone || survey_.closed()) return {};
+    const Result<OpenPlanes> open = check_planes(*sweep_);
+    if (!open.ok()) return open.error();
+    if (open.value().layers > 0) {
+      const std::string first = std::to_string(open.value().first + 1);
+      const std::string cause = std::to_string(open.value().layers) +
+                                " layers have contours that can't be closed, the first is layer " +
+                                first;
+      if (options_.plane_check == PlaneCheck::kRefuse) {
+        return refused(ErrorCode::kBadPart,
+                       cause + "; repair the mesh, or say --on-bad-layer repair");
+      }
+      summary_.warnings.push_back(mesh_.name + ": " + cause + "; they are left out");
+    }
+    if (sorter_) {
+      if (Status begun = sorter_->rewind(); !begun.ok()) return begun;
+    } else {
+      Result<std::unique_ptr<TriangleSource>> again = mesh_.again();
+      if (!again.ok()) return again.error();
+      mesh_.triangles = std::move(again).value();
+      ended_ = false;
+    }
+    start_sweep(summary_.layers);
+    return {};
+  }
+
+  void start_sweep(std::optional<core::LayerIndex> layers) {
     if (sorter_) {
       mesh_.triangles.reset();
     } else {
@@ -157,7 +189,6 @@ class MeshLayers : public LayerSource {
     const core::PlaneSweep::Options options{settings_.layer_height, layers,
                                             settings_.simplify_tolerance, settings_.chain_gap_max};
     sweep_.emplace(options, [this] { return sorter_ ? next_sorted() : next_in_window(); });
-    return {};
   }
 
   [[nodiscard]] Error refused(ErrorCode code, const std::string& cause) const {
@@ -178,6 +209,14 @@ class MeshLayers : public LayerSource {
                                               " mm high, less than half a layer of " +
                                               mm_text(settings_.layer_height.units()) +
                                               " mm; check its unit, or lower layer_height");
+    }
+    const core::Box& box = extent.box;
+    const std::int64_t narrowest =
+        std::min(std::int64_t{box.max.x} - box.min.x, std::int64_t{box.max.y} - box.min.y);
+    if (narrowest < settings_.road_width_min.units()) {
+      return refused(ErrorCode::kBadPart, "the part is " + mm_text(narrowest) +
+                                              " mm wide, narrower than any road "
+                                              "(road_width_min); is it in millimetres?");
     }
     shift_ = shift_to_bed(extent, settings_);
     if (Status fits = check_on_bed(extent, shift_, settings_, mesh_.name); !fits.ok()) return fits;

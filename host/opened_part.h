@@ -16,6 +16,13 @@
 
 namespace host {
 
+// What is looked for in all layers of a mesh whose surface is not closed, before the first slice.
+enum class PlaneCheck {
+  kNone,
+  kWarn,    // layers with contours that can't be closed are a warning
+  kRefuse,  // they are an error
+};
+
 // How a part is to be opened.
 struct OpenOptions {
   // For sorting a mesh. REQUIRES: >= kSortBytesMin (limits.h)
@@ -26,6 +33,7 @@ struct OpenOptions {
   // A mesh that comes through a pipe in order of height may be sliced as it comes. The begin of it
   // is looked at; if a facet comes too late all the same, layers->next() ends with an error.
   bool stream_pipes = false;
+  PlaneCheck plane_check = PlaneCheck::kNone;
 };
 
 // What is known of a part before its first slice. One that is sliced as it comes through a pipe is

@@ -51,6 +51,9 @@ core::Result<Job> open_job(const Options& options, Reporter& reporter) {
   }
   open.stream_pipes =
       options.sorted == PipeSorted::kYes || (options.sorted == PipeSorted::kAuto && sliced);
+  const bool ends =
+      options.on_bad_layer == OnBadLayer::kStop || options.on_bad_layer == OnBadLayer::kPause;
+  if (prints) open.plane_check = ends ? PlaneCheck::kRefuse : PlaneCheck::kWarn;
   // A print reads the rest with its heaters on already.
   core::Result<OpenedPart> part = prints ? open_part(options.part, settings.value(), open)
                                          : open_whole_part(options.part, settings.value(), open);

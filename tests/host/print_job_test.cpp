@@ -201,7 +201,9 @@ TEST_CASE("geometry that fails in mid-print brings the printer to a safe end") {
 
 TEST_CASE("a part without any road never heats") {
   const PartFolder folder;
-  Rig rig(coarse(), folder.add("needle.stl", parts::box({5, 5, 0}, 0.1, 0.1, 4)));
+  Rig rig(coarse(),
+          folder.add("needles.stl", parts::together({parts::box({5, 5, 0}, 0.1, 0.1, 4),
+                                                     parts::box({9, 9, 0}, 0.1, 0.1, 4)})));
   const host::PrintOutcome outcome = rig.print();
   CAPTURE(outcome.message);
   CHECK_EQ(outcome.exit_code, host::kExitBadInput);

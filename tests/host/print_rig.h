@@ -69,7 +69,9 @@ struct Rig {
   std::unique_ptr<firmware_link::VirtualPort> port;
   std::unique_ptr<BreakablePort> wire;
 
-  Rig(const core::Settings& settings, const std::string& path) : job(open(settings, path)) {
+  Rig(const core::Settings& settings, const std::string& path)
+      : Rig(settings, open(settings, path)) {}
+  Rig(const core::Settings& settings, host::Job opened) : job(std::move(opened)) {
     firmware_link::VirtualControllerOptions options;
     options.bed_x_mm = settings.bed_x.mm();
     options.bed_y_mm = settings.bed_y.mm();

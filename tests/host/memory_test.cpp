@@ -1,0 +1,128 @@
+// The program under limits of memory and disk.
+#include <doctest/doctest.h>
+
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/support/part_folder.h"
+#include "tests/support/run_program.h"
+
+using test::PartFolder;
+using test::ProgramRun;
+
+namespace {
+
+const std::string kRind = std::string(RIND_BINARY_DIR) + "/rind";
+
+// Sanitizers need memory of their own.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kSanitized = true;
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+constexpr bool kSanitized = true;
+#else
+constexpr bool kSanitized = false;
+#endif
+#else
+constexpr bool kSanitized = false;
+#endif
+
+ProgramRun run(const std::string& command) { return test::run_program(command); }
+
+bool says(const ProgramRun& outcome, const std::string& text) {
+  return outcome.output.find(text) != std::string::npos;
+}
+
+std::int64_t peak_rss(const PartFolder& folder, const std::string& part,
+                      const std::string& arguments) {
+  const std::string stats = folder.file("stats.json");
+  const ProgramRun outcome =
+      run(kRind + " slice " + part + " -o /dev/null --quiet --stats " + stats + " " + arguments);
+  CAPTURE(outcome.output);
+  REQUIRE_EQ(outcome.exit_code, 0);
+  std::ifstream file(stats);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  return nlohmann::json::parse(text)["peak_rss_bytes"];
+}
+
+parts::Part slim_tower(std::int64_t layers) {
+  parts::TowerSize size;
+  size.layers = layers;
+  size.corners = 4;
+  size.scale = 0.15;
+  return parts::tower(size);
+}
+
+}  // namespace
+
+TEST_CASE("a layer that needs more than --memory-limit is named, with the need and the limit") {
+  const PartFolder folder;
+  const std::string comb = folder.add("comb.stl", parts::comb(3'000));
+  const ProgramRun small = run(kRind + " slice " + comb + " -o " + folder.file("out.gcode") +
+                               " --memory-limit 10M --quiet");
+  CAPTURE(small.output);
+  CHECK_EQ(small.exit_code, 3);
+  CHECK(says(small, "memory are needed, 10.5 MB allowed (--memory-limit)"));
+  if (!kSanitized) CHECK(says(small, "comb.stl, layer "));
+  CHECK_EQ(run(kRind + " slice " + comb + " -o /dev/null --memory-limit 4G --quiet").exit_code, 0);
+}
+
+TEST_CASE("a print that runs out of memory ends with code 3") {
+  const PartFolder folder;
+  const std::string comb = folder.add("comb.stl", parts::comb(3'000));
+  const ProgramRun print = run(kRind + " print " + comb +
+                               " --port virtual --virtual-speed 0 --memory-limit 10M --quiet");
+  CAPTURE(print.output);
+  CHECK_EQ(print.exit_code, 3);
+  CHECK(says(print, "--memory-limit"));
+}
+
+TEST_CASE("where the system gives no more, the program says so instead of dying") {
+  const PartFolder folder;
+  const std::string comb = folder.add("comb.stl", parts::comb(3'000));
+  for (const std::string limit : {"--data=9000000", "--as=24000000"}) {
+    CAPTURE(limit);
+    const ProgramRun outcome = run((kSanitized ? "" : "prlimit " + limit + " ") + kRind +
+                                   " slice " + comb + " -o /dev/null --quiet");
+    CAPTURE(outcome.output);
+    CHECK_EQ(outcome.exit_code, kSanitized ? 0 : 3);
+    if (!kSanitized) CHECK(says(outcome, "the system gives no more memory"));
+  }
+}
+
+TEST_CASE("ten times the height, the same memory; ten times the facets in a plane, more") {
+  const PartFolder folder;
+  const std::string settings = "--set perimeters=1";
+  const std::int64_t low = peak_rss(folder, folder.add("low.stl", slim_tower(150)), settings);
+  const std::int64_t high = peak_rss(folder, folder.add("high.stl", slim_tower(1'500)), settings);
+  const std::int64_t wide = peak_rss(folder, folder.add("comb.stl", parts::comb(3'000)), settings);
+  CAPTURE(low);
+  CAPTURE(high);
+  CAPTURE(wide);
+  // Freed memory is kept back by the sanitizers.
+  if (!kSanitized) CHECK_LT(high - low, 1'000'000);
+  CHECK_GT(wide - low, 4'000'000);
+}
+
+TEST_CASE("a full disk and a folder that can't be written to end with code 3 and what to do") {
+  const PartFolder folder;
+  const std::string vase = folder.add("vase.stl", parts::vase(0.2));
+  const std::string slice =
+      kRind + " slice " + vase + " -o /dev/null --quiet --memory 64k --layer-height 0.3";
+  const ProgramRun full = run("ulimit -f 64; " + slice);
+  CAPTURE(full.output);
+  CHECK_EQ(full.exit_code, 3);
+  CHECK(says(full, "make room there"));
+  const ProgramRun closed = run("TMPDIR=/nowhere " + slice);
+  CAPTURE(closed.output);
+  CHECK_EQ(closed.exit_code, 3);
+  CHECK(says(closed, "/nowhere"));
+  CHECK(says(closed, "--memory"));
+  const ProgramRun print = run("TMPDIR=/nowhere " + kRind + " print " + vase +
+                               " --port virtual --virtual-speed 0 --memory 64k --quiet");
+  CAPTURE(print.output);
+  CHECK_EQ(print.exit_code, 3);
+  CHECK(says(print, "/nowhere"));
+}
