@@ -7,6 +7,7 @@
 
 #include "firmware_link/check.h"
 #include "firmware_link/serial_port.h"  // SerialPort
+#include "firmware_link/tcp_port.h"     // TcpPort
 #include "firmware_link/tty_port.h"     // TtyPort
 
 namespace firmware_link {
@@ -39,6 +40,7 @@ PortError open_error(const std::string& path, int system_error) {
 
 OpenedPort open_port(const std::string& path, int baud) {
   LINK_CHECK(baud > 0);
+  if (TcpPort::names_one(path)) return TcpPort::open(path);
   std::error_code error;
   if (!std::filesystem::exists(path, error)) return open_error(path, ENOENT);
   if (is_pseudo_terminal(path)) return TtyPort::open(path);

@@ -21,9 +21,10 @@ struct PortError {
 
 using OpenedPort = std::variant<std::unique_ptr<BytePort>, PortError>;
 
-// Opens a device by its path: a pseudo-terminal (a path under /dev/pts or a link to one) as a
-// TtyPort, anything else as a SerialPort. Opening a real port resets most 8-bit boards.
-// REQUIRES: baud > 0; a pseudo-terminal has none and ignores it.
+// Opens a device by its path: tcp://host:port as a TcpPort, a pseudo-terminal (a path under
+// /dev/pts or a link to one) as a TtyPort, anything else as a SerialPort. Opening a real port
+// resets most 8-bit boards. REQUIRES: baud > 0; pseudo-terminals and networks have none and ignore
+// it.
 [[nodiscard]] OpenedPort open_port(const std::string& path, int baud);
 
 struct PortDescription {

@@ -159,7 +159,8 @@ void Session::hold(bool holding, Instant now) {
 
 // An account that was asked for is complete when its `ok` has come. A difference is believed when
 // two accounts in a row, with no move between them, say the same: an account may be damaged as any
-// answer may, and with an `ok` too many on the way it may be the one before.
+// answer may. And an `ok` too many, such as the tail of a cut line gets, makes every answer seem to
+// come late: the account before, or none.
 void Session::settle_position() {
   if (!question_ || window_.acknowledged() <= question_->sequence) return;
   const PositionQuestion question = *question_;
@@ -181,7 +182,7 @@ void Session::settle_position() {
       warn("its position could not be confirmed: each answer to M114 was another");
       return;
     }
-    confirming_ = question.told.has_value() || confirming_;
+    confirming_ = true;
     told_last_ = question.told;
     wishes_.ask_position = true;
     return;
