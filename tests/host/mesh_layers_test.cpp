@@ -231,6 +231,42 @@ TEST_CASE("a sorted file is never written anew, a sorted pipe not read ahead") {
   CHECK_LT(*pipe.taken, 50 * 12 + 500 + 2 * 1'100);
 }
 
+TEST_CASE("a part 100 km high, in a file and in a pipe") {
+  const Settings settings = at_origin();
+  const std::int64_t top = 1'000'000'000'000;  // 100 km
+  const std::vector<Triangle> triangles = [top] {
+    std::vector<Triangle> box = test::triangles_of(parts::box({0, 0, 0}, 9, 8, 1));
+    for (Triangle& t : box) {
+      for (core::Vertex& v : t.corners) v.z = v.z > 0 ? top : 0;
+    }
+    return box;
+  }();
+  for (const Way& way : kWays) {
+    CAPTURE(way.name);
+    OpenOptions options{host::kSortBytesMin, 4, false};
+    OpenedPart part = opened(triangles, settings, way, options);
+    if (!way.stream) {
+      CHECK_EQ(part.summary.layers, 500'000'000);
+      CHECK_EQ(part.summary.height.mm(), 1e8);
+    }
+    for (int layer = 0; layer < 50; ++layer) {
+      const auto slice = part.layers->next();
+      REQUIRE(slice.ok());
+      CHECK_EQ(slice.value()->region.area_mm2(), doctest::Approx(72));
+    }
+  }
+  // Far up, on the way there nothing: two boxes, the upper one 100 km above the bed.
+  std::vector<Triangle> apart = test::triangles_of(parts::box({0, 0, 0}, 9, 8, 1));
+  std::vector<Triangle> upper = apart;
+  for (Triangle& t : upper) {
+    for (core::Vertex& v : t.corners) v.z += top;
+  }
+  apart.insert(apart.end(), upper.begin(), upper.end());
+  host::MeshSurvey survey(8);
+  for (const Triangle& t : apart) survey.add(t);
+  CHECK_EQ(survey.empty_layers(settings.layer_height).count, 500'000'000 - 5);
+}
+
 TEST_CASE("a pipe that turns out not to be in order ends with an error, not with a wrong part") {
   std::vector<Triangle> triangles = stacked_boxes(2'000);
   const auto error_of = [](const std::vector<Triangle>& all, const Settings& settings) {
