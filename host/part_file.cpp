@@ -4,11 +4,13 @@
 #include <memory>
 #include <utility>
 
-#include "host/formats/formats.h"  // kind_of
-#include "host/input_file.h"       // InputFile
-#include "host/layer_file.h"       // open_layer_file
-#include "host/mesh_layers.h"      // open_mesh
-#include "host/triangle_source.h"  // TriangleSource
+#include "host/boolean_layers.h"      // open_booleans
+#include "host/formats/formats.h"     // kind_of
+#include "host/formats/sif_reader.h"  // read_sif
+#include "host/input_file.h"          // InputFile
+#include "host/layer_file.h"          // open_layer_file
+#include "host/mesh_layers.h"         // open_mesh
+#include "host/triangle_source.h"     // TriangleSource
 
 namespace host {
 namespace {
@@ -25,6 +27,18 @@ std::function<Result<Reader>()> opener(const InputFile& file, const std::string&
     if (!reopened.ok()) return reopened.error();
     return open(kind, std::move(reopened).value());
   };
+}
+
+// Booleans are evaluated slice by slice; without any, it is a mesh like others.
+Result<OpenedPart> open_sif(InputFile file, MeshInput input, const core::Settings& settings,
+                            const OpenOptions& options) {
+  Result<std::unique_ptr<ShellTree>> tree = read_sif(std::move(file));
+  if (!tree.ok()) return tree.error();
+  if (!tree.value()->is_plain()) {
+    return open_booleans(std::move(tree).value(), settings, options);
+  }
+  input.triangles = plain_triangles(std::move(tree).value());
+  return open_mesh(std::move(input), settings, options);
 }
 
 }  // namespace
@@ -45,6 +59,9 @@ Result<OpenedPart> open_part(const std::string& path, const core::Settings& sett
     return open_layer_file(std::move(input), settings);
   }
   MeshInput input{name, nullptr, opener(file, path, kind.value(), open_triangles)};
+  if (kind.value() == FileKind::kSif) {
+    return open_sif(std::move(file), std::move(input), settings, options);
+  }
   Result<std::unique_ptr<TriangleSource>> triangles = open_triangles(kind.value(), std::move(file));
   if (!triangles.ok()) return triangles.error();
   input.triangles = std::move(triangles).value();

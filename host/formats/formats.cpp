@@ -6,13 +6,19 @@
 #include <utility>
 
 #include "core/check.h"                    // RIND_CHECK
+#include "host/formats/amf_reader.h"       // open_amf
 #include "host/formats/cli_reader.h"       // open_cli
 #include "host/formats/lsif_reader.h"      // open_lsif
+#include "host/formats/obj_reader.h"       // open_obj
+#include "host/formats/sif_reader.h"       // read_sif
 #include "host/formats/slc_reader.h"       // open_slc
 #include "host/formats/slice_v0_reader.h"  // open_slice_v0
 #include "host/formats/stl.h"              // StlReader
 #include "host/formats/svg_reader.h"       // open_svg
 #include "host/formats/text_scanner.h"     // is_blank
+#include "host/formats/threemf_reader.h"   // open_threemf
+#include "host/formats/xml_file_bytes.h"   // xml_bytes_of
+#include "host/formats/zip_archive.h"      // ZipArchive
 
 namespace host {
 namespace {
@@ -26,8 +32,12 @@ constexpr std::array<std::size_t, 2> kLookBytes{64, 4'096};
 
 constexpr std::array kFormats = {
     FormatRow{"STL", ".stl", "mesh", true, false, "binary and ASCII"},
+    FormatRow{"3MF", ".3mf", "mesh", true, false, "items, components, units; production parts"},
+    FormatRow{"OBJ", ".obj", "mesh", true, false, "in mm"},
+    FormatRow{"AMF", ".amf", "mesh", true, false, "XML or zipped"},
     FormatRow{"CLI 2.0", ".cli", "layers", true, true, "ASCII and binary; walls or slices"},
     FormatRow{"CLI roads", ".cli", "roads", false, true, "each road as hatches"},
+    FormatRow{"SIF", ".sif", "mesh", true, false, "2.0 with booleans; 1.0: triangles, instances"},
     FormatRow{"L-SIF", ".lsif", "layers", true, true, "booleans in and out"},
     FormatRow{"SLC 2.0", ".slc", "layers", true, false, "3D Systems"},
     FormatRow{"Slice V0", ".ssl .slc", "layers", true, true, "Stratasys, ASCII, inches"},
@@ -67,6 +77,16 @@ bool begins_form(std::string_view text, std::string_view keyword) {
   return significant(text.substr(1)).starts_with(keyword);
 }
 
+// Words that OBJ files begin with, behind their comments.
+bool begins_obj(std::string_view text) {
+  const std::size_t end = text.find_first_of(" \t");
+  const std::string_view word = text.substr(0, end);
+  for (const char* known : {"v", "vt", "vn", "vp", "f", "o", "g", "s", "mtllib", "usemtl"}) {
+    if (end != std::string_view::npos && word == known) return true;
+  }
+  return false;
+}
+
 // Nothing where these bytes do not tell.
 std::optional<FileKind> kind_of_bytes(std::string_view bytes) {
   const std::string_view text = significant(bytes);
@@ -75,9 +95,12 @@ std::optional<FileKind> kind_of_bytes(std::string_view bytes) {
   if (contains(bytes, "$$HEADERSTART")) return FileKind::kCli;
   if (contains(bytes, "-SLCVER")) return FileKind::kSlc;
   if (begins_form(text, "LSIF")) return FileKind::kLsif;
+  if (begins_form(text, "SIF_SFF")) return FileKind::kSif;
   if (text.starts_with('<')) {
     if (contains(text, "<svg")) return FileKind::kSvg;
+    if (contains(text, "<amf")) return FileKind::kAmf;
   }
+  if (begins_obj(text)) return FileKind::kObj;
   return std::nullopt;
 }
 
@@ -98,6 +121,17 @@ std::string refusal(std::string_view bytes) {
   }
   if (bytes.starts_with("\x1F\x8B")) return "byte 0: gzip; unpack it first: gzip -dc FILE | rind …";
   return {};
+}
+
+// 3MF, or AMF.
+Result<std::unique_ptr<TriangleSource>> open_zipped(InputFile file) {
+  Result<ZipArchive> archive = ZipArchive::open(std::move(file));
+  if (!archive.ok()) return archive.error();
+  const std::string amf = archive.value().find_ending(".amf");
+  if (amf.empty()) return open_threemf(std::move(archive).value());
+  Result<XmlScanner::ByteSource> bytes = archive.value().bytes_of(amf);
+  if (!bytes.ok()) return bytes.error();
+  return open_amf(archive.value().name() + " (" + amf + ")", std::move(bytes).value());
 }
 
 }  // namespace
@@ -158,6 +192,18 @@ Result<std::unique_ptr<LayerReader>> open_layers(FileKind kind, InputFile file) 
 
 Result<std::unique_ptr<TriangleSource>> open_triangles(FileKind kind, InputFile file) {
   RIND_CHECK(!is_layers(kind));
+  if (kind == FileKind::kSif) {
+    Result<std::unique_ptr<ShellTree>> tree = read_sif(std::move(file));
+    if (!tree.ok()) return tree.error();
+    RIND_CHECK(tree.value()->is_plain());
+    return plain_triangles(std::move(tree).value());
+  }
+  if (kind == FileKind::kZip) return open_zipped(std::move(file));
+  if (kind == FileKind::kObj) return open_obj(std::move(file));
+  if (kind == FileKind::kAmf) {
+    std::string name = file.name();
+    return open_amf(std::move(name), xml_bytes_of(std::move(file)));
+  }
   Result<std::unique_ptr<StlReader>> reader = StlReader::open(std::move(file));
   if (!reader.ok()) return reader.error();
   return std::unique_ptr<TriangleSource>(std::move(reader).value());

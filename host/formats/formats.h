@@ -37,7 +37,7 @@ struct FormatRow {
 [[nodiscard]] bool is_layers(FileKind kind);
 // REQUIRES: is_layers(kind), `file` not read but by kind_of().
 [[nodiscard]] core::Result<std::unique_ptr<LayerReader>> open_layers(FileKind kind, InputFile file);
-// REQUIRES: !is_layers(kind), likewise.
+// REQUIRES: !is_layers(kind), likewise; of a SIF file, that it has no booleans (sif_reader.h).
 [[nodiscard]] core::Result<std::unique_ptr<TriangleSource>> open_triangles(FileKind kind,
                                                                            InputFile file);
 

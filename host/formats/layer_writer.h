@@ -12,8 +12,8 @@ namespace host {
 
 // What of a layer a file is to hold.
 enum class LayerContents {
-  kSlices,  // the part itself
-  kWalls,   // its wall, then its inside, told apart as far as the format can
+  kSlices,              // the part itself
+  kWalls,               // its wall, then its inside, told apart as far as the format can
   kWallsForQuickSlice,  // the same; contours that both share stand with the inside's, both copies
                         // (slice_v0_writer.h)
 };

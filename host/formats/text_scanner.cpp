@@ -85,9 +85,8 @@ Error TextScanner::unexpected(std::string_view found, const std::string& wanted)
   return bad("'" + text + "' where " + wanted + " should be; repair the file or export it again");
 }
 
-std::string shown(std::string_view text) {
-  constexpr std::size_t kShownMax = 40;
-  std::string result(text.substr(0, kShownMax));
+std::string shown(std::string_view text, std::size_t length_max) {
+  std::string result(text.substr(0, length_max));
   std::replace_if(
       result.begin(), result.end(),
       [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }, '?');

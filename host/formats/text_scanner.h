@@ -71,6 +71,6 @@ class TextScanner {
 [[nodiscard]] constexpr bool is_blank(int c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
 // What a file says, made fit for a message: short, printable.
-[[nodiscard]] std::string shown(std::string_view text);
+[[nodiscard]] std::string shown(std::string_view text, std::size_t length_max = 40);
 
 }  // namespace host

@@ -3,6 +3,7 @@
 #include <expat.h>
 
 #include <array>
+#include <map>
 
 #include "host/formats/format_limits.h"  // kNestingMax, kXmlTokenBytesMax
 
@@ -38,6 +39,7 @@ struct XmlScanner::State {
   int depth = 0;
   bool ended = false;
   std::int64_t line = 1;
+  std::map<std::string, std::string> prefixes;
   std::string refusal;  // why a callback stopped the parser
 
   ~State() {
@@ -99,6 +101,12 @@ struct XmlScanner::State {
     of(data).add(XmlEvent::Kind::kText).name.assign(text, static_cast<std::size_t>(size));
   }
 
+  static void on_namespace(void* data, const char* prefix, const char* uri) {
+    State& state = of(data);
+    if (prefix == nullptr || uri == nullptr) return;
+    if (state.prefixes.size() < static_cast<std::size_t>(kNestingMax)) state.prefixes[prefix] = uri;
+  }
+
   static void on_entity(void* data, const char*, int, const char*, int, const char*, const char*,
                         const char*, const char*) {
     of(data).refuse("the document declares entities, which is refused; export the file again");
@@ -142,6 +150,7 @@ XmlScanner::XmlScanner(std::string name, ByteSource bytes, bool wants_text)
   XML_SetUserData(state_->parser, state_.get());
   XML_SetElementHandler(state_->parser, State::on_start, State::on_end);
   XML_SetEntityDeclHandler(state_->parser, State::on_entity);
+  XML_SetStartNamespaceDeclHandler(state_->parser, State::on_namespace);
   if (wants_text) XML_SetCharacterDataHandler(state_->parser, State::on_text);
 }
 
@@ -161,6 +170,11 @@ Result<const XmlEvent*> XmlScanner::next() {
   const XmlEvent& event = state.events[state.next++];
   state.line = event.line;
   return &event;
+}
+
+std::string XmlScanner::namespace_of(const std::string& prefix) const {
+  const auto found = state_->prefixes.find(prefix);
+  return found == state_->prefixes.end() ? "" : found->second;
 }
 
 Error XmlScanner::bad(const std::string& cause) const { return state_->bad(cause); }

@@ -45,6 +45,9 @@ class XmlScanner {
   // The next event, valid until the next call; nothing at the document's end. An error is final.
   [[nodiscard]] core::Result<const XmlEvent*> next();
 
+  // What a prefix has been declared to mean so far; empty for none. Of the first kNestingMax.
+  [[nodiscard]] std::string namespace_of(const std::string& prefix) const;
+
   // File, line of the last event, cause.
   [[nodiscard]] core::Error bad(const std::string& cause) const;
   [[nodiscard]] const std::string& name() const;

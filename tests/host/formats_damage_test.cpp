@@ -2,6 +2,8 @@
 // endless loop or more than the file can hold.
 #include <doctest/doctest.h>
 
+#include <filesystem>
+#include <fstream>
 #include <string>
 
 #include "tests/support/format_samples.h"
@@ -15,7 +17,9 @@ constexpr std::size_t kMost = 1'000;
 void check_outcome(const core::Result<test::ReadFile>& read) {
   if (read.ok()) return;
   CAPTURE(read.error().message);
-  CHECK(read.error().message.starts_with("part: "));
+  const bool named =
+      read.error().message.starts_with("part: ") || read.error().message.starts_with("part (");
+  CHECK(named);
   CHECK(read.error().message.size() > 20);
 }
 
@@ -27,6 +31,16 @@ TEST_CASE("the samples are fine") {
     const auto read = test::read_bytes(sample.bytes, kMost);
     REQUIRE_MESSAGE(read.ok(), (read.ok() ? "" : read.error().message));
     CHECK(read.value().slices.size() + read.value().triangles.size() > 1);
+  }
+}
+
+TEST_CASE("they are the fuzzers' first inputs") {
+  const std::filesystem::path folder =
+      std::filesystem::path(RIND_BINARY_DIR) / "tests" / "format_samples";
+  std::filesystem::create_directories(folder);
+  for (const test::FormatSample& sample : test::format_samples()) {
+    std::ofstream(folder / sample.name, std::ios::binary) << sample.bytes;
+    CHECK_EQ(std::filesystem::file_size(folder / sample.name), sample.bytes.size());
   }
 }
 
@@ -46,7 +60,7 @@ TEST_CASE("every byte changed") {
     std::string bytes = sample.bytes;
     for (std::size_t i = 0; i < bytes.size(); ++i) {
       CAPTURE(i);
-      for (const char flip : {'\x01', '\x10', '\x80', '\xFF'}) {
+      for (const char flip : {'\x01', '\x90'}) {
         const char was = bytes[i];
         bytes[i] = static_cast<char>(was ^ flip);
         check_outcome(test::read_bytes(bytes, kMost));

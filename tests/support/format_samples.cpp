@@ -7,6 +7,7 @@
 
 #include "core/check.h"
 #include "host/formats/formats.h"
+#include "tests/support/mesh_files.h"
 #include "tools/parts/part_maker.h"
 
 namespace test {
@@ -86,15 +87,11 @@ std::string svg() {
          "<polygon slic3r:type=\"contour\" points=\"0,0 9,0 0,9\"/></g></svg>\n";
 }
 
-std::string binary_stl() {
-  std::ostringstream out;
-  parts::write_binary_stl(parts::box({0, 0, 0}, 4, 3, 2), out);
-  return out.str();
-}
+parts::Part small_box() { return parts::box({0, 0, 0}, 4, 3, 2); }
 
 std::string ascii_stl() {
   std::ostringstream out;
-  parts::write_ascii_stl(parts::box({0, 0, 0}, 4, 3, 2), out);
+  parts::write_ascii_stl(small_box(), out);
   return out.str();
 }
 
@@ -127,9 +124,19 @@ void append_float(float number, std::string& into) {
 
 const std::vector<FormatSample>& format_samples() {
   static const std::vector<FormatSample> samples = {
-      {"ascii.cli", ascii_cli()},   {"binary.cli", binary_cli()}, {"3d.slc", slc()},
-      {"v0.ssl", slice_v0()},       {"layers.lsif", lsif()},      {"layers.svg", svg()},
-      {"binary.stl", binary_stl()}, {"ascii.stl", ascii_stl()},
+      {"ascii.cli", ascii_cli()},
+      {"binary.cli", binary_cli()},
+      {"3d.slc", slc()},
+      {"v0.ssl", slice_v0()},
+      {"layers.lsif", lsif()},
+      {"layers.svg", svg()},
+      {"binary.stl", stl_file(small_box())},
+      {"mesh.obj", obj_file(small_box())},
+      {"mesh.amf", amf_file(small_box())},
+      {"mesh.3mf", threemf_file(threemf_model(small_box()))},
+      {"new.sif", sif_file(small_box())},
+      {"old.sif", old_sif_file(small_box())},
+      {"ascii.stl", ascii_stl()},
   };
   return samples;
 }

@@ -1,0 +1,7 @@
+// Seeds: build/…/tests/format_samples, which host_formats_damage_test writes.
+#include "tests/support/format_fuzz.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  test::read_as(host::FileKind::kZip, data, size);
+  return 0;
+}

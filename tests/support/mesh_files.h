@@ -1,0 +1,26 @@
+// The project's own parts in every mesh format, for tests: all with the same corners, those that a
+// binary STL can hold.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tools/parts/part_maker.h"  // Part
+
+namespace test {
+
+std::string stl_file(const parts::Part& part);
+std::string obj_file(const parts::Part& part);
+std::string amf_file(const parts::Part& part);
+std::string sif_file(const parts::Part& part);
+std::string old_sif_file(const parts::Part& part);
+
+// The model part of a 3MF package, and a package around it.
+std::string threemf_model(const parts::Part& part);
+std::string threemf_file(const std::string& model);
+
+// name and content of each entry, packed.
+std::string zip_file(const std::vector<std::pair<std::string, std::string>>& entries);
+
+}  // namespace test
