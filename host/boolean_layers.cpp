@@ -185,17 +185,17 @@ class BooleanLayers : public LayerSource {
   }
 
   // Nodes stand before those that use them, kNestingMax deep at most.
-  [[nodiscard]] Region evaluated(const ShellNode& node) {
+  [[nodiscard]] Region evaluated(const ShellNode& node) const {
     if (node.kind == Kind::kOperand) return slices_[node.operand].region;
     Region region = evaluated(tree_->nodes[node.inputs[0]]);
     for (std::size_t i = 1; i < node.inputs.size(); ++i) {
       const Region other = evaluated(tree_->nodes[node.inputs[i]]);
       if (node.kind == Kind::kUnion) {
-        region = core::unite(region, other, scratch_);
+        region = core::unite(region, other);
       } else if (node.kind == Kind::kIntersection) {
-        region = core::intersect(region, other, scratch_);
+        region = core::intersect(region, other);
       } else {
-        region = core::subtract(region, other, scratch_);
+        region = core::subtract(region, other);
       }
     }
     return region;
@@ -209,7 +209,6 @@ class BooleanLayers : public LayerSource {
   std::vector<std::unique_ptr<Operand>> operands_;
   std::vector<Slice> slices_;  // of one plane
   Shift shift_;
-  core::BooleanScratch scratch_;
 };
 
 }  // namespace
