@@ -293,7 +293,9 @@ class Session {
   int resyncs_in_a_row_ = 0;
   int repeats_of_a_line_ = 0;
   std::int64_t repeated_line_ = -1;
-  int calm_lines_missing_ = 0;
+  std::int64_t calm_lines_ = 8;
+  std::int64_t calm_lines_missing_ = 0;
+  std::int64_t refused_last_ = -1'000'000;
 };
 
 }  // namespace firmware_link

@@ -8,8 +8,10 @@
 namespace firmware_link {
 namespace {
 
-// One line in flight after a Resend, until this many have gone well.
-constexpr int kCalmLines = 8;
+// One line in flight after a Resend, until this many have gone well: twice as many each time that
+// it comes again soon, because a receive ring may be smaller than was thought (64 bytes are found).
+constexpr std::int64_t kCalmLinesMin = 8;
+constexpr std::int64_t kCalmLinesMax = 4096;
 
 // So many of the lines asked for again are worth a warning, once so many were sent.
 constexpr double kResendRatioMax = 0.1;
@@ -217,7 +219,10 @@ bool Session::repeat_from(std::int64_t sequence) {
           true);
     return false;
   }
-  calm_lines_missing_ = kCalmLines;
+  const bool soon = sequence - refused_last_ < 4 * calm_lines_;
+  calm_lines_ = soon ? std::min(2 * calm_lines_, kCalmLinesMax) : kCalmLinesMin;
+  calm_lines_missing_ = calm_lines_;
+  refused_last_ = sequence;
   // A line that was cut may have run in part.
   if (rules_.tells_position && phase_ == Phase::kOpen) wishes_.ask_position = true;
   if (!warned_of_resends_ && statistics_.lines_sent >= kResendLinesMin &&

@@ -314,6 +314,31 @@ TEST_CASE("a stop that nobody acknowledges ends by its own limit") {
   CHECK(hand.session.reason().find("did not acknowledge the stop") != std::string::npos);
 }
 
+TEST_CASE("a Resend soon after another makes the narrow window last twice as long") {
+  ByHand hand;
+  std::int64_t line = 1;  // accepted last
+  // Lines that go well one at a time until two are in flight.
+  const auto narrow_lines = [&] {
+    (void)hand.take_output();
+    hand.say("Error:checksum mismatch, Last Line: " + std::to_string(line) +
+             "\nResend: " + std::to_string(line + 1) + "\nok\n");
+    hand.pass(200ms);
+    int lines = 0;
+    for (; lines < 100; ++lines) {
+      while (hand.session.can_take()) hand.take(1000);
+      if (hand.session.statistics().lines_in_flight > 1) break;
+      // Each refused line may be followed by a question of the link's own.
+      hand.say(hand.take_output().find("M114") == std::string::npos ? "ok\n" : "X:1.00 E:0\nok\n");
+      ++line;
+    }
+    return lines;
+  };
+  hand.take(1000);
+  CHECK(narrow_lines() == 8);
+  CHECK(narrow_lines() == 16);
+  CHECK(narrow_lines() == 32);
+}
+
 TEST_CASE("line numbers start anew when they run out") {
   SessionOptions options;
   options.line_number_max = 50;
