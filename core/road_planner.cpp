@@ -43,21 +43,7 @@ Region wall_to_fill(const Region& interior, const Region& loose, const Settings&
 
 RoadPlanner::RoadPlanner(const Settings& settings) : settings_(settings) {}
 
-std::vector<Road> RoadPlanner::plan(const SplitLayer& layer) {
-  const Slice& slice = layer.layer.slice;
-  std::optional<Planned>& last = last_[static_cast<std::size_t>(slice.index % 2)];
-  // The first layer has the skirt. What is solid follows from the slice and what is loose.
-  const bool equal = last && last->slice.index != 0 && last->slice.height == slice.height &&
-                     last->loose == layer.loose && last->slice.region == slice.region;
-  if (equal) {
-    ++layers_reused_;
-  } else {
-    last = Planned{slice, layer.loose, plan_anew(layer)};
-  }
-  return last->roads;
-}
-
-std::vector<Road> RoadPlanner::plan_anew(const SplitLayer& layer) const {
+std::vector<Road> RoadPlanner::plan(const SplitLayer& layer) const {
   const Slice& slice = layer.layer.slice;
   const SliceOffsets& offsets = *layer.layer.offsets;
   const Length height = slice.height;

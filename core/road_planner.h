@@ -10,14 +10,8 @@
 //     │ │╱╱╱ ╱   ╱╱╱│ │   the inside    straight roads farther apart, anchored in the wall
 //
 // Islands and roads follow one another by nearest end (road_order.h).
-//
-// A layer that is split like the one two below it, whose fill lies the same way, gets that one's
-// roads: a prismatic part is planned once.
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "core/road.h"      // Road
@@ -41,26 +35,12 @@ class RoadPlanner {
 
   // ENSURES: no bead leaves the slice but for rounding, every road has two points or more; the
   // same layer always gives the same roads. No roads where none fits: all narrower than
-  // road_width_min. COSTS: a comparison for a layer like the one two below.
+  // road_width_min.
   // REQUIRES: layer.layer.offsets as OffsetCutter makes them with the same settings.
-  [[nodiscard]] std::vector<Road> plan(const SplitLayer& layer);
-
-  // Layers that got the roads of an equal one.
-  [[nodiscard]] std::int64_t layers_reused() const { return layers_reused_; }
+  [[nodiscard]] std::vector<Road> plan(const SplitLayer& layer) const;
 
  private:
-  // What the roads of a layer come from, and the roads.
-  struct Planned {
-    Slice slice;
-    Region loose;
-    std::vector<Road> roads;
-  };
-
-  [[nodiscard]] std::vector<Road> plan_anew(const SplitLayer& layer) const;
-
   Settings settings_;
-  std::array<std::optional<Planned>, 2> last_;  // even and odd layers: their fill is turned
-  std::int64_t layers_reused_ = 0;
 };
 
 }  // namespace core

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/mountain_foot.h"    // MountainFoot
 #include "core/offset_contours.h"  // flatten
 #include "core/wall_depths.h"      // wall_depths
 
@@ -23,9 +24,9 @@ Length narrow_half(const Settings& settings, Length layer_height) {
   return Length::from_mm(kNarrowShare / 2 * perimeter_spacing(settings, layer_height).mm());
 }
 
-SliceOffsets OffsetCutter::cut_offsets(const Slice& slice) {
-  SliceOffsets cut;
-  if (slice.region.empty()) return cut;
+std::int64_t OffsetCutter::fill(const Slice& slice, SliceOffsets& cut) const {
+  if (slice.region.empty()) return 0;
+  thread_local MountainFoot foot;
   const Length half_spacing =
       Length::from_units(perimeter_spacing(settings_, slice.height).units() / 2);
   const Length half_narrow = narrow_half(settings_, slice.height);
@@ -44,9 +45,8 @@ SliceOffsets OffsetCutter::cut_offsets(const Slice& slice) {
   }
   depths.push_back(inner_edge);
   std::vector<OffsetContours> contours(depths.size());
-  foot_.offset(slice.region, depths, contours);
-  ++counters_.mountains;
-  counters_.retries = foot_.retries() + foot_.fallbacks();
+  const std::int64_t tries_before = foot.retries() + foot.fallbacks();
+  foot.offset(slice.region, depths, contours);
 
   const auto flat = [&](const OffsetContours& at) { return flatten(at, settings_.arc_tolerance); };
   for (std::size_t i = 0; i < walls.size(); ++i) {
@@ -57,20 +57,26 @@ SliceOffsets OffsetCutter::cut_offsets(const Slice& slice) {
     cut.perimeter_cores.push_back(flat(contours[i + 1]));
   }
   cut.interior = flat(contours.back());
-  return cut;
+  return foot.retries() + foot.fallbacks() - tries_before;
 }
 
-std::shared_ptr<const SliceOffsets> OffsetCutter::cut(const Slice& slice) {
+OffsetCutter::Place OffsetCutter::place(const Slice& slice) {
   if (last_ && slice.height == last_height_ && slice.region == last_region_) {
-    ++counters_.reused;
-    return last_;
+    ++reused_;
+    return {last_, false};
   }
-  auto offsets = std::make_shared<SliceOffsets>(cut_offsets(slice));
+  auto offsets = std::make_shared<SliceOffsets>();
   offsets->content = last_ ? last_->content + 1 : 0;
   last_region_ = slice.region;
   last_height_ = slice.height;
   last_ = std::move(offsets);
-  return last_;
+  return {last_, true};
+}
+
+std::shared_ptr<const SliceOffsets> OffsetCutter::cut(const Slice& slice) {
+  Place at = place(slice);
+  if (at.to_fill) static_cast<void>(fill(slice, *at.offsets));
+  return at.offsets;
 }
 
 }  // namespace core

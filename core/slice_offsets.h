@@ -14,18 +14,12 @@
 #include <cstdint>
 #include <memory>
 
-#include "core/mountain_foot.h"  // MountainFoot
-#include "core/settings.h"       // Settings
-#include "core/slice.h"          // Slice, SliceOffsets
+#include "core/region.h"    // Region
+#include "core/settings.h"  // Settings
+#include "core/slice.h"     // Slice, SliceOffsets
+#include "core/units.h"     // Length
 
 namespace core {
-
-// How often mountains were cut, and how many depths needed more than one try (mountain_foot.h).
-struct OffsetCounters {
-  std::int64_t mountains = 0;
-  std::int64_t retries = 0;
-  std::int64_t reused = 0;  // slices that equalled the one before and shared its offsets
-};
 
 // Distance of neighbouring roads of the user's width. The formula is above.
 [[nodiscard]] Length perimeter_spacing(const Settings& settings, Length layer_height);
@@ -45,27 +39,40 @@ inline constexpr double kNarrowShare = 0.6;
 inline constexpr double kRowEndShare = 0.05;
 
 // Cuts slice after slice. One that equals the slice before it, point by point, shares its offsets,
-// so that a prismatic part costs one mountain. Keeps the scratch memory from cut to cut.
+// so that a prismatic part costs one mountain.
+//
+//     slices in order ──> place() ──┬── a new place ──> fill() in any thread ──┐
+//                                   └── the last one's place ──────────────────┴──> offsets
 class OffsetCutter {
  public:
+  struct Place {
+    std::shared_ptr<SliceOffsets> offsets;  // never null; shared with an equal slice
+    bool to_fill = false;                   // nobody has been told so before
+  };
+
   // REQUIRES: settings in their ranges.
   explicit OffsetCutter(const Settings& settings) : settings_(settings) {}
 
+  // COSTS: a comparison.
+  [[nodiscard]] Place place(const Slice& slice);
+
+  // Returns how many depths needed more than one try. Each thread keeps its scratch memory.
   // COSTS: one cut of the mountain's foot at all depths: the wall's (wall_depths.h), two a
-  // perimeter, the interior's; for an equal slice, a comparison. ENSURES: never null.
+  // perimeter, the interior's. REQUIRES: a place of this slice.
+  [[nodiscard]] std::int64_t fill(const Slice& slice, SliceOffsets& offsets) const;
+
+  // Both at once.
   [[nodiscard]] std::shared_ptr<const SliceOffsets> cut(const Slice& slice);
 
-  [[nodiscard]] const OffsetCounters& counters() const { return counters_; }
+  // Slices that equalled the one before.
+  [[nodiscard]] std::int64_t reused() const { return reused_; }
 
  private:
-  [[nodiscard]] SliceOffsets cut_offsets(const Slice& slice);
-
   Settings settings_;
-  MountainFoot foot_;
-  OffsetCounters counters_;
   Region last_region_;
   Length last_height_;
-  std::shared_ptr<const SliceOffsets> last_;
+  std::shared_ptr<SliceOffsets> last_;
+  std::int64_t reused_ = 0;
 };
 
 }  // namespace core

@@ -13,7 +13,7 @@ Settings with_style(Settings settings) {
   return settings;
 }
 
-SplitLayer WallStyle::apply(SplitLayer layer) {
+SplitLayer WallStyle::apply(SplitLayer layer) const {
   switch (settings_.style) {
     case BuildStyle::kThinWall:
       return regularised(std::move(layer));
@@ -27,23 +27,14 @@ SplitLayer WallStyle::apply(SplitLayer layer) {
   return layer;
 }
 
-SplitLayer WallStyle::regularised(SplitLayer layer) {
+SplitLayer WallStyle::regularised(SplitLayer layer) const {
   if (layer.loose.empty()) return layer;
-  if (layer.solid != last_solid_ || layer.loose != last_loose_) {
-    last_regular_loose_ =
-        regularise_loose(layer.loose, {.width_min = settings_.loose_width_min,
-                                       .area_min_mm2 = settings_.loose_area_min_mm2,
-                                       .arc_tolerance = settings_.arc_tolerance});
-    last_regular_solid_ = last_regular_loose_ == layer.loose
-                              ? layer.solid
-                              : subtract_within(layer.layer.slice.region, last_regular_loose_);
-    last_solid_ = std::move(layer.solid);
-    last_loose_ = std::move(layer.loose);
-  }
-  regularised_mm3_ +=
-      (last_loose_.area_mm2() - last_regular_loose_.area_mm2()) * layer.layer.slice.height.mm();
-  layer.solid = last_regular_solid_;
-  layer.loose = last_regular_loose_;
+  Region regular = regularise_loose(layer.loose, {.width_min = settings_.loose_width_min,
+                                                  .area_min_mm2 = settings_.loose_area_min_mm2,
+                                                  .arc_tolerance = settings_.arc_tolerance});
+  if (regular == layer.loose) return layer;
+  layer.loose = std::move(regular);
+  layer.solid = subtract_within(layer.layer.slice.region, layer.loose);
   return layer;
 }
 

@@ -29,23 +29,17 @@ class WallStyle {
   explicit WallStyle(const Settings& settings) : settings_(settings) {}
 
   // ENSURES: solid ∪ loose = slice, and, but for the fast style, loose only becomes less.
-  // COSTS: thin-wall: as regularise_loose() and one region operation, nothing for a layer that is
-  // split as the one before.
-  [[nodiscard]] SplitLayer apply(SplitLayer layer);
+  // COSTS: thin-wall: as regularise_loose().
+  [[nodiscard]] SplitLayer apply(SplitLayer layer) const;
 
-  // What regularisation moved from loose to solid so far, mm³.
-  [[nodiscard]] double regularised_mm3() const { return regularised_mm3_; }
+  // What apply() takes from the inside is what regularisation costs; the other styles do more.
+  [[nodiscard]] bool only_regularises() const { return settings_.style == BuildStyle::kThinWall; }
 
  private:
-  [[nodiscard]] SplitLayer regularised(SplitLayer layer);
+  [[nodiscard]] SplitLayer regularised(SplitLayer layer) const;
   [[nodiscard]] SplitLayer fast(SplitLayer layer) const;
 
   Settings settings_;
-  double regularised_mm3_ = 0;
-
-  // The last layer's, before and after.
-  Region last_solid_, last_loose_;
-  Region last_regular_solid_, last_regular_loose_;
 };
 
 }  // namespace core

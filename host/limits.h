@@ -15,6 +15,12 @@ inline constexpr std::size_t kQueuedBytesMax = 512 * 1'024;
 // Layers whose mended defects are told by height; further ones are only counted.
 inline constexpr std::size_t kDefectHeightsMax = 16;
 
+// Jobs at most, and how many layers each may be ahead of the one that is given out: enough that
+// none waits for a slow layer, few enough to be forgotten beside the window.
+inline constexpr int kJobsMax = 64;
+inline constexpr int kJobsDefaultMax = 4;
+inline constexpr int kBatchesPerJob = 2;
+
 // Bytes gathered before a write() to an output file.
 inline constexpr std::size_t kFileBufferBytes = 64 * 1'024;
 

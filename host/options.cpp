@@ -7,6 +7,7 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "host/exit_codes.h"
@@ -85,6 +86,12 @@ void add_part(CLI::App& command, Options& options) {
       ->type_name("BYTES")
       ->transform(CLI::AsSizeValue(false))
       ->check(CLI::Range(kSortBytesMin, std::size_t{1} << 40).description(""));
+  command
+      .add_option("--jobs", options.jobs,
+                  "processors to slice with; each takes the memory of two more layers")
+      ->type_name("N")
+      ->check(CLI::Range(1, kJobsMax))
+      ->capture_default_str();
   command
       .add_option("--memory-limit", options.memory_limit_bytes,
                   "end with an error rather than use more memory than this in all, as 64M")
@@ -271,6 +278,10 @@ OptionsExit usage_error(const std::string& message) {
 }
 
 }  // namespace
+
+int jobs_by_default() {
+  return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, kJobsDefaultMax);
+}
 
 std::variant<Options, OptionsExit> parse_options(int argc, const char* const* argv) {
   Options options;

@@ -43,6 +43,9 @@ struct SectionZoom {
   double size = 0;
 };
 
+// As many as there are processors, and at most kJobsDefaultMax.
+[[nodiscard]] int jobs_by_default();
+
 struct Options {
   Subcommand subcommand = Subcommand::kPlan;
   std::string part;  // "-": standard input
@@ -60,6 +63,7 @@ struct Options {
   std::optional<SectionPlace> section;
   std::optional<SectionZoom> zoom;  // only with a section
 
+  int jobs = jobs_by_default();        // processors for the geometry
   std::size_t memory_limit_bytes = 0;  // 0: none
   OnBadLayer on_bad_layer = OnBadLayer::kRepair;
   std::string log;  // empty: none

@@ -7,15 +7,17 @@
 #include <new>
 #include <utility>
 
+#include "core/layer_planner.h"
 #include "core/motion_builder.h"
 #include "core/motion_clock.h"
-#include "core/road_planner.h"
 #include "core/slice_offsets.h"
 #include "core/wall_splitter.h"
 #include "core/wall_style.h"
+#include "host/layer_batch.h"
 #include "host/layer_rules.h"
 #include "host/memory_budget.h"
 #include "host/motion_encoder.h"
+#include "host/ordered_stages.h"
 
 namespace host {
 namespace {
@@ -36,7 +38,6 @@ class Pipeline {
         bad_layers_(job.on_bad_layer, job.part_path, signals.warnings),
         cutter_(settings_),
         splitter_(settings_),
-        style_(settings_),
         planner_(settings_),
         builder_(settings_),
         motion_clock_({settings_.acceleration_mm_s2, settings_.filament_acceleration_mm_s2,
@@ -44,15 +45,31 @@ class Pipeline {
         sink_([this](const core::Motion& motion) { send(motion); }) {}
 
   core::Result<PipelineEnd> run() {
-    core::Result<PipelineEnd> end = feed_in_memory();
+    core::Result<PipelineEnd> end = run_in_memory();
     close_statistics();
     return end;
   }
 
  private:
+  core::Result<PipelineEnd> run_in_memory() {
+    try {
+      if (core::Status read = read_rest(); !read.ok()) return read.error();
+      run_stages({.take = [this] { return take(); },
+                  .cut = [this](LayerBatch& batch) { cut(batch); },
+                  .split = [this](LayerBatch& batch) { split(batch); },
+                  .plan = [this](LayerBatch& batch) { plan(batch); },
+                  .give = [this](LayerBatch& batch) { give(batch); }},
+                 job_.jobs);
+      return finish();
+    } catch (const std::bad_alloc&) {
+      return core::Error{core::ErrorCode::kNoMemory,
+                         fmt::format("{}, layer {}: {}; allow more, or simplify the mesh",
+                                     job_.part_path, statistics_.layers + 1, memory_refusal())};
+    }
+  }
+
   core::Status read_rest() {
     if (job_.part.read_rest) {
-      clock().enter(Stage::kRead);
       if (outputs_.on_motion) builder_.preheat(sink_);
       core::Result<PartSummary> summary = job_.part.read_rest();
       if (!summary.ok()) return summary.error();
@@ -64,87 +81,106 @@ class Pipeline {
     return {};
   }
 
-  core::Result<PipelineEnd> feed_in_memory() {
-    try {
-      return feed();
-    } catch (const std::bad_alloc&) {
-      return core::Error{core::ErrorCode::kNoMemory,
-                         fmt::format("{}, layer {}: {}; allow more, or simplify the mesh",
-                                     job_.part_path, statistics_.layers + 1, memory_refusal())};
-    }
+  // In order. After the last slice, empty batches until the window is empty.
+  std::unique_ptr<LayerBatch> take() {
+    if (window_emptied_ || stopped()) return nullptr;
+    auto batch = std::make_unique<LayerBatch>();
+    if (source_ended_) return batch;
+    const CpuTimer timer(seconds_of(Stage::kSlice, batch->seconds));
+    if (core::Status taken = take_slice(*batch); !taken.ok()) batch->error = taken.error();
+    source_ended_ = !batch->slice;
+    return batch;
   }
 
-  core::Result<PipelineEnd> feed() {
-    if (core::Status read = read_rest(); !read.ok()) return read.error();
-    while (!stopped()) {
-      clock().enter(Stage::kSlice);
-      core::Result<std::optional<core::Slice>> next = job_.part.layers->next();
-      if (!next.ok()) return next.error();
-      if (!next.value().has_value()) return drain();
-      core::Slice slice = *std::move(next).value();
-      if (core::Status status = check_layer_height(job_.part_path, slice, settings_);
-          !status.ok()) {
-        return status.error();
-      }
-      if (core::Status status = bad_layers_.check(slice, job_.part.summary.layers); !status.ok()) {
-        return status.error();
-      }
-      signals_.slices_cut.fetch_add(1);
-      ++statistics_.layers;
-      statistics_.defects.add(slice);
-
-      clock().enter(Stage::kOffset);
-      std::shared_ptr<const core::SliceOffsets> offsets = cutter_.cut(slice);
-      clock().enter(Stage::kWindow);
-      std::optional<core::SplitLayer> settled =
-          splitter_.push({std::move(slice), std::move(offsets)});
-      while (settled) {
-        if (core::Status status = settle(*std::move(settled)); !status.ok()) return status.error();
-        clock().enter(Stage::kWindow);
-        settled = splitter_.next();
-      }
-      end_layer();
-    }
-    return PipelineEnd::kStopped;
+  core::Status take_slice(LayerBatch& batch) {
+    core::Result<std::optional<core::Slice>> next = job_.part.layers->next();
+    if (!next.ok()) return next.error();
+    if (!next.value()) return {};
+    core::Slice& slice = *next.value();
+    core::Status fine = check_layer_height(job_.part_path, slice, settings_);
+    if (fine.ok()) fine = bad_layers_.check(slice, job_.part.summary.layers);
+    if (!fine.ok()) return fine;
+    signals_.slices_cut.fetch_add(1);
+    ++statistics_.layers;
+    statistics_.defects.add(slice);
+    batch.offsets = cutter_.place(slice);
+    batch.slice = std::move(slice);
+    return {};
   }
 
-  core::Result<PipelineEnd> drain() {
-    while (!stopped()) {
-      clock().enter(Stage::kWindow);
+  void cut(LayerBatch& batch) const {
+    if (!batch.slice || !batch.offsets.to_fill) return;
+    const CpuTimer timer(seconds_of(Stage::kOffset, batch.seconds));
+    batch.offset_retries = cutter_.fill(*batch.slice, *batch.offsets.offsets);
+  }
+
+  // In order.
+  void split(LayerBatch& batch) {
+    if (batch.error) return;
+    const CpuTimer timer(seconds_of(Stage::kWindow, batch.seconds));
+    if (!batch.slice) {
       std::optional<core::SplitLayer> settled = splitter_.finish();
-      if (!settled) break;
-      if (core::Status status = settle(*std::move(settled)); !status.ok()) return status.error();
-      end_layer();
+      window_emptied_ = !settled;
+      if (settled) batch.settled.push_back(place(*std::move(settled)));
+      return;
     }
-    if (stopped()) return PipelineEnd::kStopped;
-    if (wants_roads() && statistics_.roads == 0) {
-      return core::Error{
-          core::ErrorCode::kBadPart,
-          fmt::format("{}: no road fits anywhere: at every height the part is narrower than "
-                      "road_width_min ({:g} mm); is it in millimetres?",
-                      job_.part_path, settings_.road_width_min.mm())};
+    std::optional<core::SplitLayer> settled =
+        splitter_.push({*std::move(batch.slice), std::move(batch.offsets.offsets)});
+    for (; settled; settled = splitter_.next()) {
+      batch.settled.push_back(place(*std::move(settled)));
     }
-    clock().enter(Stage::kEncode);
-    if (outputs_.on_motion) builder_.finish(sink_);
-    return stopped() ? PipelineEnd::kStopped : PipelineEnd::kDone;
   }
 
-  core::Status settle(core::SplitLayer split) {
-    const core::SplitLayer layer = style_.apply(std::move(split));
-    const core::Slice& slice = layer.layer.slice;
+  SettledLayer place(core::SplitLayer layer) {
+    const core::LayerIndex index = layer.layer.slice.index;
+    const core::Length bottom = layer.layer.slice.bottom;
+    return {index, bottom, planner_.place(std::move(layer))};
+  }
+
+  void plan(LayerBatch& batch) const {
+    const CpuTimer timer(seconds_of(Stage::kRoads, batch.seconds));
+    for (SettledLayer& settled : batch.settled) {
+      if (settled.place.to_fill) planner_.fill(*settled.place.plan, wants_roads());
+    }
+  }
+
+  // In order.
+  void give(LayerBatch& batch) {
+    if (stopped()) return;
+    if (batch.error) return fail(*batch.error);
+    {
+      const CpuTimer timer(seconds_of(Stage::kEncode, batch.seconds));
+      for (const SettledLayer& settled : batch.settled) {
+        if (core::Status given = give(settled); !given.ok()) return fail(given.error());
+        if (stopped()) return;
+      }
+    }
+    statistics_.mountain_retries += batch.offset_retries;
+    statistics_.layer_times.add(layers_timed_++, statistics_.clock.add_layer(batch.seconds));
+  }
+
+  void fail(const core::Error& error) {
+    error_ = error;
+    refused_ = true;
+  }
+
+  core::Status give(const SettledLayer& settled) {
+    const core::LayerPlan& plan = *settled.place.plan;
+    core::SplitLayer layer = plan.layer;
+    core::Slice& slice = layer.layer.slice;
+    slice.index = settled.index;
+    slice.bottom = settled.bottom;
     statistics_.solid_mm3 += volume_mm3(layer.solid, slice.height);
     statistics_.loose_mm3 += volume_mm3(layer.loose, slice.height);
+    statistics_.regularised_mm3 += plan.regularised_mm3;
     keep(outputs_.on_layer ? outputs_.on_layer(layer) : true);
     if (!wants_roads()) return {};
 
-    clock().enter(Stage::kRoads);
-    const std::vector<core::Road> roads = planner_.plan(layer);
-    if (core::Status status = check_on_bed(job_.part_path, slice, roads, settings_); !status.ok())
-      return status;
-    statistics_.roads += static_cast<std::int64_t>(roads.size());
-    keep(outputs_.on_roads ? outputs_.on_roads(layer, roads) : true);
-    clock().enter(Stage::kEncode);
-    if (outputs_.on_motion) builder_.layer(slice, roads, sink_);
+    core::Status fits = check_on_bed(job_.part_path, slice, plan.roads, settings_);
+    if (!fits.ok()) return fits;
+    statistics_.roads += static_cast<std::int64_t>(plan.roads.size());
+    keep(outputs_.on_roads ? outputs_.on_roads(layer, plan.roads) : true);
+    if (outputs_.on_motion) builder_.layer(slice, plan.roads, sink_);
     return {};
   }
 
@@ -154,34 +190,44 @@ class Pipeline {
     keep(outputs_.on_motion(motion, encoder_.encode(motion)));
   }
 
+  core::Result<PipelineEnd> finish() {
+    if (error_) return *error_;
+    if (stopped()) return PipelineEnd::kStopped;
+    if (wants_roads() && statistics_.roads == 0) {
+      return core::Error{
+          core::ErrorCode::kBadPart,
+          fmt::format("{}: no road fits anywhere: at every height the part is narrower than "
+                      "road_width_min ({:g} mm); is it in millimetres?",
+                      job_.part_path, settings_.road_width_min.mm())};
+    }
+    if (outputs_.on_motion) builder_.finish(sink_);
+    return stopped() ? PipelineEnd::kStopped : PipelineEnd::kDone;
+  }
+
   void close_statistics() {
-    clock().enter(Stage::kNone);
     const PartCounters used = job_.part.counters();
-    clock().set_seconds(Stage::kRead, used.read_cpu_s);
-    clock().set_seconds(Stage::kSort, used.sort_cpu_s);
-    clock().set_seconds(Stage::kSlice, used.slice_cpu_s);
+    StageClock& clock = statistics_.clock;
+    clock.set_seconds(Stage::kRead, used.read_cpu_s);
+    clock.set_seconds(Stage::kSort, used.sort_cpu_s);
+    clock.set_seconds(Stage::kSlice, used.slice_cpu_s);
     statistics_.peak_triangles_held = used.peak_triangles_held;
     const core::WallSplitter::Usage window = splitter_.usage();
     statistics_.peak_layers_held = static_cast<std::int64_t>(window.layers_held_peak);
     statistics_.peak_regions_held = static_cast<std::int64_t>(window.regions_held_peak);
     statistics_.region_operations = window.operations;
     statistics_.region_operations_worst = window.operations_worst;
-    statistics_.mountain_retries = cutter_.counters().retries;
-    statistics_.reused = {cutter_.counters().reused, window.layers_reused,
-                          planner_.layers_reused()};
-    statistics_.regularised_mm3 = style_.regularised_mm3();
+    statistics_.reused = {cutter_.reused(), window.layers_reused, planner_.reused()};
     statistics_.filament_mm = builder_.totals().filament_mm;
     statistics_.time_s = motion_clock_.seconds();
   }
 
-  void end_layer() { statistics_.layer_times.add(layers_timed_++, clock().end_layer()); }
-
   [[nodiscard]] bool wants_roads() const { return outputs_.on_roads || outputs_.on_motion; }
-  void keep(bool go_on) { refused_ = refused_ || !go_on; }
+  void keep(bool go_on) {
+    if (!go_on) refused_ = true;
+  }
   [[nodiscard]] bool stopped() const {
     return refused_ || (signals_.stop_asked && signals_.stop_asked());
   }
-  StageClock& clock() { return statistics_.clock; }
 
   Job& job_;
   const core::Settings settings_;
@@ -189,17 +235,24 @@ class Pipeline {
   PipelineSignals& signals_;
   GeometryStatistics& statistics_;
 
+  // Of take().
   BadLayers bad_layers_;
-  core::OffsetCutter cutter_;
+  core::OffsetCutter cutter_;  // cut() only reads its settings
+  bool source_ended_ = false;
+
+  // Of split().
   core::WallSplitter splitter_;
-  core::WallStyle style_;
-  core::RoadPlanner planner_;
+  core::LayerPlanner planner_;  // plan() only reads its settings
+  std::atomic<bool> window_emptied_ = false;
+
+  // Of give().
   core::MotionBuilder builder_;
   core::MotionClock motion_clock_;
   MotionEncoder encoder_;
   core::MotionBuilder::Sink sink_;
   core::LayerIndex layers_timed_ = 0;
-  bool refused_ = false;  // an output wants no more
+  std::optional<core::Error> error_;
+  std::atomic<bool> refused_ = false;  // an output wants no more, or there was an error
 };
 
 }  // namespace

@@ -1,13 +1,14 @@
 // The way of the data, from slices to commands, one layer at a time:
 //
-//     LayerSource ─> OffsetCutter ─> WallSplitter ─> RoadPlanner ─> MotionBuilder ─> MotionEncoder
-//       slice          its offsets      T layers later  roads          motions          commands
+//     LayerSource ─> OffsetCutter ═> WallSplitter ─> LayerPlanner ═> MotionBuilder ─> MotionEncoder
+//       slice          its offsets      T layers later  roads           motions          commands
 //                                       wall + inside     │               └──────┬───────┘
 //                                           │             │                      │
 //     outputs:                           on_layer      on_roads              on_motion
 //
-// One thread, no clock but the stages' own. Printing, slicing into a file and planning all run this
-// very code and differ only in what they do with the outputs, so what is printed is what is shown.
+// The steps before ═> run on as many processors as there are jobs (ordered_stages.h); what comes
+// out is the same for any number. Printing, slicing into a file and planning all run this very
+// code and differ only in what they do with the outputs, so what is printed is what is shown.
 #pragma once
 
 #include <atomic>
@@ -36,6 +37,7 @@ struct Job {
   OpenedPart part;          // used up by the run
   std::string part_path;    // for messages
   OnBadLayer on_bad_layer = OnBadLayer::kRepair;
+  int jobs = 1;  // processors that the geometry may use; REQUIRES: 1 … kJobsMax
 };
 
 // What is done with what comes out; any may be empty, and what nobody wants is not computed.
@@ -63,7 +65,8 @@ enum class PipelineEnd { kDone, kStopped };
 // Errors are the source's own, and: no road fits anywhere (nothing was sent to on_motion then but
 // heating); a layer needs more memory than there is; a bad layer that is to end the print;
 // a road would leave the bed (told on the first layer, before anything was sent).
-// COSTS: at most 2T + 1 layers and 2T partial intersections held (wall_splitter.h).
+// COSTS: at most 2T + 1 layers and 2T partial intersections held (wall_splitter.h), and, with more
+// jobs than one, batches_max() layers on their way (ordered_stages.h).
 [[nodiscard]] core::Result<PipelineEnd> run_pipeline(Job& job, const PipelineOutputs& outputs,
                                                      PipelineSignals& signals,
                                                      GeometryStatistics& statistics);

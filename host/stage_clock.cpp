@@ -53,14 +53,19 @@ void StageClock::enter(Stage stage) {
   stage_ = stage;
 }
 
-double StageClock::end_layer() {
+void StageClock::end_layer() {
   enter(stage_);
+  for (std::size_t i = 0; i < kStageCount; ++i) worst_[i] = std::max(worst_[i], layer_[i]);
+  layer_.fill(0);
+}
+
+double StageClock::add_layer(const StageSeconds& seconds) {
   double sum_s = 0;
   for (std::size_t i = 0; i < kStageCount; ++i) {
-    worst_[i] = std::max(worst_[i], layer_[i]);
-    sum_s += layer_[i];
+    total_[i] += seconds[i];
+    worst_[i] = std::max(worst_[i], seconds[i]);
+    sum_s += seconds[i];
   }
-  layer_.fill(0);
   return sum_s;
 }
 

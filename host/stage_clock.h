@@ -19,6 +19,13 @@ inline constexpr std::size_t kStageCount = 9;
 // As in the statistics file.
 [[nodiscard]] std::string_view stage_name(Stage stage);
 
+// Processor time by Stage.
+using StageSeconds = std::array<double, kStageCount>;
+
+[[nodiscard]] inline double& seconds_of(Stage stage, StageSeconds& seconds) {
+  return seconds[static_cast<std::size_t>(stage)];
+}
+
 class StageClock {
  public:
   // REQUIRES: all calls come from one thread, the one that made the clock.
@@ -26,8 +33,11 @@ class StageClock {
 
   void enter(Stage stage);
 
-  // What was spent since the last call counts as one layer's. Returns the sum, in seconds.
-  double end_layer();
+  // What was spent since the last call counts as one layer's.
+  void end_layer();
+
+  // One layer's, measured elsewhere. Returns the sum, in seconds.
+  double add_layer(const StageSeconds& seconds);
 
   // The stage's total as it is known from elsewhere, more finely than by enter().
   void set_seconds(Stage stage, double seconds) { total_[index(stage)] = seconds; }
@@ -43,9 +53,9 @@ class StageClock {
 
   Stage stage_ = Stage::kNone;
   double since_;
-  std::array<double, kStageCount> total_{};
-  std::array<double, kStageCount> layer_{};
-  std::array<double, kStageCount> worst_{};
+  StageSeconds total_{};
+  StageSeconds layer_{};
+  StageSeconds worst_{};
 };
 
 // Processor time of the calling thread, of the whole program; time that never goes back.

@@ -4,7 +4,7 @@
 build_packages=(
   g++ cmake ninja-build pkg-config
   libboost-dev libserialport-dev libcli11-dev libinih-dev libfmt-dev libspdlog-dev
-  nlohmann-json3-dev libfast-float-dev libexpat1-dev libzip-dev
+  nlohmann-json3-dev libfast-float-dev libexpat1-dev libzip-dev libtbb-dev
 )
 
 # Clipper and printrun judge our work; qemu, with a kernel that test_uart fetches, has a real UART.

@@ -61,7 +61,7 @@ core::Result<Job> open_job(const Options& options, Reporter& reporter) {
   const PartSummary& summary = part.value().summary;
   for (const std::string& warning : summary.warnings) reporter.note("warning", warning);
   return Job{std::move(settings).value(), std::move(part).value(), part_title(options.part),
-             options.on_bad_layer};
+             options.on_bad_layer, options.jobs};
 }
 
 void report_warnings(PipelineSignals& signals, Reporter& reporter) {

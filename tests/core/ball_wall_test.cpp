@@ -304,8 +304,7 @@ TEST_CASE("a prismatic part costs one mountain and no region operation between i
   for (const Slice& slice : slices) count(splitter.push({slice, cutter.cut(slice)}));
   while (count(splitter.finish())) {
   }
-  CHECK_EQ(cutter.counters().mountains, 1);
-  CHECK_EQ(cutter.counters().reused, 39);
+  CHECK_EQ(cutter.reused(), 39);  // all but the first
   CHECK_EQ(loose, 34);
   CHECK_EQ(splitter.usage().operations, 0);
   CHECK_EQ(splitter.usage().layers_reused, 33);

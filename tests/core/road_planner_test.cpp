@@ -204,38 +204,6 @@ TEST_CASE("the first layer, and no other, has a skirt, outside the part by its d
             .empty());
 }
 
-TEST_CASE("a layer like the one two below gets its roads, and no other does") {
-  const Settings settings;
-  const Region square = test::region_from_text("0:0 30:0 30:20 0:20");
-  const Region larger = test::region_from_text("0:0 31:0 31:20 0:20");
-  const Region inside = test::region_from_text("5:5 25:5 25:15 5:15");
-  RoadPlanner planner(settings);
-  std::int64_t reused = 0;
-  const auto plans_as_afresh = [&](const SplitLayer& layer) {
-    const auto roads = planner.plan(layer);
-    const auto afresh = RoadPlanner(settings).plan(layer);
-    REQUIRE_EQ(roads.size(), afresh.size());
-    for (std::size_t i = 0; i < roads.size(); ++i) {
-      CHECK_EQ(roads[i].points, afresh[i].points);
-      CHECK_EQ(roads[i].width, afresh[i].width);
-    }
-    const bool again = planner.layers_reused() > reused;
-    reused = planner.layers_reused();
-    return again;
-  };
-  for (LayerIndex i = 0; i < 8; ++i) {
-    CAPTURE(i);
-    // The first layer's skirt is its own: layer 2 cannot have its roads.
-    CHECK_EQ(plans_as_afresh(split(square, inside, settings, i)), i >= 3);
-  }
-  CHECK_FALSE(plans_as_afresh(split(larger, inside, settings, 8)));
-  CHECK_FALSE(plans_as_afresh(split(square, {}, settings, 9)));
-  CHECK(plans_as_afresh(split(larger, inside, settings, 10)));
-  SplitLayer thicker = split(larger, inside, settings, 12);
-  thicker.layer.slice.height = Length::from_mm(0.3);
-  CHECK_FALSE(plans_as_afresh(thicker));
-}
-
 TEST_CASE("the wall is dense up to its inner edge, however little of it the perimeters leave") {
   const Settings settings;
   const Region square = test::region_from_text("0:0 30:0 30:20 0:20");

@@ -80,21 +80,4 @@ TEST_CASE("thin-wall is loose on every layer within the caps, with or without a 
   }
 }
 
-TEST_CASE("what regularisation moves is counted, on reused layers too") {
-  Settings settings;
-  settings.loose_area_min_mm2 = 1'000;
-  core::WallStyle style(settings);
-  SplitLayer layer;
-  layer.layer.slice.height = Length::from_mm(0.2);
-  layer.layer.slice.region = test::region_from_text("0:0 20:0 20:20 0:20");
-  layer.loose = test::region_from_text("5:5 15:5 15:15 5:15");
-  layer.solid = core::subtract(layer.layer.slice.region, layer.loose);
-  for (int n = 1; n <= 3; ++n) {
-    const SplitLayer changed = style.apply(layer);
-    CHECK(changed.loose.empty());
-    CHECK_EQ(changed.solid.area_mm2(), doctest::Approx(400));
-    CHECK_EQ(style.regularised_mm3(), doctest::Approx(20 * n));
-  }
-}
-
 }  // namespace

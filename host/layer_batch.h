@@ -1,0 +1,32 @@
+// What one slice sets going on its way through the stages (ordered_stages.h): the slice itself, its
+// offsets, and the layers that it settles in the window, with what becomes of them.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/layer_planner.h"  // LayerPlanner
+#include "core/result.h"         // Error
+#include "core/slice.h"          // Slice
+#include "core/slice_offsets.h"  // OffsetCutter
+#include "core/units.h"          // LayerIndex, Length
+#include "host/stage_clock.h"    // StageSeconds
+
+namespace host {
+
+struct SettledLayer {
+  core::LayerIndex index = 0;
+  core::Length bottom;
+  core::LayerPlanner::Place place;
+};
+
+struct LayerBatch {
+  std::optional<core::Slice> slice;  // none: the source has ended, the window is emptied
+  std::optional<core::Error> error;  // why there is none
+  core::OffsetCutter::Place offsets;
+  std::int64_t offset_retries = 0;
+  std::vector<SettledLayer> settled;
+  StageSeconds seconds{};  // processor time by stage
+};
+
+}  // namespace host
