@@ -321,14 +321,14 @@ TEST_CASE("a cut through a part ten times as tall holds no more layers") {
 }
 
 TEST_CASE("any number of jobs gives the same bytes") {
-  const TemporaryFolder folder;
-  const std::string part = folder.write("demo.stl", binary_stl(parts::demo()));
+  const PartFolder folder;
+  const std::string part = folder.add("demo.stl", parts::demo());
   for (const char* name : {"out.gcode", "out.cli"}) {
     CAPTURE(name);
     std::string one;
     for (const char* jobs : {"1", "2", "5"}) {
       CAPTURE(jobs);
-      const std::string out = folder.path(name);
+      const std::string out = folder.file(name);
       const ProgramRun run =
           rind("slice " + part + kCoarse + " --quiet --jobs " + jobs + " -o " + out);
       REQUIRE_EQ(run.exit_code, 0);
