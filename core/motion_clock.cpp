@@ -83,19 +83,24 @@ void MotionClock::push(const Move& move) {
 }
 
 // Backwards: no move enters faster than it can brake for the next. Forwards: none enters faster
-// than the one before can reach.
+// than the one before can reach. A new move changes only the last moves: the first that brakes as
+// it did before ends the way back, and nothing before it changes.
 void MotionClock::plan() {
   double exit = 0;
-  for (std::size_t i = moves_.size(); i-- > 1;) {
-    Move& move = moves_[i];
-    move.entry_speed_mm_s = std::min(
-        move.entry_speed_max_mm_s, reachable_speed(exit, move.length_mm, move.acceleration_mm_s2));
-    exit = move.entry_speed_mm_s;
+  std::size_t first = moves_.size();
+  while (first > 1) {
+    Move& move = moves_[first - 1];
+    const double speed = std::min(move.entry_speed_max_mm_s,
+                                  reachable_speed(exit, move.length_mm, move.acceleration_mm_s2));
+    if (speed == move.braking_speed_mm_s) break;
+    move.braking_speed_mm_s = speed;
+    exit = speed;
+    --first;
   }
-  for (std::size_t i = 1; i < moves_.size(); ++i) {
+  for (std::size_t i = first; i < moves_.size(); ++i) {
     const Move& before = moves_[i - 1];
     moves_[i].entry_speed_mm_s = std::min(
-        moves_[i].entry_speed_mm_s,
+        moves_[i].braking_speed_mm_s,
         reachable_speed(before.entry_speed_mm_s, before.length_mm, before.acceleration_mm_s2));
   }
 }

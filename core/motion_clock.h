@@ -49,6 +49,7 @@ class MotionClock {
     double speed_mm_s = 0;  // wanted
     double acceleration_mm_s2 = 0;
     double entry_speed_max_mm_s = 0;  // what the corner before it allows
+    double braking_speed_mm_s = -1;   // entered no faster, it comes to rest at the last move's end
     double entry_speed_mm_s = 0;      // planned
     Direction direction;
   };
