@@ -10,12 +10,7 @@
 #include "core/units.h"  // kUnitsPerMm
 
 namespace host {
-namespace {
-
-constexpr int kMmDecimals = 4;
 static_assert(core::kUnitsPerMm == 10'000.0, "four decimals of a millimetre are a unit");
-
-}  // namespace
 
 std::optional<double> parse_real(std::string_view text) {
   if (text.starts_with('+')) text.remove_prefix(1);

@@ -110,8 +110,9 @@ TEST_CASE("one part through every mesh format: the same triangles, the same slic
         {"3MF", test::threemf_file(test::threemf_model(part))},
         {"SIF 2.0", test::sif_file(part)},
         {"SIF 1.0", test::old_sif_file(part)}};
-    for (const auto& [name, bytes] : others) {
-      CAPTURE(name);
+    for (const auto& other : others) {
+      const std::string& bytes = other.second;
+      CAPTURE(other.first);
       CHECK(same(sorted_triangles(bytes), triangles));
       const std::vector<core::Slice> theirs = slices_of(folder, bytes);
       REQUIRE_EQ(theirs.size(), slices.size());

@@ -31,16 +31,17 @@ std::string binary_cli() {
   append_u16(128, bytes);
   append_u16(20, bytes);
   append_u16(129, bytes);
-  for (const unsigned number : {1, 1, 4, 0, 0, 1000, 0, 0, 1000, 0, 0}) append_u16(number, bytes);
+  for (const unsigned number : {1U, 1U, 4U, 0U, 0U, 1000U, 0U, 0U, 1000U, 0U, 0U})
+    append_u16(number, bytes);
   append_u16(127, bytes);
   append_float(40, bytes);
   append_u16(130, bytes);
-  for (const std::uint32_t number : {1, 1, 4}) append_u32(number, bytes);
+  for (const std::uint32_t number : {1U, 1U, 4U}) append_u32(number, bytes);
   for (const float number : {0.F, 0.F, 1000.F, 0.F, 0.F, 1000.F, 0.F, 0.F}) {
     append_float(number, bytes);
   }
   append_u16(131, bytes);
-  for (const unsigned number : {1, 1, 0, 0, 5, 5}) append_u16(number, bytes);
+  for (const unsigned number : {1U, 1U, 0U, 0U, 5U, 5U}) append_u16(number, bytes);
   return bytes;
 }
 
