@@ -84,7 +84,7 @@ void add_part(CLI::App& command, Options& options) {
       .add_option("--memory", options.sort_bytes,
                   "for sorting a mesh, as 8M or 512k; what it can't hold goes to a file in $TMPDIR")
       ->type_name("BYTES")
-      ->transform(CLI::AsSizeValue(false))
+      ->transform(CLI::AsSizeValue(false).description(""))
       ->check(CLI::Range(kSortBytesMin, std::size_t{1} << 40).description(""));
   command
       .add_option("--jobs", options.jobs,
@@ -96,7 +96,7 @@ void add_part(CLI::App& command, Options& options) {
       .add_option("--memory-limit", options.memory_limit_bytes,
                   "end with an error rather than use more memory than this in all, as 64M")
       ->type_name("BYTES")
-      ->transform(CLI::AsSizeValue(false));
+      ->transform(CLI::AsSizeValue(false).description(""));
   static const std::map<std::string, OnBadLayer> kWords = {{"repair", OnBadLayer::kRepair},
                                                            {"neighbour", OnBadLayer::kNeighbour},
                                                            {"pause", OnBadLayer::kPause},
@@ -106,7 +106,7 @@ void add_part(CLI::App& command, Options& options) {
                   "where contours stay open, or nothing is there: repair (print what is sound), "
                   "neighbour (the slice below once more), pause, stop")
       ->type_name("WORD")
-      ->transform(CLI::CheckedTransformer(kWords));
+      ->transform(CLI::CheckedTransformer(kWords).description(""));
 }
 
 void add_sorted(CLI::App& command, Options& options) {
@@ -118,7 +118,7 @@ void add_sorted(CLI::App& command, Options& options) {
           "whether a mesh from a pipe is in order of height, so that it can be sliced as it "
           "comes: yes, no, or auto (slice: if it begins so; print: no)")
       ->type_name("WORD")
-      ->transform(CLI::CheckedTransformer(kWords));
+      ->transform(CLI::CheckedTransformer(kWords).description(""));
 }
 
 void add_reports(CLI::App& command, Options& options) {

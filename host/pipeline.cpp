@@ -211,6 +211,8 @@ class Pipeline {
     clock.set_seconds(Stage::kSort, used.sort_cpu_s);
     clock.set_seconds(Stage::kSlice, used.slice_cpu_s);
     statistics_.peak_triangles_held = used.peak_triangles_held;
+    statistics_.spilled_bytes = used.spilled_bytes;
+    statistics_.bad_layers = bad_layers_.count();
     const core::WallSplitter::Usage window = splitter_.usage();
     statistics_.peak_layers_held = static_cast<std::int64_t>(window.layers_held_peak);
     statistics_.peak_regions_held = static_cast<std::int64_t>(window.regions_held_peak);

@@ -131,6 +131,8 @@ std::string statistics_json(const GeometryStatistics& geometry, const LinkStatis
                {"peak_layers_held", geometry.peak_layers_held},
                {"peak_regions_held", geometry.peak_regions_held},
                {"peak_triangles_held", geometry.peak_triangles_held},
+               {"spilled_bytes", geometry.spilled_bytes},
+               {"bad_layers", geometry.bad_layers},
                {"mountain_retries", geometry.mountain_retries},
                {"region_operations", geometry.region_operations},
                {"region_operations_worst", geometry.region_operations_worst},

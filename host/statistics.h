@@ -67,6 +67,8 @@ struct GeometryStatistics {
   std::int64_t peak_layers_held = 0;
   std::int64_t peak_regions_held = 0;
   std::int64_t peak_triangles_held = 0;
+  std::int64_t spilled_bytes = 0;      // to the temporary file for sorting
+  std::int64_t bad_layers = 0;         // bad_layers.h
   std::int64_t mountain_retries = 0;   // Voronoi diagrams that failed their check
   std::int64_t region_operations = 0;  // of the window: intersections and subtractions
   int region_operations_worst = 0;     // of one layer

@@ -161,3 +161,27 @@ TEST_CASE("help and version end well and say what they should") {
   CHECK_EQ(parse_bad({"--version"}).exit_code, host::kExitDone);
   CHECK(says(parse_bad({"--version"}), "rind 0.1.0"));
 }
+
+TEST_CASE("bounds of memory, the order of a pipe, bad layers and a log") {
+  const Options plain = parse_good({"print", "part.stl", "--port", "virtual"});
+  CHECK_EQ(plain.sort_bytes, std::size_t{8} << 20);
+  CHECK_EQ(plain.memory_limit_bytes, 0);
+  CHECK_EQ(plain.sorted, host::PipeSorted::kAuto);
+  CHECK_EQ(plain.on_bad_layer, host::OnBadLayer::kRepair);
+  CHECK(plain.log.empty());
+  const Options options =
+      parse_good({"print", "-", "--port", "virtual", "--memory", "512k", "--memory-limit", "64M",
+                  "--sorted", "yes", "--on-bad-layer", "neighbour", "--log", "rind.log"});
+  CHECK_EQ(options.sort_bytes, std::size_t{512} << 10);
+  CHECK_EQ(options.memory_limit_bytes, std::size_t{64} << 20);
+  CHECK_EQ(options.sorted, host::PipeSorted::kYes);
+  CHECK_EQ(options.on_bad_layer, host::OnBadLayer::kNeighbour);
+  CHECK_EQ(options.log, "rind.log");
+  CHECK_EQ(parse_good({"slice", "-", "-o", "a.gcode", "--sorted", "no"}).sorted,
+           host::PipeSorted::kNo);
+  CHECK_EQ(parse_bad({"plan", "a.stl", "--memory", "63k"}).exit_code, host::kExitUsage);
+  CHECK_EQ(parse_bad({"plan", "a.stl", "--memory", "much"}).exit_code, host::kExitUsage);
+  CHECK_EQ(parse_bad({"slice", "-", "-o", "a.gcode", "--sorted", "maybe"}).exit_code,
+           host::kExitUsage);
+  CHECK_EQ(parse_bad({"plan", "a.stl", "--on-bad-layer", "weep"}).exit_code, host::kExitUsage);
+}
