@@ -14,7 +14,7 @@ using core::Error;
 using core::ErrorCode;
 using core::Result;
 
-constexpr std::size_t kPieceBytes = 32 * 1'024;
+constexpr std::size_t kPieceBytes = std::size_t{1} << 15;
 constexpr char kSeparator = '|';
 
 }  // namespace
