@@ -28,10 +28,10 @@ std::string axes_text(const std::array<std::optional<double>, 3>& axes_mm) {
   constexpr char kNames[] = {'X', 'Y', 'Z'};
   std::string text;
   for (std::size_t axis = 0; axis < axes_mm.size(); ++axis) {
-    if (!axes_mm[axis]) continue;
+    if (!axes_mm[axis].has_value()) continue;
+    const double mm = axes_mm[axis].value_or(0);
     char part[48];
-    std::snprintf(part, sizeof part, "%s%c%.2f", text.empty() ? "" : " ", kNames[axis],
-                  *axes_mm[axis]);
+    std::snprintf(part, sizeof part, "%s%c%.2f", text.empty() ? "" : " ", kNames[axis], mm);
     text += part;
   }
   return text;

@@ -97,6 +97,8 @@ void Monitor::note_acknowledged() {
   statistics_.commands = link.commands_acknowledged;
   statistics_.stalls = link.stalls;
   statistics_.resends = link.resends;
+  statistics_.resend_ratio = link.resend_ratio();
+  statistics_.planner_low_s = link.planner_low_s;
   if (!statistics_.first_command_s && link.commands_acknowledged > 0) {
     statistics_.first_command_s = steady_seconds() - options_.began_s;
   }

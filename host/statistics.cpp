@@ -162,6 +162,8 @@ std::string statistics_json(const GeometryStatistics& geometry, const LinkStatis
     json["commands"] = link->commands;
     json["stalls"] = link->stalls;
     json["resends"] = link->resends;
+    json["resend_ratio"] = link->resend_ratio;
+    json["planner_low_s"] = link->planner_low_s;
   }
   return json.dump(2) + "\n";
 }

@@ -92,6 +92,8 @@ struct LinkStatistics {
   std::int64_t commands = 0;
   std::int64_t stalls = 0;
   std::int64_t resends = 0;
+  double resend_ratio = 0;   // of all lines
+  double planner_low_s = 0;  // the controller below half its planner for want of lines
 };
 
 // Peak of this program's resident memory so far.
