@@ -47,20 +47,25 @@ class MotionBuilder::Boundary {
 
 MotionBuilder::MotionBuilder(const Settings& settings) : settings_(settings) {}
 
+void MotionBuilder::go_on_from(const MotionState& state) {
+  RIND_CHECK(!state_.preheated && !state_.begun);
+  state_ = state;
+}
+
 void MotionBuilder::preheat(const Sink& sink) {
-  RIND_CHECK(!preheated_ && !begun_);
-  preheated_ = true;
+  RIND_CHECK(!state_.preheated && !state_.begun);
+  state_.preheated = true;
   sink(SetBedTemperature{settings_.bed_celsius, false});
   sink(SetNozzleTemperature{settings_.nozzle_first_layer_celsius, false});
 }
 
 void MotionBuilder::preamble(const Sink& sink) {
-  if (!preheated_) preheat(sink);
-  begun_ = true;
-  nozzle_celsius_ = settings_.nozzle_first_layer_celsius;
+  if (!state_.preheated) preheat(sink);
+  state_.begun = true;
+  state_.nozzle_celsius = settings_.nozzle_first_layer_celsius;
   for (const std::string& line : settings_.start_gcode) sink(Verbatim{line});
   sink(SetBedTemperature{settings_.bed_celsius, true});
-  sink(SetNozzleTemperature{nozzle_celsius_, true});
+  sink(SetNozzleTemperature{state_.nozzle_celsius, true});
   sink(SetFan{0});
 }
 
@@ -71,18 +76,18 @@ void MotionBuilder::begin_layer(const Slice& slice, const Sink& sink) {
   ++totals_.layers;
   sink(BeginLayer{index_, top_, height_});
   const double fan = index_ + 1 >= settings_.fan_from_layer ? settings_.fan_share : 0;
-  if (fan != fan_) sink(SetFan{fan});
-  fan_ = fan;
+  if (fan != state_.fan) sink(SetFan{fan});
+  state_.fan = fan;
   const double celsius =
       index_ == 0 ? settings_.nozzle_first_layer_celsius : settings_.nozzle_celsius;
-  if (celsius != nozzle_celsius_) sink(SetNozzleTemperature{celsius, false});
-  nozzle_celsius_ = celsius;
+  if (celsius != state_.nozzle_celsius) sink(SetNozzleTemperature{celsius, false});
+  state_.nozzle_celsius = celsius;
 }
 
 void MotionBuilder::layer(const Slice& slice, const std::vector<Road>& roads, const Sink& sink) {
   RIND_CHECK(!ended_);
   if (roads.empty()) return;
-  if (!begun_) preamble(sink);
+  if (!state_.begun) preamble(sink);
   begin_layer(slice, sink);
   const double factor = slowdown(roads);
   Boundary boundary(slice.region);
@@ -102,22 +107,23 @@ void MotionBuilder::road(const Road& road, double slowdown, const Sink& sink) {
   sink(BeginRoad{road.kind, road.width});
   ++totals_.roads;
   const auto to = [&](Point point) {
-    const double mm = distance_mm(position_, point);
+    const double mm = distance_mm(state_.position, point);
     if (mm == 0) return;
     const double filament = mm * filament_per_mm;
     totals_.filament_mm[static_cast<std::size_t>(road.kind)] += filament;
     sink(Extrude{point, filament, speed});
-    position_ = point;
+    state_.position = point;
   };
   for (std::size_t i = 1; i < road.points.size(); ++i) to(road.points[i]);
   if (road.closed) to(road.points.front());
 }
 
 void MotionBuilder::travel(Point to, Boundary& boundary, const Sink& sink) {
-  const bool same = position_known_ && position_ == to;
-  const bool short_inside = position_known_ &&
-                            distance_mm(position_, to) <= settings_.retraction_travel_min.mm() &&
-                            !boundary.crossed_by({position_, to});
+  const bool same = state_.position_known && state_.position == to;
+  const bool short_inside =
+      state_.position_known &&
+      distance_mm(state_.position, to) <= settings_.retraction_travel_min.mm() &&
+      !boundary.crossed_by({state_.position, to});
   if (!same && !short_inside) {
     retract(sink);
     lift(top_ + settings_.retraction_lift, sink);
@@ -125,40 +131,40 @@ void MotionBuilder::travel(Point to, Boundary& boundary, const Sink& sink) {
     lift(top_, sink);
   }
   if (!same) {
-    const double mm = position_known_ ? distance_mm(position_, to) : 0;
+    const double mm = state_.position_known ? distance_mm(state_.position, to) : 0;
     sink(Travel{to, settings_.travel_speed_mm_s});
     ++totals_.travels;
     totals_.travel_mm += mm;
   }
-  position_ = to;
-  position_known_ = true;
+  state_.position = to;
+  state_.position_known = true;
   lift(top_, sink);
   unretract(sink);
 }
 
 void MotionBuilder::lift(Length to, const Sink& sink) {
-  if (nozzle_z_ == to) return;
+  if (state_.nozzle_z == to) return;
   sink(Lift{to, settings_.lift_speed_mm_s});
-  nozzle_z_ = to;
+  state_.nozzle_z = to;
 }
 
 void MotionBuilder::retract(const Sink& sink) {
-  if (retracted_ || settings_.retraction_mm <= 0) return;
+  if (state_.retracted || settings_.retraction_mm <= 0) return;
   sink(MoveFilament{-settings_.retraction_mm, settings_.retraction_speed_mm_s});
   ++totals_.retractions;
-  retracted_ = true;
+  state_.retracted = true;
 }
 
 void MotionBuilder::unretract(const Sink& sink) {
-  if (!retracted_) return;
+  if (!state_.retracted) return;
   sink(MoveFilament{settings_.retraction_mm, settings_.retraction_speed_mm_s});
-  retracted_ = false;
+  state_.retracted = false;
 }
 
 void MotionBuilder::leave(const Sink& sink) {
   ended_ = true;
   retract(sink);
-  const Length here = nozzle_z_.value_or(top_);
+  const Length here = state_.nozzle_z.value_or(top_);
   Length away = top_ + settings_.park_lift;
   if (settings_.axis_z > Length()) away = std::min(away, settings_.axis_z);
   away = std::max(away, here);
@@ -169,13 +175,13 @@ void MotionBuilder::leave(const Sink& sink) {
 }
 
 void MotionBuilder::finish(const Sink& sink) {
-  if (!begun_ || ended_) return;
+  if (!state_.begun || ended_) return;
   leave(sink);
   for (const std::string& line : settings_.end_gcode) sink(Verbatim{line});
 }
 
 void MotionBuilder::park(const Sink& sink) {
-  if (!begun_ || ended_) return;
+  if (!state_.begun || ended_) return;
   leave(sink);
 }
 

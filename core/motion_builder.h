@@ -32,6 +32,19 @@ struct MotionTotals {
   std::int64_t layers = 0;  // with roads
 };
 
+// Where a print stands between two layers: all that the next layer's motions depend on besides its
+// roads.
+struct MotionState {
+  bool preheated = false;
+  bool begun = false;
+  bool retracted = false;
+  bool position_known = false;
+  Point position;                  // where the nozzle is, once known
+  std::optional<Length> nozzle_z;  // likewise
+  double fan = 0;
+  double nozzle_celsius = 0;
+};
+
 class MotionBuilder {
  public:
   using Sink = std::function<void(const Motion&)>;
@@ -57,8 +70,14 @@ class MotionBuilder {
   void park(const Sink& sink);
 
   // True from the first layer with roads on.
-  [[nodiscard]] bool begun() const { return begun_; }
+  [[nodiscard]] bool begun() const { return state_.begun; }
   [[nodiscard]] const MotionTotals& totals() const { return totals_; }
+
+  // Between two layers. A builder of the same settings that gets this state goes on with the very
+  // motions that this one would; its totals begin anew.
+  [[nodiscard]] const MotionState& state() const { return state_; }
+  // REQUIRES: nothing was built yet.
+  void go_on_from(const MotionState& state);
 
  private:
   class Boundary;
@@ -76,18 +95,11 @@ class MotionBuilder {
 
   Settings settings_;
   MotionTotals totals_;
-  bool preheated_ = false;
-  bool begun_ = false;
+  MotionState state_;
   bool ended_ = false;
-  bool retracted_ = false;
-  bool position_known_ = false;
-  Point position_;                  // where the nozzle is, once known
-  std::optional<Length> nozzle_z_;  // likewise
-  Length top_;                      // of the layer
+  Length top_;  // of the layer
   Length height_;
   LayerIndex index_ = 0;
-  double fan_ = 0;
-  double nozzle_celsius_ = 0;
 };
 
 }  // namespace core

@@ -14,6 +14,11 @@ WallSplitter::WallSplitter(const Settings& settings)
   if (by_layers) wall_.emplace<Cylinder>(wall_layers(settings));
 }
 
+void WallSplitter::begin_at(LayerIndex first) {
+  RIND_CHECK(next_index_ == 0 && first >= 0);
+  next_index_ = first;
+}
+
 std::optional<SplitLayer> WallSplitter::push(Layer layer) {
   RIND_CHECK(layer.slice.index == next_index_);
   ++next_index_;

@@ -62,6 +62,10 @@ class WallSplitter {
   // The shape that the settings ask for. REQUIRES: settings validated.
   explicit WallSplitter(const Settings& settings);
 
+  // Begins in the middle of a part: what is below `first` is not known, and layers whose wall
+  // reaches there are split as if the part ended below it. REQUIRES: nothing was pushed.
+  void begin_at(LayerIndex first);
+
   // Takes the next layer up, with its offsets (slice_offsets.h); returns a layer that this settles,
   // if any, offsets and all.
   //
@@ -80,7 +84,7 @@ class WallSplitter {
   // Says that no layer follows; returns one of those still held, or nothing when all have left.
   [[nodiscard]] std::optional<SplitLayer> finish();
 
-  // The index that push() takes next. Counts from 0, without gaps.
+  // The index that push() takes next. Counts from 0, or begin_at(), without gaps.
   [[nodiscard]] LayerIndex next_index() const { return next_index_; }
 
   [[nodiscard]] Usage usage() const;

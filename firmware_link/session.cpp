@@ -32,6 +32,7 @@ Session::Session(std::unique_ptr<Dialect> dialect, const SessionOptions& options
       phase_began_(now),
       stop_began_(now),
       last_heard_(now),
+      last_said_(now),
       last_life_(now),
       last_progress_(now),
       quiet_since_(now),

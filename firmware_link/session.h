@@ -58,6 +58,8 @@ class Session {
   // What the controller calls itself (M115's FIRMWARE_NAME); empty before it has said.
   [[nodiscard]] const std::string& firmware_name() const { return firmware_name_; }
   [[nodiscard]] std::string_view dialect_name() const { return dialect_->name(); }
+  // Whether lines can be asked for again; if not, all that leaves is taken to be executed.
+  [[nodiscard]] bool numbers_lines() const { return rules_.numbered; }
   [[nodiscard]] const Capabilities& capabilities() const { return capabilities_; }
 
   // What came from the controller by itself since the last call, oldest first. COSTS: kEventsMax
@@ -270,6 +272,7 @@ class Session {
   Instant phase_began_;
   Instant stop_began_;
   Instant last_heard_;     // any byte
+  Instant last_said_;      // any line but temperatures, which may come all the time
   Instant last_life_;      // any answer that makes sense
   Instant last_progress_;  // an acknowledgement, or work being done
   Instant quiet_since_;    // the last answer that belongs to a Resend's aftermath

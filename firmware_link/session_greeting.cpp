@@ -18,7 +18,7 @@ constexpr Duration kQuiet = std::chrono::milliseconds(200);
 }  // namespace
 
 void Session::tick_greeting(Instant now) {
-  const bool quiet = now - last_heard_ >= kQuiet;
+  const bool quiet = now - last_said_ >= kQuiet;
   if (phase_ == Phase::kSettling) {
     if (quiet && now - phase_began_ >= kQuiet) open(now);
     return;

@@ -35,6 +35,7 @@ void Session::input(std::span<const std::byte> bytes, Instant now) {
 void Session::reply(const Reply& reply, Instant now) {
   const Meaning meaning = dialect_->meaning_of(reply);
   if (meaning != Meaning::kNoise) last_life_ = now;
+  if (reply.kind != Reply::Kind::kTemperatures) last_said_ = now;
   if (meaning == Meaning::kWorking || meaning == Meaning::kAcknowledge) {
     last_progress_ = now;
     probes_ = 0;

@@ -4,6 +4,27 @@
 
 namespace host {
 
+std::string bad_layer_word(OnBadLayer action) {
+  switch (action) {
+    case OnBadLayer::kRepair:
+      return "repair";
+    case OnBadLayer::kNeighbour:
+      return "neighbour";
+    case OnBadLayer::kPause:
+      return "pause";
+    case OnBadLayer::kStop:
+      return "stop";
+  }
+  return "repair";
+}
+
+OnBadLayer bad_layer_of(const std::string& word) {
+  for (const OnBadLayer action : {OnBadLayer::kNeighbour, OnBadLayer::kPause, OnBadLayer::kStop}) {
+    if (bad_layer_word(action) == word) return action;
+  }
+  return OnBadLayer::kRepair;
+}
+
 std::optional<std::string> why_bad(const core::SliceDefects& defects, bool empty, bool more_above) {
   if (defects.dropped_chains > 0) {
     return fmt::format("{} open contour{} can't be closed", defects.dropped_chains,

@@ -24,6 +24,10 @@ namespace host {
 
 enum class OnBadLayer { kRepair, kNeighbour, kPause, kStop };
 
+// As users write it; an unknown word is `repair`.
+[[nodiscard]] std::string bad_layer_word(OnBadLayer action);
+[[nodiscard]] OnBadLayer bad_layer_of(const std::string& word);
+
 // Why the slice is bad; nothing: it is not. `more_above`: the part goes on.
 [[nodiscard]] std::optional<std::string> why_bad(const core::SliceDefects& defects, bool empty,
                                                  bool more_above);

@@ -86,6 +86,12 @@ class BoundedQueue {
     return closed_ || (finished_ && items_.empty());
   }
 
+  // finish() was called.
+  [[nodiscard]] bool finished() const {
+    const std::lock_guard lock(mutex_);
+    return finished_;
+  }
+
   // Somebody gave up, on whichever side.
   [[nodiscard]] bool closed() const {
     const std::lock_guard lock(mutex_);

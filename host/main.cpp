@@ -18,6 +18,8 @@ int run(const host::Options& options, host::Reporter& reporter) {
   switch (options.subcommand) {
     case host::Subcommand::kPrint:
       return host::print_command(options, reporter);
+    case host::Subcommand::kResume:
+      return host::resume_command(options, reporter);
     case host::Subcommand::kSlice:
       return host::slice_command(options, reporter);
     case host::Subcommand::kPlan:

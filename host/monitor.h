@@ -1,9 +1,11 @@
-// Runs the link: takes commands from the queue, feeds the session, watches for whatever must end
-// the print, and brings it to a safe end then.
+// Runs the link: takes commands from the queue, feeds the session, watches for whatever must
+// interrupt or end the print, and brings it to a safe end then.
 //
-//     queue ──try_pop──> session ──step──> port
-//               ▲           │
-//               │           └─ fault ──> safe sequence, as far as the controller still listens
+//     queue ──try_pop──> trail ──> session ──step──> port
+//               ▲          │          │
+//               │          │          ├─ lost, reset ──> waits, goes on behind what was executed
+//               │          │          └─ other fault ──> safe sequence, as far as it is heard
+//               │          └─ pause_control: off the part and back
 //               └─ signal, geometry gave up ──> safe sequence ──> acknowledged, or M112
 //
 // Safe sequence: filament drawn back, nozzle lifted off the part, heaters off, fan off. What of it
@@ -12,6 +14,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,26 +24,22 @@
 #include "firmware_link/byte_port.h"  // BytePort
 #include "firmware_link/command.h"    // Command
 #include "firmware_link/session.h"    // Session
-#include "host/bounded_queue.h"       // BoundedQueue
+#include "host/command_trail.h"       // CommandTrail
+#include "host/controls.h"            // Wish
+#include "host/detour.h"              // Detour
+#include "host/feed_governor.h"       // FeedGovernor
+#include "host/journal.h"             // Journal
+#include "host/pause_control.h"       // PauseControl
 #include "host/progress.h"            // Reporter
+#include "host/queued_command.h"      // CommandQueue
+#include "host/resume_point.h"        // ResumePoint
 #include "host/statistics.h"          // LinkStatistics
 
 namespace host {
 
-// A command, and what a person wants to know of where it belongs.
-struct QueuedCommand {
-  firmware_link::Command command;
-  core::LayerIndex layer = 0;  // counted from 1; 0: before the first
-  core::Length top;            // of the layer
-  bool lays_road = false;
-  double filament_mm = 0;  // in roads, from the begin to here
-};
-
-using CommandQueue = BoundedQueue<QueuedCommand>;
-
 enum class LinkEnd {
   kDone,           // the controller has acknowledged all
-  kUserStopped,    // by the first signal
+  kUserStopped,    // by the first signal, a key, or at the printer
   kUserHalted,     // by the second: M112
   kGeometryEnded,  // the filling side closed the queue
   kFaulted,        // link lost, or the controller gave up
@@ -54,17 +53,44 @@ struct LinkOutcome {
   std::string measures;  // "nozzle lifted, heaters off"; empty when there was nothing to do
 };
 
+// A print that is gone on with (`rind resume`).
+struct Resumption {
+  JournalRecord record;
+  bool same_boot = true;
+  std::int64_t nozzle_z_um = 0;  // where the nozzle is, as the operator says
+};
+
+// What is done when the port vanishes, or the controller resets, in mid-print.
+struct LostPortOptions {
+  double wait_s = 0;  // for the port to come back; 0: the print ends
+  // Opens it again, under whichever name; null: not there yet.
+  std::function<std::unique_ptr<firmware_link::BytePort>()> reopen;
+  // Asks how high the nozzle is, when the controller has forgotten it; it should be at `z_um`.
+  // Nothing: nobody answers, and the print ends.
+  std::function<std::optional<std::int64_t>(std::int64_t z_um)> nozzle_height;
+};
+
 struct MonitorOptions {
   double began_s = 0;               // steady_seconds() when the program began
   std::function<int()> stop_count;  // signals so far
   std::function<std::int64_t()> slices_cut;
   std::function<core::LayerIndex()> layers;            // of the part; 0: not known yet
   std::function<std::vector<std::string>()> warnings;  // since it was asked last
+
+  std::function<std::optional<Wish>()> wish;  // may be empty
+  std::function<double()> seconds_made;       // of motion, by geometry so far; may be empty
+  double starved_s = 0;                       // with nothing to lay: off the part; 0: never
+  double hot_s = 600;                         // how long a paused nozzle stays hot
+  double banner_wait_s = 2.5;                 // for a `start` (SessionOptions)
+  core::Box part;                             // where not to park
+  std::function<Journal*()> journal;          // null as long as there is none; may be empty
+  LostPortOptions lost_port;
+  std::optional<Resumption> resumption;
 };
 
 class Monitor {
  public:
-  // REQUIRES: all outlive the monitor; all functions set.
+  // REQUIRES: all outlive the monitor; functions set but for those that may be empty.
   Monitor(const core::Settings& settings, MonitorOptions options, firmware_link::BytePort& port,
           CommandQueue& queue, Reporter& reporter);
 
@@ -77,12 +103,45 @@ class Monitor {
   [[nodiscard]] const LinkStatistics& statistics() const { return statistics_; }
 
  private:
+  // monitor.cpp: commands to the session.
+  void begin_session(bool ask_found_line);
+  [[nodiscard]] bool stop_asked() const { return options_.stop_count() > 0 || stop_wished_; }
   void feed(firmware_link::Instant now);
+  [[nodiscard]] bool feed_one(firmware_link::Instant now);
+  [[nodiscard]] const QueuedCommand* peek();
+  void advance();
   void take(const QueuedCommand& queued, firmware_link::Instant now);
+  void watch_queue(firmware_link::Instant now);
+  void set_feed(firmware_link::Instant now);
+
+  // monitor_reports.cpp: what people want, and are told.
+  void take_wishes(firmware_link::Instant now);
+  void obey(Wish wish, firmware_link::Instant now);
+  void tell_phase(firmware_link::Instant now);
   void note_acknowledged();
+  void tell_counts(const firmware_link::SessionStatistics& link);
+  void tell_heat(const firmware_link::Temperatures& heat);
   void tell_events();
+  void tell_event(const firmware_link::SessionEvent& event);
   void report_progress();
+
+  // monitor_recovery.cpp: journal, and going on.
+  [[nodiscard]] Journal* journal() const { return options_.journal ? options_.journal() : nullptr; }
+  [[nodiscard]] std::optional<JournalRecord> record(PrintState state) const;
+  void keep_journal();
+  void close_journal(PrintState state);
+  [[nodiscard]] bool start_resumed();
+  [[nodiscard]] firmware_link::FaultKind fault_kind() const { return session_->fault_kind(); }
+  [[nodiscard]] bool recoverable() const;
+  [[nodiscard]] std::optional<LinkOutcome> recover();
+  [[nodiscard]] std::optional<LinkOutcome> reconnect(bool reset, double until_s);
+  [[nodiscard]] std::vector<firmware_link::Command> way_back(const ResumePoint& point,
+                                                             std::int64_t nozzle_z_um,
+                                                             bool at_once) const;
+
+  // monitor_ends.cpp: how it ends.
   [[nodiscard]] std::vector<firmware_link::Command> safe_sequence() const;
+  [[nodiscard]] LinkOutcome done();
   [[nodiscard]] LinkOutcome stop(LinkEnd end);
   [[nodiscard]] LinkOutcome halt();
   [[nodiscard]] LinkOutcome faulted();
@@ -91,19 +150,48 @@ class Monitor {
 
   const core::Settings& settings_;
   MonitorOptions options_;
-  firmware_link::BytePort& port_;
+  firmware_link::BytePort* port_;
+  std::unique_ptr<firmware_link::BytePort> reopened_;
   CommandQueue& queue_;
   Reporter& reporter_;
-  firmware_link::Session session_;
+  std::unique_ptr<firmware_link::Session> session_;
   LinkStatistics statistics_;
+  LinkStatistics past_;  // of sessions that were lost
 
+  // Commands by their number in the print: index_ is the next to take, session_base_ the first that
+  // this session took.
+  CommandTrail trail_;
+  std::int64_t index_ = 0;
+  std::int64_t session_base_ = 0;
+  std::optional<QueuedCommand> waiting_;  // popped, not in the trail
   QueuedCommand last_;                    // taken last
-  std::optional<QueuedCommand> waiting_;  // popped, not taken
+  bool given_ = false;                    // anything at all, to any session
   bool unchecked_road_ = false;           // since the position was asked for
-  std::int64_t taken_ = 0;
-  std::int64_t first_road_ = 0;  // counts as taken_ does; 0: none yet
-  std::int64_t z_um_ = -1;       // told last; -1: unknown
+  std::int64_t first_road_ = 0;           // 1 + its number; 0: none yet
   bool finish_said_ = false;
+
+  Detour detour_;
+  PauseControl pauses_;
+  FeedGovernor governor_;
+  int wished_feed_percent_ = 100;
+  int wished_flow_percent_ = 100;
+  int feed_percent_ = 100;  // as the controller was told
+  bool stop_wished_ = false;
+  std::optional<double> idle_since_s_;  // nothing to lay, and nothing in the planner
+
+  bool starting_ = false;        // a resumption whose point is not known yet
+  std::int64_t skip_until_ = 0;  // executed before
+  std::optional<ResumePoint> go_on_at_;
+
+  std::string journaled_;  // the last record
+  core::LayerIndex synced_layer_ = 0;
+  double synced_at_s_ = 0;
+  bool journal_complained_ = false;
+
+  std::int64_t told_resends_ = 0;
+  std::int64_t told_stalls_ = 0;
+  core::LayerIndex told_layer_ = 0;
+  firmware_link::Temperatures told_heat_;
 };
 
 }  // namespace host

@@ -62,9 +62,9 @@ std::optional<Command> MotionEncoder::encode_one(const core::Travel& motion) {
 
 std::optional<Command> MotionEncoder::encode_one(const core::Lift& motion) {
   const std::int64_t z_um = to_um(motion.to.units());
-  if (z_um_ == z_um) return std::nullopt;
+  if (state_.z_um == z_um) return std::nullopt;
   Move move;
-  move.z_um = z_um_ = z_um;
+  move.z_um = state_.z_um = z_um;
   put_feed(motion.speed_mm_s, move);
   return move;
 }
@@ -75,7 +75,7 @@ std::optional<Command> MotionEncoder::encode_one(const core::Extrude& motion) {
   put_position(motion.to, move);
   if (!move.x_um && !move.y_um) {
     // Shorter than the wire can tell: its material goes into the next move, not into a blob.
-    filament_rest_10nm_ += motion.filament_mm * kUnitsPerMmOfFilament;
+    state_.filament_rest_10nm += motion.filament_mm * kUnitsPerMmOfFilament;
     return std::nullopt;
   }
   put_filament(motion.filament_mm, move);
@@ -110,26 +110,26 @@ std::optional<Command> MotionEncoder::encode_one(const core::Verbatim& motion) {
   const auto made = firmware_link::verbatim_from(motion.line);
   RIND_CHECK(std::holds_alternative<firmware_link::Verbatim>(made));
   // It may have moved anything.
-  x_um_ = y_um_ = z_um_ = f_mm_min_ = std::nullopt;
+  state_.x_um = state_.y_um = state_.z_um = state_.f_mm_min = std::nullopt;
   return std::get<firmware_link::Verbatim>(made);
 }
 
 void MotionEncoder::put_position(core::Point to, Move& move) {
   const std::int64_t x_um = to_um(to.x), y_um = to_um(to.y);
-  if (x_um_ != x_um) move.x_um = x_um_ = x_um;
-  if (y_um_ != y_um) move.y_um = y_um_ = y_um;
+  if (state_.x_um != x_um) move.x_um = state_.x_um = x_um;
+  if (state_.y_um != y_um) move.y_um = state_.y_um = y_um;
 }
 
 void MotionEncoder::put_feed(double speed_mm_s, Move& move) {
   const std::int64_t feed =
       std::clamp<std::int64_t>(std::llround(speed_mm_s * 60), 1, firmware_link::kFeedMmMinMax);
-  if (f_mm_min_ != feed) move.f_mm_min = f_mm_min_ = feed;
+  if (state_.f_mm_min != feed) move.f_mm_min = state_.f_mm_min = feed;
 }
 
 void MotionEncoder::put_filament(double filament_mm, Move& move) {
-  const double wanted = filament_mm * kUnitsPerMmOfFilament + filament_rest_10nm_;
+  const double wanted = filament_mm * kUnitsPerMmOfFilament + state_.filament_rest_10nm;
   const std::int64_t sent = std::llround(wanted);
-  filament_rest_10nm_ = wanted - static_cast<double>(sent);
+  state_.filament_rest_10nm = wanted - static_cast<double>(sent);
   if (sent != 0) move.e_10nm = sent;
 }
 

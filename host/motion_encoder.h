@@ -25,13 +25,20 @@ namespace host {
 
 class MotionEncoder {
  public:
+  // What the controller was told last, and what is owed to it.
+  struct State {
+    std::optional<std::int64_t> x_um, y_um, z_um, f_mm_min;  // nothing: unknown
+    double filament_rest_10nm = 0;                           // within ±0.5
+  };
+
   // The command that carries the motion out; nothing where none is needed: a mark, a move to where
   // the nozzle is, a line without a command.
   // REQUIRES: check_user_gcode() was fine; positions within what command.h allows.
   [[nodiscard]] std::optional<firmware_link::Command> encode(const core::Motion& motion);
 
-  // Height of the last move, when known.
-  [[nodiscard]] std::optional<std::int64_t> z_um() const { return z_um_; }
+  // An encoder that gets this state goes on with the very commands that this one would give.
+  [[nodiscard]] const State& state() const { return state_; }
+  void go_on_from(const State& state) { state_ = state; }
 
  private:
   std::optional<firmware_link::Command> encode_one(const core::BeginLayer&) { return {}; }
@@ -50,9 +57,7 @@ class MotionEncoder {
   void put_feed(double speed_mm_s, firmware_link::Move& move);
   void put_filament(double filament_mm, firmware_link::Move& move);
 
-  // What the controller was told last; nothing: unknown, as after a user's own line.
-  std::optional<std::int64_t> x_um_, y_um_, z_um_, f_mm_min_;
-  double filament_rest_10nm_ = 0;  // within ±0.5
+  State state_;
 };
 
 }  // namespace host

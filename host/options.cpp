@@ -12,10 +12,7 @@
 
 #include "host/exit_codes.h"
 #include "host/settings_text.h"
-
-#ifndef RIND_VERSION
-#define RIND_VERSION "0.1.0"
-#endif
+#include "host/version.h"
 
 namespace host {
 namespace {
@@ -76,10 +73,21 @@ void add_settings(CLI::App& command, Options& options) {
                "share of the inside that is filled, 0 to 1");
 }
 
-void add_part(CLI::App& command, Options& options) {
-  command.add_option("PART", options.part, "the part's file, or - for standard input")
-      ->required()
-      ->type_name("");
+void add_bad_layer(CLI::App& command, Options& options) {
+  static const std::map<std::string, OnBadLayer> kWords = {{"repair", OnBadLayer::kRepair},
+                                                           {"neighbour", OnBadLayer::kNeighbour},
+                                                           {"pause", OnBadLayer::kPause},
+                                                           {"stop", OnBadLayer::kStop}};
+  command
+      .add_option("--on-bad-layer", options.on_bad_layer,
+                  "where contours stay open, or nothing is there: repair (print what is sound), "
+                  "neighbour (the slice below once more), pause, stop")
+      ->type_name("WORD")
+      ->transform(CLI::CheckedTransformer(kWords).description(""))
+      ->each([&options](const std::string&) { options.bad_layer_told = true; });
+}
+
+void add_memory(CLI::App& command, Options& options) {
   command
       .add_option("--memory", options.sort_bytes,
                   "for sorting a mesh, as 8M or 512k; what it can't hold goes to a file in $TMPDIR")
@@ -97,16 +105,14 @@ void add_part(CLI::App& command, Options& options) {
                   "end with an error rather than use more memory than this in all, as 64M")
       ->type_name("BYTES")
       ->transform(CLI::AsSizeValue(false).description(""));
-  static const std::map<std::string, OnBadLayer> kWords = {{"repair", OnBadLayer::kRepair},
-                                                           {"neighbour", OnBadLayer::kNeighbour},
-                                                           {"pause", OnBadLayer::kPause},
-                                                           {"stop", OnBadLayer::kStop}};
-  command
-      .add_option("--on-bad-layer", options.on_bad_layer,
-                  "where contours stay open, or nothing is there: repair (print what is sound), "
-                  "neighbour (the slice below once more), pause, stop")
-      ->type_name("WORD")
-      ->transform(CLI::CheckedTransformer(kWords).description(""));
+}
+
+void add_part(CLI::App& command, Options& options) {
+  command.add_option("PART", options.part, "the part's file, or - for standard input")
+      ->required()
+      ->type_name("");
+  add_memory(command, options);
+  add_bad_layer(command, options);
 }
 
 void add_sorted(CLI::App& command, Options& options) {
@@ -130,26 +136,77 @@ void add_reports(CLI::App& command, Options& options) {
   command.add_flag("--json", options.json, "events as JSON lines instead of text");
 }
 
+void add_port(CLI::App& command, Options& options) {
+  command
+      .add_option("--port", options.port,
+                  "serial device of the printer, or 'virtual': a controller inside this "
+                  "program, nothing real is printed")
+      ->type_name("DEVICE");
+  command.add_option("--baud", options.baud, "speed of the serial line")
+      ->type_name("N")
+      ->check(CLI::Range(300, 4'000'000))
+      ->capture_default_str()
+      ->each([&options](const std::string&) { options.baud_told = true; });
+  command
+      .add_option("--virtual-speed", options.virtual_speed,
+                  "how many times faster than real time the virtual controller's clock "
+                  "runs; 0: as fast as it can")
+      ->type_name("X")
+      ->check(CLI::Range(0.0, 1e6))
+      ->capture_default_str();
+  static const std::map<std::string, OnLostPort> kWords = {{"wait", OnLostPort::kWait},
+                                                           {"stop", OnLostPort::kStop}};
+  command
+      .add_option("--on-lost-port", options.on_lost_port,
+                  "when the cable or the controller fails in mid-print: wait for it and go on, or "
+                  "stop")
+      ->type_name("WORD")
+      ->transform(CLI::CheckedTransformer(kWords).description(""));
+  command.add_option("--lost-port-wait", options.lost_port_wait_s, "how long to wait, in seconds")
+      ->type_name("S")
+      ->check(CLI::Range(0.0, 1e6))
+      ->capture_default_str();
+  command
+      .add_option("--pause-heat", options.pause_heat_s,
+                  "how many seconds of a pause the nozzle stays hot")
+      ->type_name("S")
+      ->check(CLI::Range(0.0, 1e6))
+      ->capture_default_str();
+  command.add_flag("--yes", options.yes,
+                   "go on after a reset without asking where the nozzle is: where it was left");
+}
+
 CLI::App* add_print(CLI::App& app, Options& options) {
   CLI::App* command = app.add_subcommand("print", "print a part while it is being sliced");
   add_part(*command, options);
   add_sorted(*command, options);
+  add_port(*command, options);
+  CLI::Option* journal =
+      command
+          ->add_option("--journal", options.journal,
+                       "what `rind resume` needs; else kept in $XDG_STATE_HOME/rind or "
+                       "~/.local/state/rind")
+          ->type_name("FILE");
+  command->add_flag("--no-journal", options.no_journal, "keep none")->excludes(journal);
+  add_settings(*command, options);
+  add_reports(*command, options);
+  return command;
+}
+
+CLI::App* add_resume(CLI::App& app, Options& options) {
+  CLI::App* command =
+      app.add_subcommand("resume", "go on with a print that was cut, behind what was executed");
+  command->add_option("JOURNAL", options.journal, "the print's journal")->required()->type_name("");
+  command->add_option("--part", options.part, "the part's file, when it was moved")
+      ->type_name("FILE");
+  add_port(*command, options);
   command
-      ->add_option("--port", options.port,
-                   "serial device of the printer, or 'virtual': a controller inside this "
-                   "program, nothing real is printed")
-      ->type_name("DEVICE");
-  command->add_option("--baud", options.baud, "speed of the serial line")
-      ->type_name("N")
-      ->check(CLI::Range(300, 4'000'000))
-      ->capture_default_str();
-  command
-      ->add_option("--virtual-speed", options.virtual_speed,
-                   "how many times faster than real time the virtual controller's clock "
-                   "runs; 0: as fast as it can")
-      ->type_name("X")
-      ->check(CLI::Range(0.0, 1e6))
-      ->capture_default_str();
+      ->add_option("--nozzle-height", options.nozzle_height_mm,
+                   "how high above the bed the nozzle is now; with --yes")
+      ->type_name("MM")
+      ->check(CLI::Range(0.0, 1e7));
+  add_memory(*command, options);
+  add_bad_layer(*command, options);
   add_settings(*command, options);
   add_reports(*command, options);
   return command;
@@ -287,11 +344,12 @@ std::variant<Options, OptionsExit> parse_options(int argc, const char* const* ar
   Options options;
   std::string format, contents;
   CLI::App app(kAbout, "rind");
-  app.set_version_flag("--version", "rind " RIND_VERSION);
+  app.set_version_flag("--version", std::string("rind ") + kVersion);
   app.require_subcommand(1);
   app.footer("rind COMMAND --help tells a command's options.");
 
   const CLI::App* print = add_print(app, options);
+  const CLI::App* resume = add_resume(app, options);
   const CLI::App* slice = add_slice(app, options, format, contents);
   CLI::App* plan = app.add_subcommand("plan", "layers, filament, time and defects; prints nothing");
   add_part(*plan, options);
@@ -316,6 +374,8 @@ std::variant<Options, OptionsExit> parse_options(int argc, const char* const* ar
 
   if (*print) {
     options.subcommand = Subcommand::kPrint;
+  } else if (*resume) {
+    options.subcommand = Subcommand::kResume;
   } else if (*slice) {
     options.subcommand = Subcommand::kSlice;
     const std::optional<OutputFormat> known = output_format_of(options.output, format);

@@ -17,7 +17,10 @@
 
 namespace host {
 
-enum class Subcommand { kPrint, kSlice, kPlan, kShow, kPorts, kSettings, kFormats };
+enum class Subcommand { kPrint, kResume, kSlice, kPlan, kShow, kPorts, kSettings, kFormats };
+
+// When the port vanishes, or the controller resets, in mid-print.
+enum class OnLostPort { kWait, kStop };
 
 // Whether a mesh that comes through a pipe is taken to be in order of height, so that it can be
 // sliced as it comes. A wrong yes ends in mid-part, a needless no costs time and disk.
@@ -53,6 +56,18 @@ struct Options {
   // print
   std::string port;  // a device, or "virtual"
   int baud = 115'200;
+  bool baud_told = false;
+  std::string journal;  // empty: the default place
+  bool no_journal = false;
+  OnLostPort on_lost_port = OnLostPort::kWait;
+  double lost_port_wait_s = 600;
+  double pause_heat_s = 600;  // how long a paused nozzle stays hot
+  bool yes = false;           // nobody is there to be asked
+
+  // resume, besides
+  std::optional<double> nozzle_height_mm;
+  bool bad_layer_told = false;
+
   double virtual_speed = 1;  // seconds of the virtual controller's clock a real second
 
   // slice, show

@@ -42,7 +42,13 @@ class Pipeline {
         builder_(settings_),
         motion_clock_({settings_.acceleration_mm_s2, settings_.filament_acceleration_mm_s2,
                        settings_.junction_deviation_mm}),
-        sink_([this](const core::Motion& motion) { send(motion); }) {}
+        sink_([this](const core::Motion& motion) { send(motion); }) {
+    if (!job.start) return;
+    builder_.go_on_from(job.start->motions);
+    encoder_.go_on_from(job.start->encoder);
+    commands_ = job.start->commands;
+    filament_before_mm_ = job.start->filament_mm;
+  }
 
   core::Result<PipelineEnd> run() {
     core::Result<PipelineEnd> end = run_in_memory();
@@ -70,7 +76,7 @@ class Pipeline {
 
   core::Status read_rest() {
     if (job_.part.read_rest) {
-      if (outputs_.on_motion) builder_.preheat(sink_);
+      if (outputs_.on_motion && !job_.start) builder_.preheat(sink_);
       core::Result<PartSummary> summary = job_.part.read_rest();
       if (!summary.ok()) return summary.error();
       job_.part.summary = std::move(summary).value();
@@ -93,19 +99,30 @@ class Pipeline {
   }
 
   core::Status take_slice(LayerBatch& batch) {
-    core::Result<std::optional<core::Slice>> next = job_.part.layers->next();
-    if (!next.ok()) return next.error();
-    if (!next.value()) return {};
-    core::Slice& slice = *next.value();
-    core::Status fine = check_layer_height(job_.part_path, slice, settings_);
-    if (fine.ok()) fine = bad_layers_.check(slice, job_.part.summary.layers);
-    if (!fine.ok()) return fine;
+    std::optional<core::Slice> found;
+    do {
+      core::Result<std::optional<core::Slice>> next = job_.part.layers->next();
+      if (!next.ok()) return next.error();
+      found = std::move(next).value();
+      if (!found || stopped()) return {};
+      core::Status fine = check_layer_height(job_.part_path, *found, settings_);
+      if (fine.ok()) fine = bad_layers_.check(*found, job_.part.summary.layers);
+      if (!fine.ok()) return fine;
+    } while (below_start(*found));
+    core::Slice& slice = *found;
     signals_.slices_cut.fetch_add(1);
     ++statistics_.layers;
     statistics_.defects.add(slice);
     batch.offsets = cutter_.place(slice);
     batch.slice = std::move(slice);
     return {};
+  }
+
+  // Whether no layer from the start on can see this slice, in millimetres or in layers.
+  [[nodiscard]] bool below_start(const core::Slice& slice) const {
+    if (!job_.start) return false;
+    return slice.index + core::wall_layers(settings_) < job_.start->layer &&
+           slice.top() + settings_.wall_thickness <= job_.start->bottom;
   }
 
   void cut(LayerBatch& batch) const {
@@ -124,9 +141,12 @@ class Pipeline {
       if (settled) batch.settled.push_back(place(*std::move(settled)));
       return;
     }
+    if (splitter_.next_index() == 0) splitter_.begin_at(batch.slice->index);
     std::optional<core::SplitLayer> settled =
         splitter_.push({*std::move(batch.slice), std::move(batch.offsets.offsets)});
     for (; settled; settled = splitter_.next()) {
+      // Too low to be split rightly, and printed before.
+      if (job_.start && settled->layer.slice.index < job_.start->layer) continue;
       batch.settled.push_back(place(*std::move(settled)));
     }
   }
@@ -180,14 +200,22 @@ class Pipeline {
     if (!fits.ok()) return fits;
     statistics_.roads += static_cast<std::int64_t>(plan.roads.size());
     keep(outputs_.on_roads ? outputs_.on_roads(layer, plan.roads) : true);
-    if (outputs_.on_motion) builder_.layer(slice, plan.roads, sink_);
+    if (!outputs_.on_motion) return {};
+    if (outputs_.on_checkpoint && !plan.roads.empty() && !refused_) {
+      outputs_.on_checkpoint({slice.index, slice.bottom, commands_,
+                              filament_before_mm_ + total_mm(builder_.totals().filament_mm),
+                              builder_.state(), encoder_.state()});
+    }
+    builder_.layer(slice, plan.roads, sink_);
     return {};
   }
 
   void send(const core::Motion& motion) {
     if (refused_) return;
     motion_clock_.add(motion);
-    keep(outputs_.on_motion(motion, encoder_.encode(motion)));
+    const std::optional<firmware_link::Command> command = encoder_.encode(motion);
+    if (command) ++commands_;
+    keep(outputs_.on_motion(motion, command));
   }
 
   core::Result<PipelineEnd> finish() {
@@ -252,6 +280,8 @@ class Pipeline {
   core::MotionClock motion_clock_;
   MotionEncoder encoder_;
   core::MotionBuilder::Sink sink_;
+  std::int64_t commands_ = 0;  // of the whole print
+  double filament_before_mm_ = 0;
   core::LayerIndex layers_timed_ = 0;
   std::optional<core::Error> error_;
   std::atomic<bool> refused_ = false;  // an output wants no more, or there was an error

@@ -25,6 +25,7 @@
 #include "core/slice.h"             // SplitLayer
 #include "firmware_link/command.h"  // Command
 #include "host/bad_layers.h"        // OnBadLayer
+#include "host/checkpoint.h"        // Checkpoint
 #include "host/part_file.h"         // OpenedPart
 #include "host/statistics.h"        // GeometryStatistics
 #include "host/warning_box.h"       // WarningBox
@@ -38,6 +39,10 @@ struct Job {
   std::string part_path;    // for messages
   OnBadLayer on_bad_layer = OnBadLayer::kRepair;
   int jobs = 1;  // processors that the geometry may use; REQUIRES: 1 … kJobsMax
+
+  // Goes on in mid-print: with the layer of this checkpoint, which is computed as in the whole
+  // print, from the slices around it; those below are read and dropped.
+  std::optional<Checkpoint> start = std::nullopt;
 };
 
 // What is done with what comes out; any may be empty, and what nobody wants is not computed.
@@ -45,6 +50,8 @@ struct Job {
 struct PipelineOutputs {
   std::function<bool(const core::SplitLayer&)> on_layer;
   std::function<bool(const core::SplitLayer&, const std::vector<core::Road>&)> on_roads;
+  // Before each layer that has roads.
+  std::function<void(const Checkpoint&)> on_checkpoint;
   // The command that carries the motion out, where it needs one.
   std::function<bool(const core::Motion&, const std::optional<firmware_link::Command>&)> on_motion;
 };

@@ -13,32 +13,10 @@
 #include "host/limits.h"
 #include "host/monitor.h"
 #include "host/pipeline.h"
+#include "host/queue_filler.h"
 
 namespace host {
 namespace {
-
-// Puts the pipeline's commands into the queue, each with its place in the print.
-class QueueFiller {
- public:
-  explicit QueueFiller(CommandQueue& queue) : queue_(queue) {}
-
-  bool take(const core::Motion& motion, const std::optional<firmware_link::Command>& command) {
-    if (const auto* layer = std::get_if<core::BeginLayer>(&motion)) {
-      next_.layer = layer->index + 1;
-      next_.top = layer->top;
-    }
-    const auto* extrude = std::get_if<core::Extrude>(&motion);
-    if (extrude != nullptr) next_.filament_mm += extrude->filament_mm;
-    if (!command) return true;
-    next_.lays_road = extrude != nullptr;
-    next_.command = *command;
-    return queue_.push(next_, sizeof next_);
-  }
-
- private:
-  CommandQueue& queue_;
-  QueuedCommand next_;
-};
 
 // What the geometry thread leaves behind.
 struct GeometryOutcome {
@@ -46,19 +24,26 @@ struct GeometryOutcome {
   GeometryStatistics statistics;
 };
 
-GeometryOutcome run_geometry(const PrintRequest& request, CommandQueue& queue,
+GeometryOutcome run_geometry(const PrintRequest& request, CommandQueue& queue, QueueFiller& filler,
                              PipelineSignals& signals) {
   GeometryOutcome outcome;
   try {
-    QueueFiller filler(queue);
     PipelineOutputs outputs;
+    outputs.on_checkpoint = [&filler](const Checkpoint& checkpoint) {
+      filler.begin_layer(checkpoint);
+    };
     outputs.on_motion = [&filler](const core::Motion& motion,
                                   const std::optional<firmware_link::Command>& command) {
       return filler.take(motion, command);
     };
     const core::Result<PipelineEnd> end =
         run_pipeline(request.job, outputs, signals, outcome.statistics);
-    if (!end.ok()) outcome.error = end.error().message;
+    if (!end.ok()) {
+      outcome.error = end.error().message;
+    } else if (end.value() == PipelineEnd::kDone) {
+      (void)filler.finish();
+    }
+    if (!outcome.error) outcome.error = filler.error();
   } catch (const std::exception& error) {
     outcome.error = std::string("the geometry gave up: ") + error.what();
   }
@@ -118,10 +103,16 @@ PrintOutcome print_part(const PrintRequest& request) {
   std::atomic<bool> link_ended = false;
   signals.stop_asked = [&link_ended] { return link_ended.load(); };
 
+  const JournalRecord* resumed =
+      request.link.resumption ? &request.link.resumption->record : nullptr;
+  if (resumed != nullptr) request.job.start = resumed->checkpoint;
+  QueueFiller filler(queue, request.job.settings, resumed);
+  MonitorOptions options = request.link;
+  options.part = request.job.part.summary.box;
   GeometryOutcome geometry;
-  std::thread thread([&] { geometry = run_geometry(request, queue, signals); });
+  std::thread thread([&] { geometry = run_geometry(request, queue, filler, signals); });
   LinkOutcome link;
-  MonitorOptions options;
+  options.seconds_made = [&filler] { return filler.seconds_made(); };
   options.layers = [&signals] { return signals.layers.load(); };
   options.warnings = [&signals] { return signals.warnings.take(); };
   options.began_s = request.began_s;

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "firmware_link/byte_port.h"  // BytePort
+#include "host/monitor.h"             // MonitorOptions
 #include "host/pipeline.h"            // Job
 #include "host/progress.h"            // Reporter
 #include "host/statistics.h"          // GeometryStatistics, LinkStatistics
@@ -23,6 +24,9 @@ struct PrintRequest {
   Reporter& reporter;
   std::function<int()> stop_count;  // signals so far; asked all the time
   double began_s = 0;               // steady_seconds() when the program began
+  // What else the link is to do: wishes, pauses, journal, lost ports, resumption. The rest of it is
+  // filled in here.
+  MonitorOptions link = {};
 };
 
 struct PrintOutcome {

@@ -100,6 +100,10 @@ void Reporter::note(const std::string& name, const std::string& message,
   std::fprintf(stderr, "%s\n", message.c_str());
 }
 
+void Reporter::event(const std::string& name, EventFields fields) {
+  if (options_.json) json_line(name, std::move(fields));
+}
+
 void Reporter::error(const std::string& message, int exit_code) {
   if (log_) log_->write("error: " + message);
   if (options_.json) {

@@ -59,6 +59,9 @@ class Reporter {
   // Something worth a line; with --json {"event": name, "message": …, fields}.
   void note(const std::string& name, const std::string& message, const EventFields& fields = {});
 
+  // Something that only those want who read events: told with --json only.
+  void event(const std::string& name, EventFields fields);
+
   // Why it ends badly; told even when quiet.
   void error(const std::string& message, int exit_code);
 

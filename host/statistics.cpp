@@ -164,6 +164,9 @@ std::string statistics_json(const GeometryStatistics& geometry, const LinkStatis
     json["resends"] = link->resends;
     json["resend_ratio"] = link->resend_ratio;
     json["planner_low_s"] = link->planner_low_s;
+    json["slowdowns"] = link->slowdowns;
+    json["parks"] = link->parks;
+    json["recoveries"] = link->recoveries;
   }
   return json.dump(2) + "\n";
 }

@@ -94,6 +94,10 @@ struct LinkStatistics {
   std::int64_t resends = 0;
   double resend_ratio = 0;   // of all lines
   double planner_low_s = 0;  // the controller below half its planner for want of lines
+  std::int64_t slowdowns = 0;   // the feed was lowered, because geometry fell behind
+  std::int64_t parks = 0;       // the nozzle left the part for the same reason
+  std::int64_t recoveries = 0;  // gone on after a lost port or a reset
+  int feed_percent = 100;       // what geometry can follow
 };
 
 // Peak of this program's resident memory so far.

@@ -11,6 +11,7 @@ namespace host {
 namespace {
 
 std::atomic<int> g_count = 0;
+std::atomic<int> g_pauses = 0;
 std::atomic<bool> g_at_stake = false;
 static_assert(std::atomic<int>::is_always_lock_free, "a signal handler may not wait for a lock");
 static_assert(std::atomic<bool>::is_always_lock_free);
@@ -18,6 +19,8 @@ static_assert(std::atomic<bool>::is_always_lock_free);
 void count_signal(int) {
   if (g_count.fetch_add(1) > 0 && !g_at_stake.load()) _exit(kExitStopped);
 }
+
+void count_pause(int) { g_pauses.fetch_add(1); }
 
 }  // namespace
 
@@ -33,12 +36,16 @@ void watch_stop_signals() {
     sigaction(signal, nullptr, &before);
     if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);
   }
+  action.sa_handler = count_pause;
+  sigaction(SIGUSR1, &action, nullptr);
   action.sa_handler = SIG_IGN;
   sigaction(SIGPIPE, &action, nullptr);
   sigaction(SIGXFSZ, &action, nullptr);
 }
 
 int stop_signal_count() { return g_count.load(); }
+
+int pause_signal_count() { return g_pauses.load(); }
 
 void set_at_stake(bool at_stake) { g_at_stake.store(at_stake); }
 

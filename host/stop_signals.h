@@ -16,6 +16,9 @@ void watch_stop_signals();
 // How many have come.
 [[nodiscard]] int stop_signal_count();
 
+// SIGUSR1: pause a print, and go on with it.
+[[nodiscard]] int pause_signal_count();
+
 // Whether the second signal is left to the caller, because a printer hangs on it.
 void set_at_stake(bool at_stake);
 

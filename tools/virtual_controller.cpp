@@ -25,6 +25,7 @@
 #include <fstream>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "firmware_link/virtual/hostile_controller.h"
@@ -52,6 +53,7 @@ struct Options {
   std::size_t within_lines = 400;
   double speed = 1;
   bool once = false;
+  bool keep = false;
   bool list = false;
 };
 
@@ -185,6 +187,14 @@ class Conversation {
         origin_(clock_now()),
         controller_(scenario, options.seed, controller, options.within_lines, simulated_now()) {}
 
+  // Another host comes to the same controller, which has lived on; what it said meanwhile is lost.
+  void talk_to(int host) {
+    host_ = host;
+    begin_ = end_ = 0;
+    controller_.advance(simulated_now());
+    while (controller_.output(answers_, simulated_now()) > 0) controller_.advance(simulated_now());
+  }
+
   bool run() {
     while (stop_asked == 0) {
       // A host that is unplugged sees a hang-up; it may come back to a controller that has reset.
@@ -292,6 +302,7 @@ int main(int argc, char** argv) {
   app.add_option("--baud", controller_options.baud, "bits a second on the wire; 0: no limit");
   app.add_flag("--advanced-ok", controller_options.advanced_ok, "tell free slots in each ok");
   app.add_flag("--emergency-parser", controller_options.emergency_parser, "heed M112 at once");
+  app.add_flag("--keep", options.keep, "not reset by a host that opens the port");
   app.add_flag("--once", options.once, "end when the first host hangs up");
   CLI11_PARSE(app, argc, argv);
   if (options.list) {
@@ -323,13 +334,18 @@ int main(int argc, char** argv) {
     };
   }
   Entrance entrance(options);
+  std::optional<Conversation> conversation;
   while (true) {
     const int host = entrance.wait_for_host();
     if (host < 0) break;
-    Conversation conversation(host, options, scenario, controller_options);
-    const bool hung_up = conversation.run();
+    if (conversation && options.keep) {
+      conversation->talk_to(host);
+    } else {
+      conversation.emplace(host, options, scenario, controller_options);
+    }
+    const bool hung_up = conversation->run();
     log.flush();
-    print_totals(conversation.controller());
+    print_totals(conversation->controller());
     entrance.host_gone(host);
     if (!hung_up || options.once) break;
   }

@@ -110,6 +110,7 @@ struct VirtualControllerState {
   int fan = 0;
   bool halted = false;
   std::int64_t last_line = 0;
+  std::size_t planner_blocks = 0;  // moves that have not ended
 };
 
 class VirtualController {

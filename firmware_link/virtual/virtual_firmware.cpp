@@ -188,6 +188,7 @@ VirtualControllerState VirtualController::Firmware::state() const {
   state.fan = fan_;
   state.halted = halted_;
   state.last_line = last_number_;
+  state.planner_blocks = planner_.count();
   return state;
 }
 

@@ -14,6 +14,7 @@
 namespace host {
 
 int print_command(const Options& options, Reporter& reporter);
+int resume_command(const Options& options, Reporter& reporter);
 int slice_command(const Options& options, Reporter& reporter);
 int plan_command(const Options& options, Reporter& reporter);
 int show_command(const Options& options, Reporter& reporter);

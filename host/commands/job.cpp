@@ -41,7 +41,8 @@ core::Result<core::Settings> load_settings_of(const Options& options, Reporter& 
 core::Result<Job> open_job(const Options& options, Reporter& reporter) {
   core::Result<core::Settings> settings = load_settings_of(options, reporter);
   if (!settings.ok()) return settings.error();
-  const bool prints = options.subcommand == Subcommand::kPrint;
+  const bool prints =
+      options.subcommand == Subcommand::kPrint || options.subcommand == Subcommand::kResume;
   const bool sliced = options.subcommand == Subcommand::kSlice;
   OpenOptions open;
   open.sort_bytes = options.sort_bytes;

@@ -156,12 +156,13 @@ TEST_CASE("help and version end well and say what they should") {
   for (const char* word : {"print", "slice", "plan", "show", "ports", "settings"}) {
     CHECK(says(parse_bad({"--help"}), word));
   }
-  CHECK_FALSE(says(parse_bad({"--help"}), "resume"));
+  CHECK(says(parse_bad({"--help"}), "resume"));
   CHECK(says(parse_bad({"print", "--help"}), "--virtual-speed"));
   CHECK_EQ(parse_bad({"--version"}).exit_code, host::kExitDone);
   CHECK(says(parse_bad({"--version"}), "rind 0.1.0"));
 }
 
+<<<<<<< HEAD
 TEST_CASE("bounds of memory, the order of a pipe, bad layers and a log") {
   const Options plain = parse_good({"print", "part.stl", "--port", "virtual"});
   CHECK_EQ(plain.sort_bytes, std::size_t{8} << 20);
@@ -184,4 +185,36 @@ TEST_CASE("bounds of memory, the order of a pipe, bad layers and a log") {
   CHECK_EQ(parse_bad({"slice", "-", "-o", "a.gcode", "--sorted", "maybe"}).exit_code,
            host::kExitUsage);
   CHECK_EQ(parse_bad({"plan", "a.stl", "--on-bad-layer", "weep"}).exit_code, host::kExitUsage);
+=======
+TEST_CASE("resume takes a journal; the rest is in it") {
+  const Options options = parse_good({"resume", "p.journal", "--yes", "--nozzle-height", "12.5"});
+  CHECK_EQ(options.subcommand, Subcommand::kResume);
+  CHECK_EQ(options.journal, "p.journal");
+  CHECK(options.part.empty());
+  CHECK(options.port.empty());
+  CHECK(options.yes);
+  CHECK_EQ(options.nozzle_height_mm, 12.5);
+  CHECK_FALSE(options.baud_told);
+  CHECK_FALSE(options.bad_layer_told);
+  const Options told = parse_good({"resume", "p.journal", "--port", "/dev/x", "--baud", "250000",
+                                   "--on-bad-layer", "repair", "--part", "q.stl"});
+  CHECK(told.baud_told);
+  CHECK(told.bad_layer_told);
+  CHECK_EQ(told.part, "q.stl");
+  CHECK_EQ(parse_bad({"resume"}).exit_code, host::kExitUsage);
+}
+
+TEST_CASE("what a print does when the line is lost, and where its journal is") {
+  const Options plain = parse_good({"print", "part.stl"});
+  CHECK_EQ(plain.on_lost_port, host::OnLostPort::kWait);
+  CHECK_FALSE(plain.no_journal);
+  const Options told = parse_good({"print", "part.stl", "--on-lost-port", "stop", "--journal", "j",
+                                   "--lost-port-wait", "5", "--pause-heat", "7"});
+  CHECK_EQ(told.on_lost_port, host::OnLostPort::kStop);
+  CHECK_EQ(told.journal, "j");
+  CHECK_EQ(told.lost_port_wait_s, 5);
+  CHECK_EQ(told.pause_heat_s, 7);
+  CHECK_EQ(parse_bad({"print", "part.stl", "--journal", "j", "--no-journal"}).exit_code,
+           host::kExitUsage);
+>>>>>>> aa60d4e (resume: journal, rind resume, pauses, lost ports; a print goes on with the road behind the last executed one)
 }

@@ -29,6 +29,8 @@ class BreakablePort final : public firmware_link::BytePort {
  public:
   explicit BreakablePort(firmware_link::BytePort& inner) : inner_(inner) {}
 
+  std::function<void()> on_read;  // before each
+
   void unplug() { unplugged_ = true; }
   // The controller's next words.
   void say(std::string text) { words_ = std::move(text); }
@@ -37,6 +39,7 @@ class BreakablePort final : public firmware_link::BytePort {
     return unplugged_ ? 0 : inner_.write(bytes);
   }
   [[nodiscard]] std::size_t read(std::span<std::byte> into, int timeout_ms) override {
+    if (on_read) on_read();
     if (unplugged_) return 0;
     if (words_.empty()) return inner_.read(into, timeout_ms);
     const std::size_t count = std::min(into.size(), words_.size());
@@ -66,13 +69,16 @@ struct Rig {
   std::vector<std::string> executed;
   std::function<void()> on_executed;  // after each
   std::function<int()> stop_count = [] { return 0; };
+  host::MonitorOptions link;  // what a test wants of it
   std::unique_ptr<firmware_link::VirtualPort> port;
   std::unique_ptr<BreakablePort> wire;
 
-  Rig(const core::Settings& settings, const std::string& path)
-      : Rig(settings, open(settings, path)) {}
-  Rig(const core::Settings& settings, host::Job opened) : job(std::move(opened)) {
-    firmware_link::VirtualControllerOptions options;
+  Rig(const core::Settings& settings, const std::string& path,
+      firmware_link::VirtualControllerOptions options = {})
+      : Rig(settings, open(settings, path), std::move(options)) {}
+  Rig(const core::Settings& settings, host::Job opened,
+      firmware_link::VirtualControllerOptions options = {})
+      : job(std::move(opened)) {
     options.bed_x_mm = settings.bed_x.mm();
     options.bed_y_mm = settings.bed_y.mm();
     options.executed = [this](const firmware_link::ExecutedCommand& command) {
@@ -87,7 +93,7 @@ struct Rig {
   [[nodiscard]] host::PrintOutcome print() {
     host::Reporter reporter({.quiet = true, .json = false, .stdout_taken = false});
     return host::print_part(
-        {job, *wire, reporter, [this] { return stop_count(); }, host::steady_seconds()});
+        {job, *wire, reporter, [this] { return stop_count(); }, host::steady_seconds(), link});
   }
 
   [[nodiscard]] firmware_link::VirtualControllerState controller() {

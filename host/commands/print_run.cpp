@@ -1,0 +1,191 @@
+#include "host/commands/print_run.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <utility>
+#include <variant>
+
+#include "firmware_link/ports.h"
+#include "firmware_link/virtual/virtual_port.h"
+#include "host/commands/commands.h"
+#include "host/exit_codes.h"
+#include "host/port_clock.h"
+#include "host/print_job.h"
+#include "host/settings_text.h"  // read_number, trimmed
+#include "host/stop_signals.h"
+
+namespace host {
+namespace {
+
+using firmware_link::BytePort;
+
+// With nothing to lay and the planner empty for so long, the nozzle leaves the part.
+constexpr double kStarved_s = 0.3;
+
+bool is_virtual(const Options& options) { return options.port == "virtual"; }
+
+std::unique_ptr<BytePort> open_virtual_port(const Options& options,
+                                            const core::Settings& settings) {
+  firmware_link::VirtualControllerOptions controller;
+  controller.bed_x_mm = settings.bed_x.mm();
+  controller.bed_y_mm = settings.bed_y.mm();
+  return std::make_unique<firmware_link::VirtualPort>(controller, steady_port_clock(),
+                                                      options.virtual_speed);
+}
+
+std::unique_ptr<BytePort> opened(const std::string& path, int baud) {
+  firmware_link::OpenedPort attempt = firmware_link::open_port(path, baud);
+  auto* port = std::get_if<std::unique_ptr<BytePort>>(&attempt);
+  return port != nullptr ? std::move(*port) : nullptr;
+}
+
+// The same USB device under whatever name it has now, or else the same name.
+std::unique_ptr<BytePort> reopened(const Options& options, const std::string& usb) {
+  if (!usb.empty()) {
+    for (const firmware_link::PortDescription& port : firmware_link::list_ports()) {
+      if (port.usb == usb) return opened(port.path, options.baud);
+    }
+    return nullptr;
+  }
+  return opened(options.port, options.baud);
+}
+
+LostPortOptions lost_port(const Options& options, const std::string& usb, Controls& controls,
+                          std::unique_ptr<BytePort>& port) {
+  LostPortOptions lost;
+  if (options.on_lost_port == OnLostPort::kStop || is_virtual(options)) return lost;
+  lost.wait_s = options.lost_port_wait_s;
+  lost.reopen = [&options, &port, usb] {
+    port.reset();
+    return reopened(options, usb);
+  };
+  lost.nozzle_height = [&options, &controls](std::int64_t z_um) -> std::optional<std::int64_t> {
+    if (options.yes) return z_um;
+    return ask_nozzle_height(controls, z_um);
+  };
+  return lost;
+}
+
+void tell_end(const Options& options, const PrintOutcome& outcome, const JournalKeeper& keeper,
+              Reporter& reporter) {
+  report_defects(outcome.geometry.defects, reporter);
+  if (outcome.exit_code == kExitDone) {
+    reporter.note("done", outcome.message,
+                  {{"layers", outcome.geometry.layers},
+                   {"filament_mm", total_mm(outcome.geometry.filament_mm)},
+                   {"stalls", outcome.link.stalls},
+                   {"resends", outcome.link.resends},
+                   {"parks", outcome.link.parks},
+                   {"recoveries", outcome.link.recoveries}});
+    return;
+  }
+  reporter.error(outcome.message, outcome.exit_code);
+  if (keeper.path().empty() || !read_journal(keeper.path()).ok()) return;
+  reporter.note(
+      "resumable",
+      fmt::format("to go on with it: rind resume {} --port {}", keeper.path(), options.port),
+      {{"journal", keeper.path()}});
+}
+
+}  // namespace
+
+core::Status JournalKeeper::plan(const std::string& path, JournalHead head) {
+  const core::Result<Journal> trial = Journal::create(path, head);
+  if (!trial.ok()) return trial.error();
+  path_ = path;
+  head_ = std::move(head);
+  return {};
+}
+
+void JournalKeeper::part_known(const FileContent& content) {
+  const std::lock_guard lock(mutex_);
+  content_ = content;
+}
+
+Journal* JournalKeeper::journal() {
+  if (journal_) return &*journal_;
+  if (path_.empty() || made_) return nullptr;
+  {
+    const std::lock_guard lock(mutex_);
+    if (!content_) return nullptr;
+    head_.part_hash = content_->hash;
+    head_.part_bytes = content_->bytes;
+  }
+  made_ = true;
+  core::Result<Journal> journal = Journal::create(path_, head_);
+  if (journal.ok()) journal_.emplace(std::move(journal).value());
+  return journal_ ? &*journal_ : nullptr;
+}
+
+std::string usb_of(const std::string& port) {
+  std::error_code error;
+  const std::filesystem::path real = std::filesystem::weakly_canonical(port, error);
+  for (const firmware_link::PortDescription& each : firmware_link::list_ports()) {
+    if (each.path == real.string()) return each.usb;
+  }
+  return {};
+}
+
+std::optional<std::int64_t> ask_nozzle_height(Controls& controls, std::int64_t z_um) {
+  const std::string question = fmt::format(
+      "The controller may have forgotten where the nozzle is. It will be heated, lifted, and X and "
+      "Y will be homed; Z will not, the part is in the way.\nMake sure that the nozzle is not "
+      "below the part's top, and that its way up and to the end stops is free.\nHow high above the "
+      "bed is it now, in mm? Enter for {:.3f}, where it was left; n for no, stop:",
+      static_cast<double>(z_um) / 1'000);
+  while (true) {
+    const std::optional<std::string> answer =
+        controls.ask(question, [] { return stop_signal_count() > 0; });
+    if (!answer) return std::nullopt;
+    const std::string_view text = trimmed(*answer);
+    if (text.empty()) return z_um;
+    if (text == "n" || text == "no") return std::nullopt;
+    const core::Result<double> height = read_number(text, "mm");
+    if (height.ok() && height.value() >= 0 && height.value() < 1e7) {
+      return std::llround(height.value() * 1'000);
+    }
+  }
+}
+
+int run_print(const Options& options, Job& job, JournalKeeper& keeper,
+              std::optional<Resumption> resumption, const std::string& usb, double began_s,
+              Reporter& reporter) {
+  std::unique_ptr<BytePort> port;
+  if (is_virtual(options)) {
+    port = open_virtual_port(options, job.settings);
+    reporter.note(
+        "virtual",
+        "printing to the virtual controller inside this program: nothing real is printed");
+  } else {
+    firmware_link::OpenedPort attempt = firmware_link::open_port(options.port, options.baud);
+    if (const auto* error = std::get_if<firmware_link::PortError>(&attempt)) {
+      reporter.error(options.port + ": " + error->cause + "; " + error->remedy, kExitLinkFault);
+      return kExitLinkFault;
+    }
+    port = std::get<std::unique_ptr<BytePort>>(std::move(attempt));
+  }
+
+  set_at_stake(true);
+  PrintOutcome outcome;
+  {
+    Controls controls(options.part != "-");
+    PrintRequest request{job, *port, reporter, stop_signal_count, began_s};
+    request.link.wish = [&controls] { return controls.next(); };
+    request.link.journal = [&keeper] { return keeper.journal(); };
+    request.link.hot_s = options.pause_heat_s;
+    // A virtual controller's seconds may be others than geometry's.
+    request.link.starved_s = is_virtual(options) && options.virtual_speed != 1 ? 0 : kStarved_s;
+    request.link.lost_port = lost_port(options, usb, controls, port);
+    request.link.resumption = std::move(resumption);
+    if (controls.has_keys()) reporter.note("keys", key_help());
+    outcome = print_part(request);
+  }
+  set_at_stake(false);
+  tell_end(options, outcome, keeper, reporter);
+  return save_statistics(options, outcome.geometry, &outcome.link, outcome.exit_code, reporter);
+}
+
+}  // namespace host

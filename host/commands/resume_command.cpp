@@ -1,0 +1,138 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "host/commands/commands.h"
+#include "host/commands/print_run.h"
+#include "host/exit_codes.h"
+#include "host/settings_table.h"
+#include "host/stage_clock.h"
+#include "host/version.h"
+
+namespace host {
+namespace {
+
+using core::Error;
+using core::ErrorCode;
+using core::Result;
+using core::Status;
+
+constexpr const char* kBegin = "; print the part from the begin";
+
+// What the journal's settings mean, if this program still knows them all.
+Result<core::Settings> settings_in(const JournalHead& head) {
+  core::Settings settings;
+  for (const auto& [key, value] : head.settings) {
+    if (Status set = set_setting(settings, key, value); !set.ok()) return set.error();
+  }
+  if (Status valid = validate_settings(settings); !valid.ok()) return valid.error();
+  return settings;
+}
+
+// Settings that are named once more must be those of the print.
+Status check_settings(const Options& options, const JournalHead& head, Reporter& reporter) {
+  if (options.profile.empty() && options.assignments.empty()) return {};
+  const Result<core::Settings> told = load_settings_of(options, reporter);
+  if (!told.ok()) return told.error();
+  const std::vector<SettingRow> rows = describe_settings(told.value());
+  for (std::size_t i = 0; i < rows.size() && i < head.settings.size(); ++i) {
+    if (rows[i].value == head.settings[i].second) continue;
+    return Error{
+        ErrorCode::kBadSetting,
+        fmt::format("{} was {} when the print began and is {} now: the print can't be gone "
+                    "on with; leave the settings out, the journal has them",
+                    rows[i].key, head.settings[i].second, rows[i].value)};
+  }
+  return {};
+}
+
+Status check_part(const std::string& path, const JournalHead& head) {
+  const Result<FileContent> content = content_of(path);
+  if (!content.ok()) return content.error();
+  if (content.value().hash == head.part_hash && content.value().bytes == head.part_bytes) return {};
+  return Error{ErrorCode::kBadPart, path + ": the part has changed since the print began (" +
+                                        std::to_string(content.value().bytes) + " bytes, it had " +
+                                        std::to_string(head.part_bytes) + ")" + kBegin};
+}
+
+std::string state_text(PrintState state) {
+  switch (state) {
+    case PrintState::kRunning:
+      return "rind or its computer died";
+    case PrintState::kStopped:
+      return "it was stopped";
+    case PrintState::kReset:
+      return "the controller was reset or halted";
+    case PrintState::kPortLost:
+      return "the port was lost";
+    case PrintState::kLinkFault:
+      return "the controller did not answer any more";
+  }
+  return "cut";
+}
+
+// How high the nozzle is, from whoever can see it.
+Result<std::int64_t> nozzle_height(const Options& options, const JournalRecord& record) {
+  if (options.nozzle_height_mm) return std::llround(*options.nozzle_height_mm * 1'000);
+  if (options.yes) return record.nozzle_z_um;
+  Controls controls(false);
+  const std::optional<std::int64_t> told = ask_nozzle_height(controls, record.nozzle_z_um);
+  if (told) return *told;
+  return Error{ErrorCode::kBadSetting,
+               "nobody said where the nozzle is, so nothing is moved; run this at a terminal, or "
+               "look at the printer and say --yes, with --nozzle-height MM if it was moved"};
+}
+
+// The job as it was, checked against the journal.
+Result<Job> job_of(Options& options, const JournalHead& head, Reporter& reporter) {
+  if (head.version != kVersion) {
+    return Error{ErrorCode::kBadSetting, "the print was begun by rind " + head.version +
+                                             ", this is " + kVersion +
+                                             ", which may lay other roads; use that one"};
+  }
+  if (options.part.empty()) options.part = head.part;
+  if (Status same = check_settings(options, head, reporter); !same.ok()) return same.error();
+  if (Status same = check_part(options.part, head); !same.ok()) return same.error();
+  const Result<core::Settings> settings = settings_in(head);
+  if (!settings.ok()) return settings.error();
+  options.profile.clear();
+  options.assignments = head.settings;
+  if (!options.bad_layer_told) options.on_bad_layer = bad_layer_of(head.on_bad_layer);
+  return open_job(options, reporter);
+}
+
+}  // namespace
+
+int resume_command(const Options& told, Reporter& reporter) {
+  const double began_s = steady_seconds();
+  Options options = told;
+  const Result<JournalContent> read = read_journal(options.journal);
+  if (!read.ok()) return fail(read.error(), reporter);
+  const JournalHead& head = read.value().head;
+  const JournalRecord& record = read.value().record;
+  if (options.port.empty()) options.port = head.port;
+  if (!options.baud_told) options.baud = head.baud;
+
+  Result<Journal> journal = Journal::go_on(options.journal);
+  if (!journal.ok()) return fail(journal.error(), reporter);
+  Result<Job> job = job_of(options, head, reporter);
+  if (!job.ok()) return fail(job.error(), reporter);
+  reporter.note("resuming",
+                fmt::format("{}: {}, at layer {}", head.part_title, state_text(record.state),
+                            record.checkpoint.layer + 1),
+                {{"layer", record.checkpoint.layer + 1}});
+  const Result<std::int64_t> z_um = nozzle_height(options, record);
+  if (!z_um.ok()) {
+    reporter.error(z_um.error().message, kExitUsage);
+    return kExitUsage;
+  }
+  JournalKeeper keeper;
+  keeper.take_up(std::move(journal).value());
+  Resumption resumption{record, boot_name() == head.boot, z_um.value()};
+  const std::string usb = options.port == "virtual" ? "" : usb_of(options.port);
+  return run_print(options, job.value(), keeper, std::move(resumption), usb, began_s, reporter);
+}
+
+}  // namespace host

@@ -1,0 +1,31 @@
+// A 64-bit sum of bytes that tells one content from another: FNV-1a (Fowler, Noll, Vo, 1991).
+// Against mistakes, not against malice.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "core/result.h"  // Result
+
+namespace host {
+
+inline constexpr std::uint64_t kHashBegin = 14'695'981'039'346'656'037U;
+
+[[nodiscard]] constexpr std::uint64_t hash_of(std::string_view bytes,
+                                              std::uint64_t before = kHashBegin) {
+  for (const char byte : bytes) {
+    before = (before ^ static_cast<unsigned char>(byte)) * 1'099'511'628'211U;
+  }
+  return before;
+}
+
+struct FileContent {
+  std::uint64_t hash = kHashBegin;
+  std::int64_t bytes = 0;
+};
+
+// Reads the file through, in one buffer of fixed size. COSTS: about 1 ns a byte, and the reading.
+[[nodiscard]] core::Result<FileContent> content_of(const std::string& path);
+
+}  // namespace host

@@ -1,0 +1,59 @@
+// What a person may want of a running print, and where that comes from: keys, when standard input
+// is a terminal, and signals.
+//
+//     p pause   r go on   s stop   + - feed   > < flow   ? which keys there are
+//     SIGUSR1   pause, and go on
+//
+// Keys are read without waiting for the end of line and without being shown; the terminal is as it
+// was when the object is gone, and while a question is asked.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace host {
+
+enum class Wish {
+  kPause,
+  kGoOn,
+  kToggle,
+  kStop,
+  kFeedUp,
+  kFeedDown,
+  kFlowUp,
+  kFlowDown,
+  kHelp,
+};
+
+// Nothing: the key means nothing.
+[[nodiscard]] std::optional<Wish> wish_of_key(char key);
+
+// What the keys are, in one line.
+[[nodiscard]] std::string key_help();
+
+class Controls {
+ public:
+  // `keys`: whether to read the keyboard, where there is one.
+  explicit Controls(bool keys);
+  ~Controls();
+  Controls(const Controls&) = delete;
+  Controls& operator=(const Controls&) = delete;
+
+  // The oldest wish that nobody took; never waits.
+  [[nodiscard]] std::optional<Wish> next();
+
+  [[nodiscard]] bool has_keys() const { return terminal_ != nullptr; }
+
+  // Asks a person; nothing when there is none, when input ends, or `given_up` says so.
+  [[nodiscard]] std::optional<std::string> ask(const std::string& question,
+                                               const std::function<bool()>& given_up);
+
+ private:
+  struct Terminal;
+  std::unique_ptr<Terminal> terminal_;  // null: none to read
+  int toggles_seen_ = 0;
+};
+
+}  // namespace host

@@ -1,0 +1,158 @@
+// The program itself, killed in mid-print (SIGKILL) and resumed: what a controller executed in all
+// is what the whole print says, each road once.
+//
+// RIND_KILLS=50 kills more often than the few times that fit into every run.
+#include <doctest/doctest.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+#include <random>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "tests/support/laid_roads.h"
+#include "tests/support/part_folder.h"
+#include "tests/support/run_program.h"
+#include "tests/support/temporary_folder.h"
+
+extern char** environ;
+
+using test::LaidPiece;
+using test::run_program;
+
+namespace {
+
+const std::string kBinaries = RIND_BINARY_DIR;
+
+// A program that runs beside the test, its standard output to be read.
+class Program {
+ public:
+  explicit Program(const std::vector<std::string>& words) {
+    std::array<int, 2> ends{};
+    REQUIRE_EQ(::pipe2(ends.data(), O_CLOEXEC), 0);
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
+    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+    std::vector<char*> arguments;
+    for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+    arguments.push_back(nullptr);
+    REQUIRE_EQ(::posix_spawn(&process_, arguments[0], &actions, nullptr, arguments.data(), environ),
+               0);
+    posix_spawn_file_actions_destroy(&actions);
+    ::close(ends[1]);
+    output_ = ends[0];
+  }
+  ~Program() {
+    end(SIGKILL);
+    ::close(output_);
+  }
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+
+  // Waits until that was said; false when the program ended before.
+  bool wait_for(const std::string& words) {
+    while (said_.find(words) == std::string::npos) {
+      std::array<char, 4'096> bytes{};
+      const ssize_t count = ::read(output_, bytes.data(), bytes.size());
+      if (count <= 0) return false;
+      said_.append(bytes.data(), static_cast<std::size_t>(count));
+    }
+    return true;
+  }
+
+  void end(int signal) {
+    if (process_ <= 0) return;
+    ::kill(process_, signal);
+    (void)::waitpid(process_, nullptr, 0);
+    process_ = 0;
+  }
+
+ private:
+  pid_t process_ = 0;
+  int output_ = -1;
+  std::string said_;
+};
+
+std::vector<LaidPiece> laid_in(const std::string& path) {
+  std::ifstream file(path);
+  test::RoadTracer tracer;
+  for (std::string line; std::getline(file, line);) {
+    if (line.empty() || line[0] == ';') continue;
+    tracer.execute(line);
+  }
+  return tracer.laid();
+}
+
+bool lays_the_same(const std::vector<LaidPiece>& laid, const std::vector<LaidPiece>& whole) {
+  INFO("laid " << laid.size() << " pieces of " << whole.size());
+  for (std::size_t i = 0; i < std::min(laid.size(), whole.size()); ++i) {
+    CAPTURE(i);
+    if (!(laid[i] == whole[i])) {
+      FAIL_CHECK("another piece of road");
+      return false;
+    }
+  }
+  CHECK_EQ(laid.size(), whole.size());
+  return laid.size() == whole.size();
+}
+
+int kills_wanted() {
+  const char* told = std::getenv("RIND_KILLS");
+  return told != nullptr ? std::atoi(told) : 1;
+}
+
+}  // namespace
+
+TEST_CASE("a print that is killed in its midst is gone on with, every road once") {
+  const test::PartFolder parts_folder;
+  const test::TemporaryFolder folder;
+  const std::string part = parts_folder.add("part.stl", parts::box({90, 80, 0}, 16, 12, 6));
+  const std::vector<std::string> settings = {"--layer-height", "0.3",   "--set",
+                                             "bed_x=200",      "--set", "bed_y=200"};
+  std::string typed;
+  for (const std::string& word : settings) typed += " " + word;
+  REQUIRE_EQ(run_program(kBinaries + "/rind slice " + part + " -o " + folder.path("whole.gcode") +
+                         " --quiet" + typed)
+                 .exit_code,
+             0);
+  const std::vector<LaidPiece> whole = laid_in(folder.path("whole.gcode"));
+  REQUIRE_GT(whole.size(), 500);
+
+  const std::uint64_t seed = std::random_device()();
+  CAPTURE(seed);
+  std::mt19937_64 random(seed);
+  for (int i = 0; i < kills_wanted(); ++i) {
+    CAPTURE(i);
+    const std::string port = folder.path("printer" + std::to_string(i));
+    const std::string log = folder.path("executed" + std::to_string(i));
+    const std::string journal = folder.path("journal" + std::to_string(i));
+    Program controller({kBinaries + "/tools/virtual_controller", "--keep", "--link", port, "--log",
+                        log, "--speed", "300"});
+    REQUIRE(controller.wait_for("\n"));
+    {
+      std::vector<std::string> words = {kBinaries + "/rind", "print", part,    "--port", port,
+                                        "--journal",         journal, "--json"};
+      words.insert(words.end(), settings.begin(), settings.end());
+      Program print(words);
+      REQUIRE(print.wait_for("\"event\":\"layer\",\"layer\":2"));
+      std::this_thread::sleep_for(std::chrono::milliseconds(random() % 600));
+      print.end(SIGKILL);
+    }
+    const test::ProgramRun resumed = run_program(kBinaries + "/rind resume " + journal + " --yes");
+    CAPTURE(resumed.output);
+    REQUIRE_EQ(resumed.exit_code, 0);
+    controller.end(SIGTERM);
+    const bool same = lays_the_same(laid_in(log), whole);
+    REQUIRE(same);
+  }
+}
