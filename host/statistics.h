@@ -92,8 +92,8 @@ struct LinkStatistics {
   std::int64_t commands = 0;
   std::int64_t stalls = 0;
   std::int64_t resends = 0;
-  double resend_ratio = 0;   // of all lines
-  double planner_low_s = 0;  // the controller below half its planner for want of lines
+  double resend_ratio = 0;      // of all lines
+  double planner_low_s = 0;     // the controller below half its planner for want of lines
   std::int64_t slowdowns = 0;   // the feed was lowered, because geometry fell behind
   std::int64_t parks = 0;       // the nozzle left the part for the same reason
   std::int64_t recoveries = 0;  // gone on after a lost port or a reset

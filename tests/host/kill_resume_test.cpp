@@ -148,7 +148,8 @@ TEST_CASE("a print that is killed in its midst is gone on with, every road once"
       std::this_thread::sleep_for(std::chrono::milliseconds(random() % 600));
       print.end(SIGKILL);
     }
-    const test::ProgramRun resumed = run_program(kBinaries + "/rind resume " + journal + " --yes");
+    const test::ProgramRun resumed =
+        run_program("timeout 60 " + kBinaries + "/rind resume " + journal + " --yes");
     CAPTURE(resumed.output);
     REQUIRE_EQ(resumed.exit_code, 0);
     controller.end(SIGTERM);

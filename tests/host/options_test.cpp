@@ -162,7 +162,6 @@ TEST_CASE("help and version end well and say what they should") {
   CHECK(says(parse_bad({"--version"}), "rind 0.1.0"));
 }
 
-<<<<<<< HEAD
 TEST_CASE("bounds of memory, the order of a pipe, bad layers and a log") {
   const Options plain = parse_good({"print", "part.stl", "--port", "virtual"});
   CHECK_EQ(plain.sort_bytes, std::size_t{8} << 20);
@@ -185,7 +184,8 @@ TEST_CASE("bounds of memory, the order of a pipe, bad layers and a log") {
   CHECK_EQ(parse_bad({"slice", "-", "-o", "a.gcode", "--sorted", "maybe"}).exit_code,
            host::kExitUsage);
   CHECK_EQ(parse_bad({"plan", "a.stl", "--on-bad-layer", "weep"}).exit_code, host::kExitUsage);
-=======
+}
+
 TEST_CASE("resume takes a journal; the rest is in it") {
   const Options options = parse_good({"resume", "p.journal", "--yes", "--nozzle-height", "12.5"});
   CHECK_EQ(options.subcommand, Subcommand::kResume);
@@ -216,5 +216,4 @@ TEST_CASE("what a print does when the line is lost, and where its journal is") {
   CHECK_EQ(told.pause_heat_s, 7);
   CHECK_EQ(parse_bad({"print", "part.stl", "--journal", "j", "--no-journal"}).exit_code,
            host::kExitUsage);
->>>>>>> aa60d4e (resume: journal, rind resume, pauses, lost ports; a print goes on with the road behind the last executed one)
 }
