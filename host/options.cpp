@@ -379,9 +379,7 @@ std::variant<Options, OptionsExit> parse_options(int argc, const char* const* ar
   } else if (*slice) {
     options.subcommand = Subcommand::kSlice;
     const std::optional<OutputFormat> known = output_format_of(options.output, format);
-    if (!known) {
-      return usage_error(unknown_format(options));
-    }
+    if (!known) return usage_error(unknown_format(options));
     options.format = *known;
     options.contents = contents_of(options.format, contents);
   } else if (*plan) {

@@ -125,6 +125,11 @@ class Pipeline {
            slice.top() + settings_.wall_thickness <= job_.start->bottom;
   }
 
+  // A layer that was printed before, and too low to be split rightly here.
+  [[nodiscard]] bool below_start(const core::SplitLayer& split) const {
+    return job_.start && split.layer.slice.index < job_.start->layer;
+  }
+
   void cut(LayerBatch& batch) const {
     if (!batch.slice || !batch.offsets.to_fill) return;
     const CpuTimer timer(seconds_of(Stage::kOffset, batch.seconds));
@@ -138,15 +143,14 @@ class Pipeline {
     if (!batch.slice) {
       std::optional<core::SplitLayer> settled = splitter_.finish();
       window_emptied_ = !settled;
-      if (settled) batch.settled.push_back(place(*std::move(settled)));
+      if (settled && !below_start(*settled)) batch.settled.push_back(place(*std::move(settled)));
       return;
     }
     if (splitter_.next_index() == 0) splitter_.begin_at(batch.slice->index);
     std::optional<core::SplitLayer> settled =
         splitter_.push({*std::move(batch.slice), std::move(batch.offsets.offsets)});
     for (; settled; settled = splitter_.next()) {
-      // Too low to be split rightly, and printed before.
-      if (job_.start && settled->layer.slice.index < job_.start->layer) continue;
+      if (below_start(*settled)) continue;
       batch.settled.push_back(place(*std::move(settled)));
     }
   }

@@ -276,6 +276,27 @@ void list_scenarios() {
   }
 }
 
+// Host after host, until asked to stop.
+void serve(const Options& options, const Scenario& scenario,
+           const VirtualControllerOptions& controller, std::ofstream& log) {
+  Entrance entrance(options);
+  std::optional<Conversation> conversation;
+  while (true) {
+    const int host = entrance.wait_for_host();
+    if (host < 0) break;
+    if (conversation && options.keep) {
+      conversation->talk_to(host);
+    } else {
+      conversation.emplace(host, options, scenario, controller);
+    }
+    const bool hung_up = conversation->run();
+    log.flush();
+    print_totals(conversation->controller());
+    entrance.host_gone(host);
+    if (!hung_up || options.once) break;
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -333,21 +354,6 @@ int main(int argc, char** argv) {
       log << command.text << '\n';
     };
   }
-  Entrance entrance(options);
-  std::optional<Conversation> conversation;
-  while (true) {
-    const int host = entrance.wait_for_host();
-    if (host < 0) break;
-    if (conversation && options.keep) {
-      conversation->talk_to(host);
-    } else {
-      conversation.emplace(host, options, scenario, controller_options);
-    }
-    const bool hung_up = conversation->run();
-    log.flush();
-    print_totals(conversation->controller());
-    entrance.host_gone(host);
-    if (!hung_up || options.once) break;
-  }
+  serve(options, scenario, controller_options, log);
   return 0;
 }

@@ -150,7 +150,7 @@ TEST_CASE("a port that vanishes and comes back loses no road and doubles none") 
   const std::string path = small_part(folder);
   const std::vector<LaidPiece> whole = laid_by(print_test::sliced_lines(coarse(), path));
   std::mt19937 random(12);
-  for (int i = 0; i < 8; ++i) {
+  for (int i = 0; i < 3; ++i) {
     Rig rig(coarse(), path);
     make_pluggable(rig);
     const std::size_t at = 20 + random() % 450;
@@ -172,7 +172,7 @@ TEST_CASE("after a controller's reset what its planner lost is laid once more") 
   const std::string path = small_part(folder);
   const std::vector<LaidPiece> whole = laid_by(print_test::sliced_lines(coarse(), path));
   std::mt19937 random(13);
-  for (int i = 0; i < 6; ++i) {
+  for (int i = 0; i < 2; ++i) {
     firmware_link::VirtualControllerOptions options;
     options.advanced_ok = true;
     Rig rig(coarse(), path, options);
@@ -246,7 +246,7 @@ TEST_CASE("a print that ended goes on from its journal, in another program") {
   const std::string journal_path = state.path("print.journal");
   const std::vector<LaidPiece> whole = laid_by(print_test::sliced_lines(coarse(), path));
   std::mt19937 random(14);
-  for (int i = 0; i < 6; ++i) {
+  for (int i = 0; i < 2; ++i) {
     const std::size_t at = 100 + random() % 380;
     CAPTURE(at);
     CAPTURE(i);
