@@ -57,8 +57,8 @@ void memory_given_back(std::size_t bytes) noexcept {
 }
 
 std::string memory_refusal() {
-  const std::int64_t refused = g_refused.load(), limit = g_limit.load();
-  if (refused > 0) {
+  const std::int64_t limit = g_limit.exchange(0), refused = g_refused.load();
+  if (refused > 0 && limit > 0) {
     return fmt::format("{:.1f} MB of memory are needed, {:.1f} MB allowed (--memory-limit)",
                        megabytes(refused), megabytes(limit));
   }

@@ -233,11 +233,11 @@ TEST_CASE("a sorted file is never written anew, a sorted pipe not read ahead") {
 
 TEST_CASE("a part 100 km high, in a file and in a pipe") {
   const Settings settings = at_origin();
-  const std::int64_t top = 1'000'000'000'000;  // 100 km
-  const std::vector<Triangle> triangles = [top] {
+  constexpr std::int64_t kTop = 1'000'000'000'000;  // 100 km
+  const std::vector<Triangle> triangles = [] {
     std::vector<Triangle> box = test::triangles_of(parts::box({0, 0, 0}, 9, 8, 1));
     for (Triangle& t : box) {
-      for (core::Vertex& v : t.corners) v.z = v.z > 0 ? top : 0;
+      for (core::Vertex& v : t.corners) v.z = v.z > 0 ? kTop : 0;
     }
     return box;
   }();
@@ -259,7 +259,7 @@ TEST_CASE("a part 100 km high, in a file and in a pipe") {
   std::vector<Triangle> apart = test::triangles_of(parts::box({0, 0, 0}, 9, 8, 1));
   std::vector<Triangle> upper = apart;
   for (Triangle& t : upper) {
-    for (core::Vertex& v : t.corners) v.z += top;
+    for (core::Vertex& v : t.corners) v.z += kTop;
   }
   apart.insert(apart.end(), upper.begin(), upper.end());
   host::MeshSurvey survey(8);

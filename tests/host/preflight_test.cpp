@@ -116,7 +116,8 @@ Slice slice_of(core::LayerIndex index, const char* region, std::int64_t dropped)
 
 TEST_CASE("the heaters are on while the mesh is still being read") {
   HeldPrint print(false);
-  const auto& [gate, rig, outcome] = print;
+  const std::unique_ptr<Rig>& rig = print.rig;
+  const host::PrintOutcome& outcome = print.outcome;
   CAPTURE(outcome.message);
   CHECK_EQ(outcome.exit_code, host::kExitDone);
   CHECK_EQ(outcome.geometry.layers, 30);
@@ -128,7 +129,8 @@ TEST_CASE("the heaters are on while the mesh is still being read") {
 
 TEST_CASE("a mesh that breaks off while the heaters are on cools down, and nothing has moved") {
   HeldPrint print(true);
-  const auto& [gate, rig, outcome] = print;
+  const std::unique_ptr<Rig>& rig = print.rig;
+  const host::PrintOutcome& outcome = print.outcome;
   CAPTURE(outcome.message);
   CHECK_EQ(outcome.exit_code, host::kExitBadInput);
   CHECK_NE(outcome.message.find("cut off"), std::string::npos);
