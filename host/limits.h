@@ -10,7 +10,7 @@ namespace host {
 // layer, little enough that the first road leaves while the next slices are being cut.
 inline constexpr std::size_t kQueuedCommandsMax = 2'048;
 // What these may take in memory.
-inline constexpr std::size_t kQueuedBytesMax = 512 * 1'024;
+inline constexpr std::size_t kQueuedBytesMax = std::size_t{512} * 1'024;
 
 // Layers whose mended defects are told by height; further ones are only counted.
 inline constexpr std::size_t kDefectHeightsMax = 16;
@@ -22,7 +22,7 @@ inline constexpr int kJobsDefaultMax = 4;
 inline constexpr int kBatchesPerJob = 2;
 
 // Bytes gathered before a write() to an output file.
-inline constexpr std::size_t kFileBufferBytes = 64 * 1'024;
+inline constexpr std::size_t kFileBufferBytes = std::size_t{64} * 1'024;
 
 // Memory for sorting a mesh: what it gets, and the least it can do with.
 inline constexpr std::size_t kSortBytesDefault = std::size_t{8} << 20;
@@ -41,7 +41,7 @@ inline constexpr double kLogPeriod_s = 60;
 
 // Pieces of memory up to the first size may pass --memory-limit, all together by the second.
 inline constexpr std::size_t kMemorySmallBytes = 1'024;
-inline constexpr std::int64_t kMemoryReserveBytes = 512 * 1'024;
+inline constexpr std::int64_t kMemoryReserveBytes = std::int64_t{512} * 1'024;
 
 // Warnings that wait to be told; further ones are only counted.
 inline constexpr std::size_t kWarningsHeldMax = 16;

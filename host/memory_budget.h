@@ -23,8 +23,8 @@ void memory_taken(std::size_t bytes) noexcept;
 void memory_given_back(std::size_t bytes) noexcept;
 
 // What was missing when an allocation was refused last, for people: "12.3 MB are needed, 10.0 MB
-// (--memory-limit) allowed", or that the system had no more. The limit ends with this call: who asks
-// is about to end, and needs a little memory to say why.
+// (--memory-limit) allowed", or that the system had no more. The limit ends with this call: who
+// asks is about to end, and needs a little memory to say why.
 [[nodiscard]] std::string memory_refusal();
 
 }  // namespace host

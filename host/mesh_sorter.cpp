@@ -12,7 +12,8 @@ namespace host {
 namespace {
 
 // Of a run that is read or written: what a disk likes, or what a small budget leaves.
-constexpr std::size_t kBufferBytesMin = 4 * 1'024, kBufferBytesMax = 64 * 1'024;
+constexpr std::size_t kBufferBytesMin = std::size_t{4} << 10;
+constexpr std::size_t kBufferBytesMax = std::size_t{64} << 10;
 constexpr std::size_t kBuffersWanted = 16;
 
 static_assert(kSortBytesMin >= kBuffersWanted * kBufferBytesMin);

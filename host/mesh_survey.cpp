@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kSpansAtOnce = 1'024;
 
 // Parts whose longest side is below these are taken to be in metres, in inches.
-constexpr std::int64_t kMetresBelow = 1 * 10'000, kInchesBelow = 5 * 10'000;
+constexpr std::int64_t kMetresBelow = 10'000, kInchesBelow = 50'000;
 
 bool is_degenerate(const core::Triangle& triangle) {
   const auto& [a, b, c] = triangle.corners;
