@@ -15,11 +15,11 @@ inline constexpr std::size_t kQueuedBytesMax = std::size_t{512} * 1'024;
 // Layers whose mended defects are told by height; further ones are only counted.
 inline constexpr std::size_t kDefectHeightsMax = 16;
 
-// Jobs at most, and how many layers each may be ahead of the one that is given out: enough that
+// Jobs at most, by default, and how many layers more than jobs may be on their way: enough that
 // none waits for a slow layer, few enough to be forgotten beside the window.
 inline constexpr int kJobsMax = 64;
 inline constexpr int kJobsDefaultMax = 4;
-inline constexpr int kBatchesPerJob = 2;
+inline constexpr int kBatchesAhead = 1;
 
 // Bytes gathered before a write() to an output file.
 inline constexpr std::size_t kFileBufferBytes = std::size_t{64} * 1'024;

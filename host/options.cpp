@@ -96,7 +96,7 @@ void add_memory(CLI::App& command, Options& options) {
       ->check(CLI::Range(kSortBytesMin, std::size_t{1} << 40).description(""));
   command
       .add_option("--jobs", options.jobs,
-                  "processors to slice with; each takes the memory of two more layers")
+                  "processors to slice with; each takes the memory of one more layer")
       ->type_name("N")
       ->check(CLI::Range(1, kJobsMax))
       ->capture_default_str();

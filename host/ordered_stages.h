@@ -11,7 +11,7 @@
 #include <memory>
 
 #include "host/layer_batch.h"  // LayerBatch
-#include "host/limits.h"       // kBatchesPerJob
+#include "host/limits.h"       // kBatchesAhead
 
 namespace host {
 
@@ -24,7 +24,7 @@ struct OrderedStages {
 };
 
 // Batches between take and give, at most.
-[[nodiscard]] constexpr int batches_max(int jobs) { return jobs == 1 ? 1 : jobs * kBatchesPerJob; }
+[[nodiscard]] constexpr int batches_max(int jobs) { return jobs == 1 ? 1 : jobs + kBatchesAhead; }
 
 // Returns when the last batch was given. An exception of any stage comes out here, when no stage
 // runs any more. REQUIRES: jobs >= 1.
