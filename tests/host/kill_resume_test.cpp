@@ -12,6 +12,7 @@
 #include <array>
 #include <chrono>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <random>
 #include <string>
@@ -144,9 +145,15 @@ TEST_CASE("a print that is killed in its midst is gone on with, every road once"
                                         "--journal",         journal, "--json"};
       words.insert(words.end(), settings.begin(), settings.end());
       Program print(words);
-      REQUIRE(print.wait_for("\"event\":\"layer\",\"layer\":2"));
-      std::this_thread::sleep_for(std::chrono::milliseconds(random() % 600));
+      const std::string layer = std::to_string(2 + random() % 10);
+      REQUIRE(print.wait_for("\"event\":\"layer\",\"layer\":" + layer + ","));
+      std::this_thread::sleep_for(std::chrono::milliseconds(random() % 30));
       print.end(SIGKILL);
+    }
+    if (!std::filesystem::exists(journal)) {  // on a quick machine it was done before
+      controller.end(SIGTERM);
+      CHECK(lays_the_same(laid_in(log), whole));
+      continue;
     }
     const test::ProgramRun resumed =
         run_program("timeout 60 " + kBinaries + "/rind resume " + journal + " --yes");
