@@ -68,7 +68,9 @@ TEST_CASE("from any layer on, the commands are those of the whole print") {
       {WallShape::kCylinder, BuildStyle::kThinWall},
       {WallShape::kCylinder, BuildStyle::kFast},
       {WallShape::kBall, BuildStyle::kRegular}};
-  for (const auto& [shape, style] : walls) {
+  for (const auto& wall : walls) {
+    const auto shape = wall.first;
+    const auto style = wall.second;
     CAPTURE(static_cast<int>(shape));
     CAPTURE(static_cast<int>(style));
     const core::Settings settings = settings_of(shape, style);
