@@ -14,12 +14,13 @@ namespace core {
 // the corners of curves leave no hairs between them; their round sides really reach farther.
 inline constexpr Length kBeadSeam = Length::from_units(300);
 
-// Adds the outlines of a road's pieces at `width`, mitred where it bends a little, with an octagon
-// where it turns. They overlap; clean() unites them.
+// Adds the outline of a road at `width`: mitred where it bends a little, round (to 45°) outside
+// where it turns, ends cut off square. ENSURES: winding numbers of 0 and more; covered is what has
+// 1 or more. The outline crosses itself where the road does, and on the inner side of sharp turns.
 void add_bead_outlines(const Road& road, Length width, std::vector<Ring>& outlines);
 
-// Everything within `width` / 2 of the roads, ends cut off square.
-// COSTS: one boolean over four edges for each piece of road.
-[[nodiscard]] Region bead_cover(const std::vector<Road>& roads, Length width);
+// What of the region is farther than `width` / 2 from the roads.
+// COSTS: one boolean over two edges for each piece of road and some for each sharp turn.
+[[nodiscard]] Region uncovered(const Region& region, const std::vector<Road>& roads, Length width);
 
 }  // namespace core

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/bead_cover.h"       // add_bead_outlines, bead_cover
+#include "core/bead_cover.h"       // add_bead_outlines, uncovered
 #include "core/boolean.h"          // intersect, subtract
+#include "core/leash.h"            // leashed
 #include "core/offset_contours.h"  // flatten
 #include "core/polyline.h"         // between, distance_mm
 #include "core/segment_grid.h"     // SegmentGrid
@@ -90,8 +91,9 @@ bool all_near(const std::vector<Sample>& ring, bool near) {
 
 // Where the next core is too far from `line` for a next perimeter to fit.
 std::vector<Road> narrow_places(const Region& line, const Region& next_core, Length reach) {
-  const SegmentGrid grid(reach, next_core);
   std::vector<Road> places;
+  if (leashed(line, next_core, reach)) return places;
+  const SegmentGrid grid(reach, next_core);
   for (const Ring& ring : line.rings()) {
     const std::vector<Sample> ring_samples = samples(ring, grid, reach, reach);
     if (all_near(ring_samples, true)) continue;
@@ -110,11 +112,13 @@ std::vector<Road> roads_near_core(const Region& line, const Region& core, Length
                                   Length width, RoadKind kind, Length tolerance) {
   std::vector<Road> roads;
   if (core.empty()) return roads;
-  const SegmentGrid grid(reach, core);
-  for (const Ring& whole : line.rings()) {
-    const Ring ring = simplify(whole, tolerance);
+  // The simplified rings stray from the line by the tolerance at most.
+  const bool whole = reach > tolerance && leashed(line, core, reach - tolerance);
+  const SegmentGrid grid(reach, whole ? Region() : core);
+  for (const Ring& exact : line.rings()) {
+    const Ring ring = simplify(exact, tolerance);
     if (ring.size() < 3) continue;
-    if (all_near(samples(ring, grid, reach, reach), true)) {
+    if (whole || all_near(samples(ring, grid, reach, reach), true)) {
       roads.push_back({kind, width, true, ring});
       continue;
     }
@@ -157,7 +161,7 @@ Perimeters perimeters(const Slice& slice, const SliceOffsets& offsets, const Set
   const Region band = clean(band_outlines, FillRule::kNonZero);
   const Region shell = subtract(slice.region, offsets.interior);
   const Length covered = perimeter_spacing(settings, height) + kBeadSeam;
-  result.rest = subtract(intersect(shell, band), bead_cover(result.roads, covered));
+  result.rest = uncovered(intersect(shell, band), result.roads, covered);
   return result;
 }
 

@@ -5,6 +5,7 @@
 
 #include "core/boolean.h"
 #include "core/check.h"
+#include "core/leash.h"
 #include "core/polyline.h"
 #include "core/segment_grid.h"
 #include "core/voronoi_mountain.h"
@@ -32,6 +33,7 @@ bool is_corner_bit(const Island& island, Length radius) {
 
 // Whether the contour goes farther than `reach` from what is wide enough.
 bool narrow_somewhere(const Region& loose, const Region& core, Length reach) {
+  if (leashed(loose, core, reach)) return false;
   const SegmentGrid grid(reach, core);
   for (const Ring& ring : loose.rings()) {
     for (std::size_t i = 0; i < ring.size(); ++i) {

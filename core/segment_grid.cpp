@@ -80,6 +80,7 @@ void SegmentGrid::choose_cells() {
   while ((wide / cell_ + 1) * (high / cell_ + 1) > bound && cell_ < std::max(wide, high)) {
     cell_ += cell_ / 2 + 1;
   }
+  cells_per_unit_ = 1 / static_cast<double>(cell_);
   columns_ = wide / cell_ + 1;
   rows_ = high / cell_ + 1;
 }
@@ -105,12 +106,12 @@ void SegmentGrid::enter_segments() {
 
 // The cell of a place, the nearest one for a place outside.
 std::int64_t SegmentGrid::column(double x) const {
-  const double at = std::floor((x - origin_.x) / static_cast<double>(cell_));
+  const double at = (x - origin_.x) * cells_per_unit_;
   return static_cast<std::int64_t>(std::clamp(at, 0.0, static_cast<double>(columns_ - 1)));
 }
 
 std::int64_t SegmentGrid::row(double y) const {
-  const double at = std::floor((y - origin_.y) / static_cast<double>(cell_));
+  const double at = (y - origin_.y) * cells_per_unit_;
   return static_cast<std::int64_t>(std::clamp(at, 0.0, static_cast<double>(rows_ - 1)));
 }
 

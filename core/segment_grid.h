@@ -40,6 +40,7 @@ class SegmentGrid {
 
   std::vector<Segment> segments_;
   std::int64_t cell_;
+  double cells_per_unit_ = 0;
   Point origin_;
   std::int64_t columns_ = 0;
   std::int64_t rows_ = 0;

@@ -24,13 +24,17 @@ Direction towards(Point from, Point to) {
 double cross(Direction a, Direction b) { return a.x * b.y - a.y * b.x; }
 double dot(Direction a, Direction b) { return a.x * b.x + a.y * b.y; }
 
-double distance_to_segment(Point p, Point a, Point b) {
+// How far p is from the straight line from a to b, squared.
+double squared_distance(Point p, Point a, Point b) {
   const Direction along = towards(a, b), to_p = towards(a, p);
   const double squared = dot(along, along), place = dot(along, to_p);
-  if (place <= 0) return std::hypot(to_p.x, to_p.y);
-  if (place >= squared)
-    return std::hypot(static_cast<double>(p.x) - b.x, static_cast<double>(p.y) - b.y);
-  return std::abs(static_cast<double>(core::cross(a, b, p))) / std::sqrt(squared);
+  if (place <= 0) return dot(to_p, to_p);
+  if (place >= squared) {
+    const Direction from_b = towards(b, p);
+    return dot(from_b, from_b);
+  }
+  const auto doubled_area = static_cast<double>(core::cross(a, b, p));
+  return doubled_area * doubled_area / squared;
 }
 
 void start_at_lowest(Ring& ring) {
@@ -51,7 +55,7 @@ class Sleeve {
 
   void take(Point to) {
     last_ = towards(from_, to);
-    const double length = std::hypot(last_.x, last_.y);
+    const double length = std::sqrt(dot(last_, last_));
     if (length <= tolerance_) return;
     // Turned by the angle at which the tolerance is seen.
     const double sine = tolerance_ / length, cosine = std::sqrt(1 - sine * sine);
@@ -87,7 +91,7 @@ Ring straightened(const Ring& ring, double tolerance) {
 class ChordSplitter {
  public:
   ChordSplitter(const Ring& ring, double tolerance)
-      : ring_(ring), tolerance_(tolerance), keep_(ring.size(), false) {}
+      : ring_(ring), squared_tolerance_(tolerance * tolerance), keep_(ring.size(), false) {}
 
   void keep(std::size_t index) { keep_[index] = true; }
 
@@ -97,8 +101,8 @@ class ChordSplitter {
     while (!runs_.empty()) {
       const auto [from, to] = runs_.back();
       runs_.pop_back();
-      const auto [farthest, distance] = farthest_between(from, to);
-      if (distance <= tolerance_) continue;
+      const auto [farthest, squared] = farthest_between(from, to);
+      if (squared <= squared_tolerance_) continue;
       keep_[farthest] = true;
       runs_.emplace_back(from, farthest);
       runs_.emplace_back(farthest, to);
@@ -115,24 +119,28 @@ class ChordSplitter {
   }
 
   [[nodiscard]] bool chord_passes(std::size_t from, std::size_t to) const {
-    return farthest_between(from, to).second <= tolerance_;
+    return farthest_between(from, to).second <= squared_tolerance_;
   }
 
  private:
-  [[nodiscard]] Point at(std::size_t index) const { return ring_[index % ring_.size()]; }
+  [[nodiscard]] Point at(std::size_t index) const {
+    return ring_[index < ring_.size() ? index : index - ring_.size()];
+  }
 
+  // With its distance squared.
   [[nodiscard]] std::pair<std::size_t, double> farthest_between(std::size_t from,
                                                                 std::size_t to) const {
     std::pair<std::size_t, double> farthest{from, -1};
+    const Point a = at(from), b = at(to);
     for (std::size_t i = from + 1; i < to; ++i) {
-      const double distance = distance_to_segment(at(i), at(from), at(to));
-      if (distance > farthest.second) farthest = {i, distance};
+      const double squared = squared_distance(at(i), a, b);
+      if (squared > farthest.second) farthest = {i, squared};
     }
     return farthest;
   }
 
   const Ring& ring_;
-  double tolerance_;
+  double squared_tolerance_;
   std::vector<bool> keep_;
   std::vector<std::pair<std::size_t, std::size_t>> runs_;
 };

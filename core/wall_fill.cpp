@@ -6,8 +6,9 @@
 #include <numbers>
 #include <utility>
 
-#include "core/bead_cover.h"     // bead_cover
+#include "core/bead_cover.h"     // uncovered
 #include "core/boolean.h"        // subtract
+#include "core/leash.h"          // leashed
 #include "core/line_fill.h"      // LineFill
 #include "core/mountain_foot.h"  // MountainFoot
 #include "core/perimeters.h"     // roads_near_core
@@ -100,6 +101,7 @@ class WallFill {
   [[nodiscard]] static bool narrow_somewhere(const Region& piece, const Region& middle,
                                              Length depth) {
     const Length reach = depth * 2;
+    if (leashed(piece, middle, reach)) return false;
     const SegmentGrid grid(reach, middle);
     for (const Ring& ring : piece.rings()) {
       for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -136,8 +138,7 @@ class WallFill {
       innermost = rings.size();
       std::move(ring.begin(), ring.end(), std::back_inserter(rings));
     }
-    const Region rest =
-        rings.empty() ? band : subtract(band, bead_cover(rings, distance + kBeadSeam));
+    const Region rest = rings.empty() ? band : uncovered(band, rings, distance + kBeadSeam);
     // Rings that share a narrow band overlap already.
     if (!rest.empty() && breadth_mm(band) >= 2 * distance.mm()) {
       const Length hair = rest_room_min(settings_, RestEdges::kRoads);
@@ -170,7 +171,7 @@ class WallFill {
     std::vector<Road> rows =
         pattern.fill({piece, piece, layer_, RoadKind::kSolid, settings_.road_width, distance,
                       scaled(distance, kRowEndShare), Length()});
-    const Region rest = subtract(piece, bead_cover(rows, distance + kBeadSeam));
+    const Region rest = uncovered(piece, rows, distance + kBeadSeam);
     double laid_mm = 0;
     for (const Road& row : rows) laid_mm += length_mm(row);
     if (laid_mm > 0) {
