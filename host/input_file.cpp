@@ -92,6 +92,13 @@ bool InputFile::rereadable() const {
          S_ISREG(status.st_mode);
 }
 
+std::optional<std::int64_t> InputFile::size() const {
+  if (descriptor_ < 0) return position_ + static_cast<std::int64_t>(end_ - begin_);
+  struct stat status {};
+  if (::fstat(descriptor_, &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
+  return std::int64_t{status.st_size};
+}
+
 core::Status InputFile::fill() {
   if (begin_ > 0) {
     std::copy(buffer_.begin() + static_cast<std::ptrdiff_t>(begin_),

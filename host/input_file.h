@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,6 +37,8 @@ class InputFile {
   [[nodiscard]] const std::string& name() const { return name_; }
   // A regular file, which its path gives once more: not a pipe, a device, or bytes in memory.
   [[nodiscard]] bool rereadable() const;
+  // Where that can be known before the end: of a regular file, and of bytes in memory.
+  [[nodiscard]] std::optional<std::int64_t> size() const;
   // Bytes skipped so far.
   [[nodiscard]] std::int64_t position() const { return position_; }
 

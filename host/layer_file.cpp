@@ -75,8 +75,11 @@ class PlacedLayers : public LayerSource {
       if (Status fits = check_layer_height(file_.name, *slice.value(), settings_); !fits.ok()) {
         return fits.error();
       }
+      // Empty layers on top are none.
+      extent.lowest_z = std::min(extent.lowest_z, slice.value()->bottom.units());
+      if (slice.value()->region.empty()) continue;
       add(*slice.value(), extent);
-      ++summary_.layers;
+      summary_.layers = slice.value()->index + 1;
     }
     if (extent.box.empty()) return nothing_to_print();
     if (Status placed = place(extent); !placed.ok()) return placed.error();
@@ -90,10 +93,9 @@ class PlacedLayers : public LayerSource {
 
   [[nodiscard]] Result<std::optional<Slice>> next() override {
     if (ahead_.empty()) {
-      Result<std::optional<Slice>> slice = read();
-      if (!slice.ok() || !slice.value()) return slice;
-      return placed(*std::move(slice).value());
+      if (Status read = read_on(); !read.ok()) return read.error();
     }
+    if (ahead_.empty()) return std::optional<Slice>();
     Slice slice = std::move(ahead_.front());
     ahead_.pop_front();
     return placed(std::move(slice));
@@ -106,6 +108,20 @@ class PlacedLayers : public LayerSource {
   [[nodiscard]] Result<std::optional<Slice>> read() {
     const CpuTimer timer(counters_.read_cpu_s);
     return file_.layers->next();
+  }
+
+  // The next layer; empty ones are held until one with contours follows: those on top are none.
+  [[nodiscard]] Status read_on() {
+    while (true) {
+      Result<std::optional<Slice>> slice = read();
+      if (!slice.ok()) return slice.error();
+      if (!slice.value()) {
+        ahead_.clear();
+        return {};
+      }
+      ahead_.push_back(*std::move(slice).value());
+      if (!ahead_.back().region.empty() || ahead_.size() == kEmptyLayersMax) return {};
+    }
   }
 
   [[nodiscard]] Error nothing_to_print() const {
@@ -140,7 +156,7 @@ class PlacedLayers : public LayerSource {
   PartSummary summary_;
   PartCounters counters_;
   Shift shift_;
-  std::deque<Slice> ahead_;  // of a pipe, until they are asked for
+  std::deque<Slice> ahead_;  // until they are asked for
 };
 
 }  // namespace

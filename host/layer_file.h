@@ -10,6 +10,8 @@
 //     any other pipe                  its first layer with contours stands for it; a warning says
 //     so
 //
+// Empty layers on top of the last one with contours are left out (of a pipe, kEmptyLayersMax).
+//
 // Layers that come from a pipe are checked as they come: one that leaves the bed or the axis ends
 // the print there.
 #pragma once
@@ -27,7 +29,7 @@
 
 namespace host {
 
-// Empty layers at the begin of a pipe that are waited through for the first with contours.
+// Empty layers that are waited through for the next one with contours.
 inline constexpr std::size_t kEmptyLayersMax = core::kWindowLayersMax;
 
 struct LayerFileInput {

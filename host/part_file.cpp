@@ -41,6 +41,22 @@ Result<OpenedPart> open_sif(InputFile file, MeshInput input, const core::Setting
   return open_mesh(std::move(input), settings, options);
 }
 
+// A 3MF holds meshes, or slices.
+Result<OpenedPart> open_zipped(InputFile file, const std::string& path,
+                               const core::Settings& settings, const OpenOptions& options) {
+  constexpr FileKind kKind = FileKind::kZip;
+  LayerFileInput layers{file.name(), nullptr, opener(file, path, kKind, open_layers)};
+  MeshInput mesh{file.name(), nullptr, opener(file, path, kKind, open_triangles)};
+  Result<MeshOrLayers> opened = open_zip(std::move(file));
+  if (!opened.ok()) return opened.error();
+  if (auto* found = std::get_if<std::unique_ptr<LayerReader>>(&opened.value())) {
+    layers.layers = std::move(*found);
+    return open_layer_file(std::move(layers), settings);
+  }
+  mesh.triangles = std::get<std::unique_ptr<TriangleSource>>(std::move(opened).value());
+  return open_mesh(std::move(mesh), settings, options);
+}
+
 }  // namespace
 
 Result<OpenedPart> open_part(const std::string& path, const core::Settings& settings,
@@ -51,6 +67,7 @@ Result<OpenedPart> open_part(const std::string& path, const core::Settings& sett
   const std::string name = file.name();
   const Result<FileKind> kind = kind_of(file);
   if (!kind.ok()) return kind.error();
+  if (kind.value() == FileKind::kZip) return open_zipped(std::move(file), path, settings, options);
   if (is_layers(kind.value())) {
     LayerFileInput input{name, nullptr, opener(file, path, kind.value(), open_layers)};
     Result<std::unique_ptr<LayerReader>> layers = open_layers(kind.value(), std::move(file));

@@ -22,8 +22,11 @@ class BinaryGeometry : public CliGeometry {
   BinaryGeometry(TextScanner& bytes, const CliHeader& header)
       : bytes_(bytes), unit_mm_(header.unit_mm), aligned_(header.aligned) {
     // Unsigned by the specification; those who write parts left of the origin mean signed.
+    // Heights apart: a tall part left of the origin needs all 16 bits for them.
     if (header.dimension_mm) {
-      for (std::size_t i = 0; i < 3; ++i) signed_ = signed_ || (*header.dimension_mm)[i] < 0;
+      const auto& least = *header.dimension_mm;
+      signed_ = least[0] < 0 || least[1] < 0;
+      signed_heights_ = least[2] < 0;
     }
   }
 
@@ -38,7 +41,7 @@ class BinaryGeometry : public CliGeometry {
       case kLayerLong:
         return layer(long_real());
       case kLayerShort:
-        return layer(short_real());
+        return layer(short_height());
       case kPolylineShort:
       case kPolylineLong:
         return polyline(*command == kPolylineLong, contours);
@@ -68,15 +71,15 @@ class BinaryGeometry : public CliGeometry {
     return number;
   }
 
-  std::optional<double> short_real() {
+  std::optional<double> short_height() {
     const std::optional<std::uint32_t> number = short_number();
     if (!number) return std::nullopt;
-    return short_value(static_cast<std::uint16_t>(*number));
+    return short_value(static_cast<std::uint16_t>(*number), signed_heights_);
   }
 
-  [[nodiscard]] double short_value(std::uint16_t number) const {
-    return signed_ ? static_cast<double>(std::bit_cast<std::int16_t>(number))
-                   : static_cast<double>(number);
+  [[nodiscard]] static double short_value(std::uint16_t number, bool is_signed) {
+    return is_signed ? static_cast<double>(std::bit_cast<std::int16_t>(number))
+                     : static_cast<double>(number);
   }
 
   std::optional<double> long_real() {
@@ -122,8 +125,8 @@ class BinaryGeometry : public CliGeometry {
       const std::string_view pair = bytes_.lookahead(size);
       if (pair.size() < size) return cut_short();
       const char* at = pair.data();
-      const double x = is_long ? float_at(at) : short_value(u16_at(at));
-      const double y = is_long ? float_at(at + 4) : short_value(u16_at(at + 2));
+      const double x = is_long ? float_at(at) : short_value(u16_at(at), signed_);
+      const double y = is_long ? float_at(at + 4) : short_value(u16_at(at + 2), signed_);
       cause = contours.add(x * unit_mm_, y * unit_mm_);
       if (cause.empty()) bytes_.skip(size);
     }
@@ -153,7 +156,8 @@ class BinaryGeometry : public CliGeometry {
   TextScanner& bytes_;
   double unit_mm_;
   bool aligned_;
-  bool signed_ = false;
+  bool signed_ = false;  // coordinates of 16 bits
+  bool signed_heights_ = false;
 };
 
 }  // namespace

@@ -27,12 +27,13 @@ using core::Error;
 using core::ErrorCode;
 using core::Result;
 
-// Enough for most kinds, so that a pipe's first bytes are not waited for; and enough for all.
-constexpr std::array<std::size_t, 2> kLookBytes{64, 4'096};
+// Enough for most kinds, so that a pipe's first bytes are not waited for, and to tell a binary STL
+// by its first facet, whatever its head says; and enough for all.
+constexpr std::array<std::size_t, 2> kLookBytes{134, 4'096};
 
 constexpr std::array kFormats = {
     FormatRow{"STL", ".stl", "mesh", true, false, "binary and ASCII"},
-    FormatRow{"3MF", ".3mf", "mesh", true, false, "items, components, units; production parts"},
+    FormatRow{"3MF", ".3mf", "mesh", true, false, "items, components, production parts; slices"},
     FormatRow{"OBJ", ".obj", "mesh", true, false, "in mm"},
     FormatRow{"AMF", ".amf", "mesh", true, false, "XML or zipped"},
     FormatRow{"CLI 2.0", ".cli", "layers", true, true, "ASCII and binary; walls or slices"},
@@ -87,13 +88,17 @@ bool begins_obj(std::string_view text) {
   return false;
 }
 
+bool is_text(std::string_view bytes) { return !contains(bytes, std::string_view("\0", 1)); }
+
 // Nothing where these bytes do not tell.
 std::optional<FileKind> kind_of_bytes(std::string_view bytes) {
   const std::string_view text = significant(bytes);
   if (bytes.starts_with("PK\x03\x04")) return FileKind::kZip;
-  if (text.starts_with("Slice V0")) return FileKind::kSliceV0;
   if (contains(bytes, "$$HEADERSTART")) return FileKind::kCli;
   if (contains(bytes, "-SLCVER")) return FileKind::kSlc;
+  // A binary STL's 80 bytes may hold anything, what follows is no text.
+  if (!is_text(bytes)) return std::nullopt;
+  if (text.starts_with("Slice V0")) return FileKind::kSliceV0;
   if (begins_form(text, "LSIF")) return FileKind::kLsif;
   if (begins_form(text, "SIF_SFF")) return FileKind::kSif;
   if (text.starts_with('<')) {
@@ -107,9 +112,12 @@ std::optional<FileKind> kind_of_bytes(std::string_view bytes) {
 // Kinds that are known by their first words, and refused.
 std::string refusal(std::string_view bytes) {
   const std::string_view text = significant(bytes);
+  if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF")) {
+    return "byte 0: text in UTF-16; save it as UTF-8 or ASCII";
+  }
   for (const char* keyword : {"ASCII", "MODELER"}) {
     const std::string_view word(keyword);
-    if (text.starts_with(word) &&
+    if (is_text(bytes) && text.starts_with(word) &&
         (text.size() == word.size() || is_blank(static_cast<unsigned char>(text[word.size()])))) {
       return "line 1: '" + std::string(word) +
              "' begins a QuickSlice 6 .ssl file, of which no description is public, so it can't "
@@ -123,18 +131,24 @@ std::string refusal(std::string_view bytes) {
   return {};
 }
 
-// 3MF, or AMF.
-Result<std::unique_ptr<TriangleSource>> open_zipped(InputFile file) {
+Error not_as_before(const std::string& name) {
+  return {ErrorCode::kBadPart, name + ": the file has changed while it was read; try again"};
+}
+
+}  // namespace
+
+Result<MeshOrLayers> open_zip(InputFile file) {
   Result<ZipArchive> archive = ZipArchive::open(std::move(file));
   if (!archive.ok()) return archive.error();
   const std::string amf = archive.value().find_ending(".amf");
   if (amf.empty()) return open_threemf(std::move(archive).value());
   Result<XmlScanner::ByteSource> bytes = archive.value().bytes_of(amf);
   if (!bytes.ok()) return bytes.error();
-  return open_amf(archive.value().name() + " (" + amf + ")", std::move(bytes).value());
+  Result<std::unique_ptr<TriangleSource>> mesh =
+      open_amf(archive.value().name() + " (" + amf + ")", std::move(bytes).value());
+  if (!mesh.ok()) return mesh.error();
+  return MeshOrLayers(std::move(mesh).value());
 }
-
-}  // namespace
 
 std::span<const FormatRow> formats() { return kFormats; }
 
@@ -175,8 +189,16 @@ bool is_layers(FileKind kind) {
 }
 
 Result<std::unique_ptr<LayerReader>> open_layers(FileKind kind, InputFile file) {
-  RIND_CHECK(is_layers(kind));
+  RIND_CHECK(is_layers(kind) || kind == FileKind::kZip);
   switch (kind) {
+    case FileKind::kZip: {
+      const std::string name = file.name();
+      Result<MeshOrLayers> opened = open_zip(std::move(file));
+      if (!opened.ok()) return opened.error();
+      auto* layers = std::get_if<std::unique_ptr<LayerReader>>(&opened.value());
+      if (layers == nullptr) return not_as_before(name);
+      return std::move(*layers);
+    }
     case FileKind::kLsif:
       return open_lsif(std::move(file));
     case FileKind::kSlc:
@@ -198,7 +220,14 @@ Result<std::unique_ptr<TriangleSource>> open_triangles(FileKind kind, InputFile 
     RIND_CHECK(tree.value()->is_plain());
     return plain_triangles(std::move(tree).value());
   }
-  if (kind == FileKind::kZip) return open_zipped(std::move(file));
+  if (kind == FileKind::kZip) {
+    const std::string name = file.name();
+    Result<MeshOrLayers> opened = open_zip(std::move(file));
+    if (!opened.ok()) return opened.error();
+    auto* mesh = std::get_if<std::unique_ptr<TriangleSource>>(&opened.value());
+    if (mesh == nullptr) return not_as_before(name);
+    return std::move(*mesh);
+  }
   if (kind == FileKind::kObj) return open_obj(std::move(file));
   if (kind == FileKind::kAmf) {
     std::string name = file.name();

@@ -8,11 +8,12 @@
 #include <span>
 #include <string_view>
 
-#include "core/result.h"                // Result
-#include "host/formats/layer_reader.h"  // LayerReader
-#include "host/formats/layer_writer.h"  // LayerWriter, LayerFileHead
-#include "host/input_file.h"            // InputFile
-#include "host/triangle_source.h"       // TriangleSource
+#include "core/result.h"                  // Result
+#include "host/formats/layer_reader.h"    // LayerReader
+#include "host/formats/layer_writer.h"    // LayerWriter, LayerFileHead
+#include "host/formats/threemf_reader.h"  // MeshOrLayers
+#include "host/input_file.h"              // InputFile
+#include "host/triangle_source.h"         // TriangleSource
 
 namespace host {
 
@@ -35,7 +36,9 @@ struct FormatRow {
 [[nodiscard]] core::Result<FileKind> kind_of(InputFile& file);
 
 [[nodiscard]] bool is_layers(FileKind kind);
-// REQUIRES: is_layers(kind), `file` not read but by kind_of().
+// A zip archive holds either. REQUIRES: `file` not read but by kind_of()
+[[nodiscard]] core::Result<MeshOrLayers> open_zip(InputFile file);
+// REQUIRES: is_layers(kind), or a zip that holds layers; `file` not read but by kind_of().
 [[nodiscard]] core::Result<std::unique_ptr<LayerReader>> open_layers(FileKind kind, InputFile file);
 // REQUIRES: !is_layers(kind), likewise; of a SIF file, that it has no booleans (sif_reader.h).
 [[nodiscard]] core::Result<std::unique_ptr<TriangleSource>> open_triangles(FileKind kind,

@@ -10,7 +10,7 @@
 #include "host/formats/contour_gatherer.h"  // ContourGatherer
 #include "host/formats/format_limits.h"     // kLayerPointsMax
 #include "host/formats/little_endian.h"     // u32_at
-#include "host/formats/text_scanner.h"      // TextScanner
+#include "host/formats/text_scanner.h"      // TextScanner, is_blank, shown
 
 namespace host {
 namespace {
@@ -24,6 +24,19 @@ constexpr std::size_t kReservedBytes = 256;
 constexpr std::size_t kTableRowBytes = 16;
 constexpr char kHeadEnd = 0x1A;
 constexpr std::uint32_t kLastLayer = 0xFFFF'FFFF;
+
+// The word behind a key, up to a blank or the next key: some writers put none in between. Empty for
+// none.
+std::string_view value_of(std::string_view head, std::string_view key) {
+  const auto blank = [](char c) { return is_blank(static_cast<unsigned char>(c)); };
+  std::size_t at = head.find(key);
+  if (at == std::string_view::npos) return {};
+  at += key.size();
+  while (at < head.size() && blank(head[at])) ++at;
+  std::size_t end = at;
+  while (end < head.size() && !blank(head[end]) && head[end] != '-') ++end;
+  return head.substr(at, end - at);
+}
 
 class SlcReader : public LayerReader {
  public:
@@ -40,11 +53,18 @@ class SlcReader : public LayerReader {
                                 " bytes; the file is damaged, export it again");
     }
     const std::string_view head = start.substr(0, end);
-    const bool inches = head.find("INCH") != std::string_view::npos;
-    if (!inches && head.find("MM") == std::string_view::npos) {
+    const bool plural = head.find("-UNITS") != std::string_view::npos;
+    const std::string_view unit = value_of(head, plural ? "-UNITS" : "-UNIT");
+    const bool inches = unit == "INCH";
+    if (!inches && unit != "MM") {
       return bytes_.bad_at_byte("the head names no unit, MM or INCH; export the file again");
     }
     unit_mm_ = inches ? 25.4 : 1.0;
+    const std::string_view type = value_of(head, "-TYPE");
+    if (!type.empty() && type != "PART") {
+      warn(bytes_.name() + ": its head says that it holds no part but a " + shown(type) +
+           "; it is printed like a part");
+    }
     // The one that has a table behind it.
     const std::size_t close = end + 1;
     const bool padded = !table_at(close) && table_at(kHeadBytesPadded);

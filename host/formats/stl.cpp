@@ -38,6 +38,7 @@ Result<std::unique_ptr<StlReader>> StlReader::open(InputFile file) {
   if (window.value().starts_with("PK\x03\x04")) {
     return refused("byte 0: a zip archive (3MF?), which can't be read; export the part as STL");
   }
+  if (is_binary_stl(file, window.value())) return open_binary_stl(std::move(file));
   switch (text_kind(window.value())) {
     case StlText::kNone:
       return open_binary_stl(std::move(file));
@@ -49,7 +50,8 @@ Result<std::unique_ptr<StlReader>> StlReader::open(InputFile file) {
     case StlText::kOther:
       break;
   }
-  return refused("line 1: text that is no STL, which begins with 'solid'; export the part as STL");
+  return refused(
+      "line 1: text of no kind that is known ('rind formats' lists them); export the part as STL");
 }
 
 Error StlReader::bad_part(const std::string& place, const std::string& cause) const {

@@ -1,6 +1,8 @@
 #include <bit>
 #include <cstdint>
 #include <cstring>
+#include <optional>
+#include <string_view>
 #include <utility>
 
 #include "host/formats/stl_kinds.h"
@@ -24,15 +26,15 @@ double float_at(const char* bytes) { return std::bit_cast<float>(u32_at(bytes));
 
 class BinaryStlReader : public StlReader {
  public:
-  BinaryStlReader(InputFile file, std::uint32_t count)
-      : StlReader(std::move(file)), count_(count) {}
+  // `there`: whole facets that fill the file, if that is known; they count more than the head.
+  BinaryStlReader(InputFile file, std::uint32_t count, std::optional<std::int64_t> there)
+      : StlReader(std::move(file)), count_(count), to_the_end_(count == 0 || there > count) {}
 
   [[nodiscard]] std::string format() const override { return "binary STL"; }
 
   [[nodiscard]] Result<std::optional<core::Triangle>> next() override {
     if (ended_) return std::optional<core::Triangle>();
-    // A count of 0 is what writers leave that never came back to fill it in.
-    if (count_ != 0 && facets_ == count_) return end_with_rest();
+    if (!to_the_end_ && facets_ == count_) return end_with_rest();
     const Result<std::string_view> window = file_.window(kFacetBytes);
     if (!window.ok()) return window.error();
     const std::string_view bytes = window.value();
@@ -83,10 +85,24 @@ class BinaryStlReader : public StlReader {
   }
 
   std::uint32_t count_;
+  bool to_the_end_;  // a count of 0 is what writers leave that never came back to fill it in
   bool ended_ = false;
 };
 
+// Facets that a file of this size has; nothing where that can't be known, or it is no whole number.
+std::optional<std::int64_t> facets_in(const InputFile& file) {
+  const std::optional<std::int64_t> size = file.size();
+  constexpr auto kHead = static_cast<std::int64_t>(kHeaderBytes);
+  constexpr auto kFacet = static_cast<std::int64_t>(kFacetBytes);
+  if (!size || *size < kHead || (*size - kHead) % kFacet != 0) return std::nullopt;
+  return (*size - kHead) / kFacet;
+}
+
 }  // namespace
+
+bool is_binary_stl(const InputFile& file, std::string_view begin) {
+  return begin.size() >= kHeaderBytes && facets_in(file) == u32_at(begin.data() + kHeaderBytes - 4);
+}
 
 Result<std::unique_ptr<StlReader>> open_binary_stl(InputFile file) {
   const Result<std::string_view> window = file.window(kHeaderBytes);
@@ -98,8 +114,10 @@ Result<std::unique_ptr<StlReader>> open_binary_stl(InputFile file) {
                            "cut short, or no STL"};
   }
   const std::uint32_t count = u32_at(window.value().data() + kHeaderBytes - 4);
+  const std::optional<std::int64_t> there = facets_in(file);
   file.skip(kHeaderBytes);
-  return std::unique_ptr<StlReader>(std::make_unique<BinaryStlReader>(std::move(file), count));
+  return std::unique_ptr<StlReader>(
+      std::make_unique<BinaryStlReader>(std::move(file), count, there));
 }
 
 }  // namespace host

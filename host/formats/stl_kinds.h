@@ -2,12 +2,16 @@
 #pragma once
 
 #include <memory>
+#include <string_view>
 
 #include "host/formats/stl.h"  // StlReader
 #include "host/input_file.h"   // InputFile
 
 namespace host {
 
+// The file is as long as a binary STL with the count at its place, whatever its head says. `begin`:
+// its first window.
+[[nodiscard]] bool is_binary_stl(const InputFile& file, std::string_view begin);
 [[nodiscard]] core::Result<std::unique_ptr<StlReader>> open_binary_stl(InputFile file);
 [[nodiscard]] core::Result<std::unique_ptr<StlReader>> open_text_stl(InputFile file);
 

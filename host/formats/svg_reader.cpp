@@ -59,6 +59,7 @@ class SvgReader : public LayerReader {
             "from Slic3r, or as STL");
       }
       if (event.value()->kind != XmlEvent::Kind::kStart) continue;
+      if (Status plain = check_plain(*event.value()); !plain.ok()) return plain.error();
       if (const std::string* z = event.value()->attribute(kZ); z != nullptr) {
         const std::string* height = event.value()->attribute(kHeight);
         if (Status set = set_faces(*z, height); !set.ok()) return set.error();
@@ -123,7 +124,14 @@ class SvgReader : public LayerReader {
     return {};
   }
 
+  [[nodiscard]] Status check_plain(const XmlEvent& event) const {
+    if (event.attribute("transform") == nullptr) return {};
+    return xml_.bad("<" + shown(event.name) +
+                    " transform=…> is not supported; apply transforms before exporting");
+  }
+
   [[nodiscard]] Status take_shape(const XmlEvent& event) {
+    if (Status plain = check_plain(event); !plain.ok()) return plain;
     std::string cause;
     if (event.name == "polygon") {
       const std::string* points = event.attribute("points");
@@ -140,6 +148,10 @@ class SvgReader : public LayerReader {
       }
       cause = add_svg_path(*data, {true, *axis_height_}, path_);
       if (cause.empty()) cause = layer_.add(path_.take(core::FillRule::kEvenOdd));
+    } else if (event.name != "g" && event.name != "title" && event.name != "desc" && !told_) {
+      told_ = true;
+      warn(name_ + ": <" + shown(event.name) +
+           "> and other shapes but paths and polygons were left out");
     }
     return cause.empty() ? Status() : xml_.bad(cause);
   }
@@ -153,6 +165,7 @@ class SvgReader : public LayerReader {
   std::int64_t bottom_ = 0;
   std::int64_t top_ = 0;
   core::LayerIndex index_ = 0;
+  bool told_ = false;
 };
 
 }  // namespace

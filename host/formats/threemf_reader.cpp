@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -9,10 +10,12 @@
 #include <utility>
 #include <vector>
 
-#include "host/formats/format_limits.h"  // kWordBytesMax
-#include "host/formats/mesh_store.h"     // MeshStore
-#include "host/formats/number_text.h"    // parse_real
-#include "host/formats/text_scanner.h"   // is_blank, shown
+#include "host/formats/format_limits.h"   // kWordBytesMax
+#include "host/formats/mesh_store.h"      // MeshStore
+#include "host/formats/number_text.h"     // parse_real
+#include "host/formats/slice_stack.h"     // SlicedItem
+#include "host/formats/text_scanner.h"    // is_blank, shown
+#include "host/formats/threemf_slices.h"  // open_threemf_slices
 
 namespace host {
 namespace {
@@ -20,11 +23,12 @@ namespace {
 using core::Result;
 using core::Status;
 
-constexpr const char* kCore = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02";
 constexpr const char* kPath =
     "http://schemas.microsoft.com/3dmanufacturing/production/2015/06|path";
 constexpr const char* kResolution =
     "http://schemas.microsoft.com/3dmanufacturing/slice/2015/07|meshresolution";
+constexpr const char* kStackId =
+    "http://schemas.microsoft.com/3dmanufacturing/slice/2015/07|slicestackid";
 
 // Extensions that a file may require. What they add is taken, or changes no shape.
 constexpr std::array<std::string_view, 5> kKnownExtensions{
@@ -33,14 +37,6 @@ constexpr std::array<std::string_view, 5> kKnownExtensions{
     "http://schemas.microsoft.com/3dmanufacturing/material/",
     "http://schemas.microsoft.com/3dmanufacturing/slice/",
     "http://schemas.microsoft.com/3dmanufacturing/triangleset"};
-
-struct Unit {
-  std::string_view name;
-  double mm;
-};
-constexpr std::array<Unit, 6> kUnits{Unit{"micron", 0.001},  Unit{"millimeter", 1},
-                                     Unit{"centimeter", 10}, Unit{"inch", 25.4},
-                                     Unit{"foot", 304.8},    Unit{"meter", 1'000}};
 
 // The next word of a list parted by blanks; empty at its end.
 std::string_view take_word(std::string_view& list) {
@@ -65,13 +61,21 @@ class ThreeMfReader : public TriangleSource {
     for (std::size_t i = 0; i < parts_.size(); ++i) {
       if (Status read = read_part(static_cast<int>(i)); !read.ok()) return read;
     }
+    if (items_.empty()) return refused("the build has no item to print; export the part again");
     for (const Item& item : items_) {
-      const std::string cause = store_.add_item(item.key, item.transform);
+      const std::string cause =
+          sliced_.contains(item.key) ? add_sliced(item) : store_.add_item(item.key, item.transform);
       if (!cause.empty()) return refused(cause);
     }
-    if (items_.empty()) return refused("the build has no item to print; export the part again");
+    if (!sliced_items_.empty() && sliced_items_.size() < items_.size()) {
+      return refused("some items are slices, some are meshes; print them apart");
+    }
     return {};
   }
+
+  // Empty: what is to be printed are meshes.
+  [[nodiscard]] const std::vector<SlicedItem>& sliced_items() const { return sliced_items_; }
+  [[nodiscard]] ZipArchive take_archive() { return std::move(archive_); }
 
   [[nodiscard]] Result<std::optional<core::Triangle>> next() override {
     MeshStore::Next next = store_.next();
@@ -88,6 +92,10 @@ class ThreeMfReader : public TriangleSource {
   struct Item {
     MeshStore::Key key;
     Transform transform;
+  };
+  struct Stack {
+    double bottom_mm = 0;
+    std::vector<StackPlace> referred;  // empty: it has slices of its own
   };
 
   [[nodiscard]] core::Error refused(const std::string& cause) const {
@@ -145,8 +153,11 @@ class ThreeMfReader : public TriangleSource {
       const Result<const XmlEvent*> event = xml.next();
       if (!event.ok()) return event.error();
       if (event.value() == nullptr) return {};
-      if (event.value()->kind != XmlEvent::Kind::kStart || event.value()->space != kCore) continue;
-      if (Status taken = take(*event.value(), part, xml); !taken.ok()) return taken;
+      if (event.value()->kind != XmlEvent::Kind::kStart) continue;
+      Status taken;
+      if (event.value()->space == kThreeMfCore) taken = take(*event.value(), part, xml);
+      if (event.value()->space == kThreeMfSlice) taken = take_stack(*event.value(), part, xml);
+      if (!taken.ok()) return taken;
     }
   }
 
@@ -163,13 +174,9 @@ class ThreeMfReader : public TriangleSource {
 
   [[nodiscard]] Status model(const XmlEvent& event, const XmlScanner& xml) {
     if (const std::string* unit = event.attribute("unit")) {
-      bool known = false;
-      for (const Unit& one : kUnits) {
-        if (*unit != one.name) continue;
-        unit_mm_ = one.mm;
-        known = true;
-      }
-      if (!known) return xml.bad("unit '" + shown(*unit) + "' is none of 3MF's; export it again");
+      const std::optional<double> mm = threemf_unit_mm(*unit);
+      if (!mm) return xml.bad("unit '" + shown(*unit) + "' is none of 3MF's; export it again");
+      unit_mm_ = *mm;
     }
     const std::string* required = event.attribute("requiredextensions");
     if (required == nullptr) return {};
@@ -198,9 +205,9 @@ class ThreeMfReader : public TriangleSource {
     in_object_ = true;
     const std::string* resolution = event.attribute(kResolution);
     if (resolution != nullptr && *resolution == "lowres") {
-      return xml.bad("object '" + shown(*id) +
-                     "' is given as slices (meshresolution lowres), which is not supported; export "
-                     "its full mesh");
+      const std::string* stack = event.attribute(kStackId);
+      if (stack == nullptr) return xml.bad("object '" + shown(*id) + "' has no slicestackid");
+      sliced_[{part, *id}] = *stack;
     }
     const std::string* type = event.attribute("type");
     if (type != nullptr && *type != "model" && *type != "solidsupport") {
@@ -272,7 +279,55 @@ class ThreeMfReader : public TriangleSource {
     Result<Item> read = reference(event, part, xml);
     if (!read.ok()) return read.error();
     if (!in_object_) return xml.bad("a component outside of an object; export the part again");
+    if (sliced_.contains(read.value().key)) {
+      return xml.bad("object '" + shown(read.value().key.second) +
+                     "', which is slices, as a component: not supported; make it an item of its "
+                     "own, or export its full mesh");
+    }
     store_.add_component(read.value().key, read.value().transform);
+    return {};
+  }
+
+  // Where slices stand; they are read when they are asked for.
+  [[nodiscard]] Status take_stack(const XmlEvent& event, int part, const XmlScanner& xml) {
+    if (event.name == "slicestack") {
+      const std::string* id = event.attribute("id");
+      const std::string* bottom = event.attribute("zbottom");
+      const std::optional<double> z = bottom ? parse_real(*bottom) : 0.0;
+      if (id == nullptr || !z) return xml.bad("a slicestack without id, or with no zbottom");
+      if (stacks_.size() >= kMeshObjectsMax) return xml.bad("too many slicestacks; merge them");
+      stack_ = &stacks_[{part, *id}];
+      stack_->bottom_mm = *z * unit_mm_;
+    } else if (event.name == "sliceref") {
+      const std::string* id = event.attribute("slicestackid");
+      const std::string* path = event.attribute("slicepath");
+      if (id == nullptr || path == nullptr || stack_ == nullptr) {
+        return xml.bad("a sliceref without slicestackid or slicepath; export the part again");
+      }
+      if (stack_->referred.size() >= kMeshObjectsMax) return xml.bad("too many references");
+      stack_->referred.push_back({without_slash(*path), *id});
+    }
+    return {};
+  }
+
+  // Returns why it can't be printed; empty when it can.
+  [[nodiscard]] std::string add_sliced(const Item& item) {
+    const auto& [part, object] = item.key;
+    const std::string& id = sliced_.at(item.key);
+    const auto found = stacks_.find({part, id});
+    if (found == stacks_.end()) return "slicestack '" + shown(id) + "' is not in the file";
+    const auto& m = item.transform.m;
+    if (m[2] != 0 || m[5] != 0 || m[6] != 0 || m[7] != 0 || m[8] != 1) {
+      return "object '" + shown(object) +
+             "' is slices, and the build tilts them or changes their height; export its full mesh";
+    }
+    if (sliced_items_.size() >= kSlicedItemsMax) {
+      return "more than " + std::to_string(kSlicedItemsMax) + " items that are slices; merge them";
+    }
+    SlicedItem sliced{found->second.referred, found->second.bottom_mm, item.transform};
+    if (sliced.stacks.empty())
+      sliced.stacks.push_back({parts_[static_cast<std::size_t>(part)], id});
+    sliced_items_.push_back(std::move(sliced));
     return {};
   }
 
@@ -298,6 +353,10 @@ class ThreeMfReader : public TriangleSource {
   std::vector<std::string> parts_;  // the package's models; the root is the first
   std::vector<Item> items_;
   std::set<MeshStore::Key> unprintable_;
+  std::map<MeshStore::Key, std::string> sliced_;  // objects that are slices: their stack
+  std::map<MeshStore::Key, Stack> stacks_;
+  Stack* stack_ = nullptr;  // that is being read
+  std::vector<SlicedItem> sliced_items_;
   double unit_mm_ = 1;  // of the part that is being read
   bool in_object_ = false;
   bool told_ = false;
@@ -305,10 +364,17 @@ class ThreeMfReader : public TriangleSource {
 
 }  // namespace
 
-Result<std::unique_ptr<TriangleSource>> open_threemf(ZipArchive archive) {
+Result<MeshOrLayers> open_threemf(ZipArchive archive) {
   auto reader = std::make_unique<ThreeMfReader>(std::move(archive));
   if (Status opened = reader->open(); !opened.ok()) return opened.error();
-  return std::unique_ptr<TriangleSource>(std::move(reader));
+  if (reader->sliced_items().empty()) {
+    return MeshOrLayers(std::unique_ptr<TriangleSource>(std::move(reader)));
+  }
+  std::vector<SlicedItem> items = reader->sliced_items();
+  Result<std::unique_ptr<LayerReader>> layers =
+      open_threemf_slices(reader->take_archive(), std::move(items));
+  if (!layers.ok()) return layers.error();
+  return MeshOrLayers(std::move(layers).value());
 }
 
 }  // namespace host

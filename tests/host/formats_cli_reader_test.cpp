@@ -95,6 +95,49 @@ TEST_CASE("coordinates left of the origin are signed, if the head says that ther
   CHECK_EQ(slices_of(file(""))[0].region, region_from_text("0:5 5:0 650.36:0"));
 }
 
+TEST_CASE("heights take all 16 bits, unless the head says that they begin below 0") {
+  const auto file = [](const std::string& dimension, unsigned z) {
+    std::string bytes = binary_head(dimension);
+    for (const unsigned number : {128U,
+                                  z,
+                                  129U,
+                                  1U,
+                                  1U,
+                                  4U,
+                                  65'536U - 500U,
+                                  0U,
+                                  500U,
+                                  0U,
+                                  0U,
+                                  500U,
+                                  65'536U - 500U,
+                                  0U,
+                                  128U,
+                                  z + 20U,
+                                  129U,
+                                  1U,
+                                  1U,
+                                  4U,
+                                  65'536U - 500U,
+                                  0U,
+                                  500U,
+                                  0U,
+                                  0U,
+                                  500U,
+                                  65'536U - 500U,
+                                  0U}) {
+      test::append_u16(number, bytes);
+    }
+    return bytes;
+  };
+  const std::vector<Slice> high = slices_of(file("$$DIMENSION/-5.0,0,0,5,5,500\n", 40'000));
+  REQUIRE_EQ(high.size(), 2);
+  CHECK_EQ(high[1].top().mm(), doctest::Approx(400.2));
+  CHECK_EQ(high[1].region, region_from_text("-5:0 5:0 0:5"));
+  const std::vector<Slice> low = slices_of(file("$$DIMENSION/-5.0,0,-5,5,5,0\n", 65'536U - 400U));
+  CHECK_EQ(low[1].top().mm(), doctest::Approx(-3.8));
+}
+
 TEST_CASE("aligned binary files") {
   std::string bytes = binary_head("$$ALIGN\n");
   test::append_u32(128, bytes);

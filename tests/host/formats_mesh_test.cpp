@@ -182,7 +182,7 @@ TEST_CASE("3MF: what is refused, by name") {
   CHECK(says(error_of(model("", kObject, "")), "no item to print"));
   CHECK(says(error_of(model(
                  "", "<object id=\"1\" s:meshresolution=\"lowres\">" + kMesh + "</object>", item)),
-             "given as slices"));
+             "has no slicestackid"));
   CHECK(says(error_of(model("",
                             "<object id=\"1\"><components><component objectid=\"1\"/>"
                             "</components></object>",

@@ -71,6 +71,19 @@ TEST_CASE("SLC: layers reach up to the next; heads may be padded; inches") {
   CHECK(says(error_of(replaced(plain, "-UNIT MM", "-UNIT XX")), "names no unit"));
 }
 
+TEST_CASE("SLC: keys without blanks between them, a name that looks like a unit, supports") {
+  const std::string& plain = format_sample("3d.slc");
+  CHECK_EQ(slices_of(replaced(plain, "-UNIT MM -TYPE PART", "-UNIT MM-TYPE PART"))[0].region,
+           region_from_text("0:0 8:0 0:8"));
+  CHECK_EQ(slices_of(replaced(plain, "-TYPE PART", "-PACKAGE INCHWORM"))[0].region,
+           region_from_text("0:0 8:0 0:8"));
+  CHECK(read_bytes(plain).value().warnings.empty());
+  const auto support = read_bytes(replaced(plain, "-TYPE PART", "-TYPE SUPPORT"));
+  REQUIRE(support.ok());
+  REQUIRE_EQ(support.value().warnings.size(), 1);
+  CHECK(says(support.value().warnings[0], "no part but a SUPPORT"));
+}
+
 TEST_CASE("Slice V0: inches, contours that nest either way round, empty layers") {
   const std::vector<Slice> slices = slices_of(format_sample("v0.ssl"));
   REQUIRE_EQ(slices.size(), 3);
@@ -192,6 +205,15 @@ TEST_CASE("SVG: what is refused") {
   CHECK(says(error_of(svg(path + "M 0 0 C 1 1 2 2 3 3\"/></g>")), "path command 'C'"));
   CHECK(says(error_of(svg(path + "M 0 x\"/></g>")), "where a coordinate should be"));
   CHECK(says(error_of(svg("<g slic3r:z=\"a\"/>")), "'a' is no height"));
+  for (const char* moved : {"<g transform=\"scale(2)\">", "<g slic3r:z=\"1\" transform=\"\">"}) {
+    CHECK(says(error_of(svg(moved + path + "M 0 0\"/></g></g>")), "<g transform=…> is not"));
+  }
+  CHECK(says(error_of(svg("<g slic3r:z=\"0.2\"><path transform=\"scale(2)\"/></g>")),
+             "<path transform=…> is not"));
+  const auto circle = read_bytes(svg(path + "M 0 0 9 0 0 9\"/><circle r=\"3\"/><rect/></g>"));
+  REQUIRE(circle.ok());
+  REQUIRE_EQ(circle.value().warnings.size(), 1);
+  CHECK(says(circle.value().warnings[0], "<circle> and other shapes"));
   CHECK(says(error_of(svg(path)), "no XML"));
   CHECK(says(error_of(svg(path + "M 0 0\"/></g>").substr(0, 150)), "the document ends early"));
   CHECK(says(error_of("<!DOCTYPE svg [<!ENTITY a \"aaaa\">]>" + svg("")), "declares entities"));

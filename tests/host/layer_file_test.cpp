@@ -8,6 +8,7 @@
 
 #include "host/formats/formats.h"
 #include "host/part_file.h"
+#include "tests/support/format_samples.h"
 #include "tests/support/region_text.h"
 #include "tests/support/temporary_folder.h"
 
@@ -130,6 +131,24 @@ TEST_CASE("a layer from a pipe that leaves the bed or the axis is an error there
   CHECK(high.message.find("axis") != std::string::npos);
 }
 
+TEST_CASE("empty layers on top are none, in a file and in a pipe; those in between are layers") {
+  const test::TemporaryFolder folder;
+  const std::string bytes = cli("", layer("0.2", "10", "30") + "$$LAYER/0.4\n" +
+                                        layer("0.6", "10", "30") + "$$LAYER/0.8\n$$LAYER/1.0\n");
+  auto file = host::open_whole_part(folder.write("part.cli", bytes), small_bed(), {});
+  auto pipe = open_once(bytes, small_bed());
+  REQUIRE(file.ok());
+  REQUIRE(pipe.ok());
+  CHECK_EQ(file.value().summary.layers, 3);
+  CHECK_EQ(file.value().summary.height.mm(), doctest::Approx(0.6));
+  for (host::OpenedPart* part : {&file.value(), &pipe.value()}) {
+    const std::vector<core::Slice> slices = all_slices(*part);
+    REQUIRE_EQ(slices.size(), 3);
+    CHECK(slices[1].region.empty());
+    CHECK_FALSE(slices[2].region.empty());
+  }
+}
+
 TEST_CASE("layers that can't be printed are refused by number, before anything is printed") {
   const test::TemporaryFolder folder;
   const auto refusal = [&](const std::string& layers) {
@@ -151,4 +170,23 @@ TEST_CASE("every kind is told by its content") {
     CAPTURE(row.name);
     CHECK((row.reads || row.writes));
   }
+}
+
+TEST_CASE("a binary STL is one, whatever its head begins with") {
+  for (const std::string head :
+       {"ASCII to binary", "o cube", "v 1.0 2.0", "(SIF_SFF 2 0", "# x", "(LSIF", "Slice V0"}) {
+    CAPTURE(head);
+    std::string bytes = head + std::string(80 - head.size(), ' ') + std::string("\1\0\0\0", 4);
+    host::InputFile file = host::InputFile::from_bytes("part", bytes + std::string(50, '\0'));
+    const auto kind = host::kind_of(file);
+    REQUIRE(kind.ok());
+    CHECK(kind.value() == host::FileKind::kStl);
+  }
+}
+
+TEST_CASE("what is no kind of file is refused with what it looks like") {
+  const auto refusal = [](const std::string& bytes) { return test::error_of(bytes); };
+  CHECK(refusal("\xFF\xFEs\0o\0l\0").find("text in UTF-16") != std::string::npos);
+  CHECK(refusal("ply\nformat ascii 1.0\n").find("text of no kind that is known") !=
+        std::string::npos);
 }

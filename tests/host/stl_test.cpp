@@ -161,11 +161,25 @@ TEST_CASE("a count in the header that does not fit the file") {
     REQUIRE_EQ(outcome.warnings.size(), 1);
     CHECK(outcome.warnings[0].find(std::to_string(count)) != std::string::npos);
   }
+  // Fewer than fill the file: those that fill it count. With bytes behind that are no facets, the
+  // head does.
   const Outcome fewer = read(with_count(binary_box(), 5));
-  CHECK(fewer.ok);
-  CHECK_EQ(fewer.triangles.size(), 5);
+  check_is_box(fewer);
   REQUIRE_EQ(fewer.warnings.size(), 1);
-  CHECK(fewer.warnings[0].find("byte 334") != std::string::npos);
+  CHECK(fewer.warnings[0].find("counts 5 facets, the file has 12") != std::string::npos);
+  const Outcome behind = read(with_count(binary_box() + "xyz", 5));
+  CHECK(behind.ok);
+  CHECK_EQ(behind.triangles.size(), 5);
+  REQUIRE_EQ(behind.warnings.size(), 1);
+  CHECK(behind.warnings[0].find("byte 334") != std::string::npos);
+}
+
+TEST_CASE("a file as long as its count says is binary, whatever its head looks like") {
+  std::string bytes = binary_box();
+  const std::string header = "solid part\n facet normal 0 0 1\n  outer loop\n";
+  std::copy(header.begin(), header.end(), bytes.begin());
+  check_is_box(read(bytes));
+  CHECK_EQ(read(bytes).format, "binary STL");
 }
 
 TEST_CASE("colour bytes after a facet do not matter") {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 
 #include "core/check.h"
 #include "host/formats/sif_reader.h"
@@ -16,12 +17,10 @@ constexpr std::size_t kSizeMax = 1 << 16;
 // Copies of copies may be many; enough of them are enough.
 constexpr int kItemsMax = 10'000;
 
-void read_layers(host::FileKind kind, host::InputFile file) {
-  auto layers = host::open_layers(kind, std::move(file));
-  if (!layers.ok()) return;
+void read_from(host::LayerReader& layers) {
   std::optional<core::Slice> last;
   for (int i = 0; i < kItemsMax; ++i) {
-    core::Result<std::optional<core::Slice>> slice = layers.value()->next();
+    core::Result<std::optional<core::Slice>> slice = layers.next();
     if (!slice.ok()) {
       RIND_CHECK(slice.error().message.size() > 20);
       return;
@@ -34,23 +33,21 @@ void read_layers(host::FileKind kind, host::InputFile file) {
   }
 }
 
+void read_from(host::TriangleSource& triangles) {
+  for (int i = 0; i < kItemsMax; ++i) {
+    const auto triangle = triangles.next();
+    if (!triangle.ok() || !triangle.value()) return;
+  }
+}
+
 void read_triangles(host::FileKind kind, host::InputFile file) {
   if (kind == host::FileKind::kSif) {
     auto tree = host::read_sif(std::move(file));
     if (!tree.ok() || !tree.value()->is_plain()) return;
-    const auto triangles = host::plain_triangles(std::move(tree).value());
-    for (int i = 0; i < kItemsMax; ++i) {
-      const auto triangle = triangles->next();
-      if (!triangle.ok() || !triangle.value()) return;
-    }
-    return;
+    return read_from(*host::plain_triangles(std::move(tree).value()));
   }
   auto triangles = host::open_triangles(kind, std::move(file));
-  if (!triangles.ok()) return;
-  for (int i = 0; i < kItemsMax; ++i) {
-    const auto triangle = triangles.value()->next();
-    if (!triangle.ok() || !triangle.value()) return;
-  }
+  if (triangles.ok()) read_from(*triangles.value());
 }
 
 }  // namespace
@@ -60,7 +57,11 @@ void read_as(host::FileKind kind, const std::uint8_t* data, std::size_t size) {
   host::InputFile file =
       host::InputFile::from_bytes("part", std::string(reinterpret_cast<const char*>(data), size));
   if (host::is_layers(kind)) {
-    read_layers(kind, std::move(file));
+    auto layers = host::open_layers(kind, std::move(file));
+    if (layers.ok()) read_from(*layers.value());
+  } else if (kind == host::FileKind::kZip) {
+    auto opened = host::open_zip(std::move(file));
+    if (opened.ok()) std::visit([](const auto& found) { read_from(*found); }, opened.value());
   } else {
     read_triangles(kind, std::move(file));
   }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <sstream>
+#include <variant>
 
 #include "core/check.h"
 #include "host/formats/formats.h"
@@ -107,6 +108,39 @@ core::Status drain(Source& source, std::size_t most, std::vector<Item>& into) {
   }
 }
 
+Result<ReadFile> read_from(host::LayerReader& layers, std::size_t most) {
+  ReadFile read;
+  read.format = layers.format();
+  if (core::Status all = drain(layers, most, read.slices); !all.ok()) return all.error();
+  read.warnings = layers.warnings();
+  return read;
+}
+
+Result<ReadFile> read_from(host::TriangleSource& triangles, std::size_t most) {
+  ReadFile read;
+  read.format = triangles.format();
+  if (core::Status all = drain(triangles, most, read.triangles); !all.ok()) return all.error();
+  read.warnings = triangles.warnings();
+  return read;
+}
+
+std::string threemf_slices() {
+  const auto slice = [](const std::string& ztop) {
+    return "<s:slice ztop=\"" + ztop +
+           "\"><s:vertices><s:vertex x=\"0\" y=\"0\"/><s:vertex x=\"8\" y=\"0\"/>"
+           "<s:vertex x=\"0\" y=\"8\"/></s:vertices><s:polygon startv=\"0\"><s:segment v2=\"1\"/>"
+           "<s:segment v2=\"2\"/><s:segment v2=\"0\"/></s:polygon></s:slice>";
+  };
+  return threemf_file(
+      "<model xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\" "
+      "xmlns:s=\"http://schemas.microsoft.com/3dmanufacturing/slice/2015/07\"><resources>"
+      "<s:slicestack id=\"5\">" +
+      slice("0.2") + slice("0.4") +
+      "</s:slicestack><object id=\"1\" "
+      "s:slicestackid=\"5\" s:meshresolution=\"lowres\"/></resources><build>"
+      "<item objectid=\"1\"/></build></model>");
+}
+
 }  // namespace
 
 void append_u16(unsigned number, std::string& into) {
@@ -135,6 +169,7 @@ const std::vector<FormatSample>& format_samples() {
       {"mesh.obj", obj_file(small_box())},
       {"mesh.amf", amf_file(small_box())},
       {"mesh.3mf", threemf_file(threemf_model(small_box()))},
+      {"slices.3mf", threemf_slices()},
       {"new.sif", sif_file(small_box())},
       {"old.sif", old_sif_file(small_box())},
       {"ascii.stl", ascii_stl()},
@@ -154,23 +189,18 @@ Result<ReadFile> read_bytes(const std::string& bytes, std::size_t most) {
   host::InputFile file = host::InputFile::from_bytes("part", bytes);
   const Result<host::FileKind> kind = host::kind_of(file);
   if (!kind.ok()) return kind.error();
-  ReadFile read;
   if (host::is_layers(kind.value())) {
     auto layers = host::open_layers(kind.value(), std::move(file));
-    if (!layers.ok()) return layers.error();
-    read.format = layers.value()->format();
-    if (core::Status all = drain(*layers.value(), most, read.slices); !all.ok()) return all.error();
-    read.warnings = layers.value()->warnings();
-    return read;
+    return layers.ok() ? read_from(*layers.value(), most) : Result<ReadFile>(layers.error());
+  }
+  if (kind.value() == host::FileKind::kZip) {
+    auto opened = host::open_zip(std::move(file));
+    if (!opened.ok()) return opened.error();
+    return std::visit([most](const auto& found) { return read_from(*found, most); },
+                      opened.value());
   }
   auto triangles = host::open_triangles(kind.value(), std::move(file));
-  if (!triangles.ok()) return triangles.error();
-  read.format = triangles.value()->format();
-  if (core::Status all = drain(*triangles.value(), most, read.triangles); !all.ok()) {
-    return all.error();
-  }
-  read.warnings = triangles.value()->warnings();
-  return read;
+  return triangles.ok() ? read_from(*triangles.value(), most) : Result<ReadFile>(triangles.error());
 }
 
 std::string error_of(const std::string& bytes) {
