@@ -6,6 +6,7 @@
 
 #include "core/check.h"            // RIND_CHECK
 #include "core/contact_check.h"    // split_at_touches
+#include "core/narrow_diagram.h"   // make_narrow_diagram
 #include "core/ridge.h"            // Ridge
 #include "core/voronoi_diagram.h"  // make_voronoi_diagram
 
@@ -14,6 +15,8 @@ namespace {
 
 // Lines stay this near to the true axis, and widths between their points to the true ones. Units.
 constexpr double kTolerance = 10;
+// How far beyond the widest road the diagram is made.
+constexpr double kOpenShare = 1.1;
 // Pieces that one curved edge is split into at most.
 constexpr int kPiecesMax = 64;
 
@@ -249,14 +252,18 @@ class Chains {
 std::vector<ThickPolyline> medial_axis(const Region& region, Length width_min, Length width_max) {
   RIND_CHECK(Length() < width_min && width_min <= width_max);
   if (region.empty()) return {};
-  const std::optional<VoronoiDiagram> diagram =
-      make_voronoi_diagram(split_at_touches(region.rings()), 0);
-  if (!diagram) return {};
-  Ridge ridge(*diagram);
-  ridge.drop_spurs();
   // Half a unit either way, so that a gap of exactly the limit's width counts.
   const double radius_min = (static_cast<double>(width_min.units()) - 0.5) / 2;
   const double radius_max = (static_cast<double>(width_max.units()) + 0.5) / 2;
+  double open_height = kOpenShare * radius_max;
+  std::optional<VoronoiDiagram> diagram = make_narrow_diagram(region.rings(), open_height);
+  if (!diagram) {
+    diagram = make_voronoi_diagram(split_at_touches(region.rings()), 0);
+    open_height = std::numeric_limits<double>::infinity();
+  }
+  if (!diagram) return {};
+  Ridge ridge(*diagram, open_height - 1);
+  ridge.drop_spurs();
   return Chains(runs_of(*diagram, ridge, radius_min, radius_max), diagram->vertices.size()).join();
 }
 

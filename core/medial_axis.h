@@ -38,7 +38,7 @@ struct ThickPolyline {
 // lies within the region and its width is twice its distance to the boundary, both to a unit.
 // Should every Voronoi diagram of the region fail its checks, however turned (never seen), there
 // are no lines: the gap stays open.
-// COSTS: as VoronoiMountain.
+// COSTS: as make_narrow_diagram(); where that has no answer, as VoronoiMountain.
 [[nodiscard]] std::vector<ThickPolyline> medial_axis(const Region& region, Length width_min,
                                                      Length width_max);
 

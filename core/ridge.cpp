@@ -11,7 +11,8 @@ constexpr double kOnContour = 0.25;
 
 }  // namespace
 
-Ridge::Ridge(const VoronoiDiagram& diagram) : diagram_(diagram) {
+Ridge::Ridge(const VoronoiDiagram& diagram, double open_height)
+    : diagram_(diagram), open_height_(open_height) {
   leaving_.resize(diagram.vertices.size());
   reach_.reserve(diagram.vertices.size());
   for (const VoronoiVertex& vertex : diagram.vertices) reach_.push_back(std::abs(vertex.height));
@@ -30,8 +31,12 @@ bool Ridge::on_contour(std::uint32_t vertex) const {
   return diagram_.vertices[vertex].height <= kOnContour;
 }
 
+bool Ridge::is_open(std::uint32_t vertex) const {
+  return diagram_.vertices[vertex].height >= open_height_;
+}
+
 bool Ridge::is_end(std::uint32_t vertex) const {
-  return leaving_[vertex].size() == 1 || on_contour(vertex);
+  return (leaving_[vertex].size() == 1 && !is_open(vertex)) || on_contour(vertex);
 }
 
 double Ridge::length(std::uint32_t edge) const {
@@ -53,7 +58,7 @@ Ridge::Branch Ridge::branch_from(std::uint32_t edge) const {
     branch.edges.push_back(edge);
     branch.reach += length(edge);
     branch.end = diagram_.to(edge);
-    if (is_end(branch.end) || leaving_[branch.end].size() > 2) return branch;
+    if (is_end(branch.end) || is_open(branch.end) || leaving_[branch.end].size() > 2) return branch;
     edge = only_other(branch.end, diagram_.edges[edge].twin);
   }
 }
@@ -86,7 +91,7 @@ void Ridge::drop_spurs() {
     std::vector<std::size_t> doomed;
     for (std::size_t i = 0, j = 0; i < spurs.size(); i = j) {
       while (j < spurs.size() && spurs[j].end == spurs[i].end) ++j;
-      const bool all = j - i == leaving_[spurs[i].end].size();
+      const bool all = j - i == leaving_[spurs[i].end].size() && !is_open(spurs[i].end);
       for (std::size_t k = all ? i + 2 : i; k < j; ++k) doomed.push_back(k);
     }
     for (const std::size_t k : doomed) remove(spurs[k]);

@@ -11,8 +11,10 @@ namespace core {
 // A graph on the diagram's vertices; edges are named by one of their halves.
 class Ridge {
  public:
+  // Lines that reach `open_height` go on where the diagram does not: no end of theirs is free, and
+  // what ends there is a spur as if it ended in a fork.
   // REQUIRES: diagram outlives the ridge.
-  explicit Ridge(const VoronoiDiagram& diagram);
+  Ridge(const VoronoiDiagram& diagram, double open_height);
 
   // A spur, the branch from a free end to the first fork, goes when it reaches beyond the disc
   // about that fork by no more than the disc's radius: corners of 60° and more do. What spurs of
@@ -34,6 +36,7 @@ class Ridge {
     double reach = 0;  // from its end to the farthest that it covers
   };
 
+  [[nodiscard]] bool is_open(std::uint32_t vertex) const;
   [[nodiscard]] bool is_end(std::uint32_t vertex) const;
   [[nodiscard]] double length(std::uint32_t edge) const;
   [[nodiscard]] Branch branch_from(std::uint32_t edge) const;
@@ -41,6 +44,7 @@ class Ridge {
   void remove(const Branch& branch);
 
   const VoronoiDiagram& diagram_;
+  double open_height_;
   std::vector<std::vector<std::uint32_t>> leaving_;  // by vertex: halves that leave it
   std::vector<double> reach_;                        // by vertex: how far discs ever reached
 };

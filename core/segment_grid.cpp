@@ -151,6 +151,21 @@ bool SegmentGrid::any_within(Point point, Length reach) const {
   return false;
 }
 
+void SegmentGrid::collect(const Box& box, std::vector<std::uint32_t>& numbers) const {
+  if (segments_.empty()) return;
+  const std::size_t before = numbers.size();
+  const std::int64_t left = column(box.min.x - 1.0), right = column(box.max.x + 1.0);
+  const std::int64_t top = row(box.max.y + 1.0);
+  for (std::int64_t at_row = row(box.min.y - 1.0); at_row <= top; ++at_row) {
+    const std::int64_t first = at_row * columns_ + left, end = at_row * columns_ + right + 1;
+    numbers.insert(numbers.end(), entries_.begin() + starts_[static_cast<std::size_t>(first)],
+                   entries_.begin() + starts_[static_cast<std::size_t>(end)]);
+  }
+  const auto added = numbers.begin() + static_cast<std::ptrdiff_t>(before);
+  std::sort(added, numbers.end());
+  numbers.erase(std::unique(added, numbers.end()), numbers.end());
+}
+
 bool SegmentGrid::crosses(const Segment& line) const {
   if (segments_.empty()) return false;
   return walk(line, [&](std::size_t cell) {

@@ -1,5 +1,5 @@
 // Finds segments near a place, by a uniform grid: is anything within reach of this point, does
-// this straight line cross a contour?
+// this straight line cross a contour, what is in this box?
 //
 // Each segment is entered in every cell that its own line passes; a query looks only at the cells
 // it reaches. Cells lie row by row in one array, with a bound of some cells a segment.
@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/geometry.h"  // Point, Segment
+#include "core/geometry.h"  // Box, Point, Segment
 #include "core/region.h"    // Region
 #include "core/units.h"     // Length
 
@@ -24,6 +24,10 @@ class SegmentGrid {
 
   // True when a segment lies within `reach` of the point.
   [[nodiscard]] bool any_within(Point point, Length reach) const;
+
+  // Adds the numbers of all segments that come into the box, and of some near it, each once, in
+  // ascending order.
+  void collect(const Box& box, std::vector<std::uint32_t>& numbers) const;
 
   // True when the line crosses or touches a segment.
   [[nodiscard]] bool crosses(const Segment& line) const;

@@ -1,0 +1,130 @@
+// The lower envelope of a few curves over one parameter: which is the lowest where.
+//
+//     ╲      ╱╲                A curve type offers
+//      ╲____╱  ╲___ ╱            double value(double t)             what is compared
+//     1 ┆ 2 ┆ 1 ┆ 3 ┆            double low, high                   where it counts
+//                                two members that look at pairs     below
+//
+// Exact in the sense that no dip of one curve below another is missed: within the limits of all
+// curves, any two of a type meet at most twice.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace core {
+
+// From the piece before to `to` the curve is the lowest.
+struct EnvelopePiece {
+  double to = 0;
+  std::uint32_t curve = 0;
+};
+
+// Curve:  kSame, values nearer than which are one, and two members beside those above:
+//         double crossing(const Curve& other, double from, double to)
+//             where the two meet, if it lies between, else halfway
+//         double closest(const Curve& other, double from, double to)
+//             where other.value() - value() is least: between, or at one of the two
+template <typename Curve>
+class LowerEnvelope {
+ public:
+  // REQUIRES: from < to; at every parameter at least one curve counts.
+  // COSTS: O(curves²) at worst; keeps its memory.
+  const std::vector<EnvelopePiece>& find(const std::vector<Curve>& curves, double from, double to) {
+    curves_ = &curves;
+    pieces_.clear();
+    stops_.assign({from, to});
+    for (const Curve& curve : curves) {
+      for (const double limit : {curve.low, curve.high}) {
+        if (from < limit && limit < to) stops_.push_back(limit);
+      }
+    }
+    std::sort(stops_.begin(), stops_.end());
+    for (std::size_t i = 0; i + 1 < stops_.size(); ++i) between(stops_[i], stops_[i + 1]);
+    return pieces_;
+  }
+
+ private:
+  // Breaks that rounding makes up are cut short here.
+  static constexpr int kSplitsMax = 64;
+
+  // No curve's limit lies between.
+  void between(double from, double to) {
+    if (!(from < to)) return;
+    const double middle = (from + to) / 2;
+    open_.clear();
+    for (std::uint32_t i = 0; i < curves_->size(); ++i) {
+      if ((*curves_)[i].low <= middle && middle <= (*curves_)[i].high) open_.push_back(i);
+    }
+    split(from, lowest(from), to, lowest(to), 0);
+  }
+
+  [[nodiscard]] std::uint32_t lowest(double t) const {
+    std::uint32_t best = open_.front();
+    double least = std::numeric_limits<double>::max();
+    for (const std::uint32_t i : open_) {
+      const double there = value(i, t);
+      if (there >= least) continue;
+      least = there;
+      best = i;
+    }
+    return best;
+  }
+
+  [[nodiscard]] double value(std::uint32_t curve, double t) const {
+    return (*curves_)[curve].value(t);
+  }
+
+  void split(double from, std::uint32_t first, double to, std::uint32_t last, int depth) {
+    // Curves that touch where one of them ceases to count are no crossing.
+    if (value(first, to) <= value(last, to) + Curve::kSame) {
+      last = first;
+    } else if (value(last, from) <= value(first, from) + Curve::kSame) {
+      first = last;
+    }
+    const Curve& a = (*curves_)[first];
+    if (first != last) {
+      const double at = a.crossing((*curves_)[last], from, to);
+      const std::uint32_t there = lowest(at);
+      const bool other =
+          there != first && there != last && value(there, at) < a.value(at) - Curve::kSame;
+      if (!other || depth == kSplitsMax || !(from < at && at < to)) {
+        add(at, first);
+        add(to, last);
+        return;
+      }
+      split(from, first, at, there, depth + 1);
+      split(at, there, to, last, depth + 1);
+      return;
+    }
+    for (const std::uint32_t i : open_) {
+      if (i == first || depth == kSplitsMax) continue;
+      const double at = a.closest((*curves_)[i], from, to);
+      if (!(from < at && at < to)) continue;
+      if (value(i, at) >= a.value(at) - Curve::kSame) continue;
+      const std::uint32_t there = lowest(at);
+      split(from, first, at, there, depth + 1);
+      split(at, there, to, last, depth + 1);
+      return;
+    }
+    add(to, first);
+  }
+
+  void add(double to, std::uint32_t curve) {
+    if (!pieces_.empty() && pieces_.back().curve == curve) {
+      pieces_.back().to = to;
+    } else {
+      pieces_.push_back({to, curve});
+    }
+  }
+
+  const std::vector<Curve>* curves_ = nullptr;
+  std::vector<double> stops_;
+  std::vector<std::uint32_t> open_;
+  std::vector<EnvelopePiece> pieces_;
+};
+
+}  // namespace core
