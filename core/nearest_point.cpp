@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/check.h"  // RIND_CHECK
 
@@ -31,13 +32,22 @@ NearestPoint::NearestPoint(std::vector<Entry> entries) : entries_(std::move(entr
   cell_ = 1 + std::llround(std::max(std::sqrt(wide * high / count), std::max(wide, high) / count));
   columns_ = column(box.max.x) + 1;
   rows_ = row(box.max.y) + 1;
-  cells_.resize(static_cast<std::size_t>(columns_ * rows_));
-  for (std::size_t i = 0; i < entries_.size(); ++i) {
-    const Entry& entry = entries_[i];
-    if (entry.owner >= of_owner_.size()) of_owner_.resize(entry.owner + 1);
-    of_owner_[entry.owner].push_back(i);
-    cells_[static_cast<std::size_t>(row(entry.point.y) * columns_ + column(entry.point.x))]
-        .push_back(i);
+  const auto cells = static_cast<std::size_t>(columns_ * rows_);
+  std::size_t owners = 0;
+  starts_.assign(cells + 1, 0);
+  for (const Entry& entry : entries_) {
+    owners = std::max(owners, entry.owner + 1);
+    ++starts_[cell_of(entry.point) + 1];
+  }
+  std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
+  ends_.assign(starts_.begin(), starts_.end() - 1);
+  in_cells_.resize(entries_.size());
+  of_owner_.assign(owners, {0, 0});
+  for (std::uint32_t i = 0; i < entries_.size(); ++i) {
+    in_cells_[ends_[cell_of(entries_[i].point)]++] = i;
+    Range& range = of_owner_[entries_[i].owner];
+    if (range.end == 0) range.begin = i;
+    range.end = i + 1;
   }
 }
 
@@ -49,24 +59,34 @@ std::int64_t NearestPoint::row(std::int32_t y) const {
   return (std::int64_t{y} - origin_.y) / cell_;
 }
 
+std::size_t NearestPoint::cell_of(Point p) const {
+  return static_cast<std::size_t>(row(p.y) * columns_ + column(p.x));
+}
+
 void NearestPoint::remove_owner(std::size_t owner) {
   RIND_CHECK(owner < of_owner_.size());
-  for (const std::size_t i : of_owner_[owner]) {
-    const Point p = entries_[i].point;
-    auto& cell = cells_[static_cast<std::size_t>(row(p.y) * columns_ + column(p.x))];
-    std::erase(cell, i);
+  for (std::uint32_t i = of_owner_[owner].begin; i < of_owner_[owner].end; ++i) {
+    if (entries_[i].owner != owner) continue;
+    const std::size_t cell = cell_of(entries_[i].point);
+    const auto end = in_cells_.begin() + ends_[cell];
+    const auto place = std::find(in_cells_.begin() + starts_[cell], end, i);
+    if (place == end) continue;
+    *place = *(end - 1);
+    --ends_[cell];
   }
-  of_owner_[owner].clear();
+  of_owner_[owner] = {0, 0};
 }
 
 std::optional<NearestPoint::Entry> NearestPoint::nearest(Point to) const {
   const std::int64_t at_column = std::clamp<std::int64_t>(column(to.x), 0, columns_ - 1);
   const std::int64_t at_row = std::clamp<std::int64_t>(row(to.y), 0, rows_ - 1);
-  std::optional<std::size_t> best;
+  std::optional<std::uint32_t> best;
   double best_distance2 = 0;
   const auto look = [&](std::int64_t c, std::int64_t r) {
     if (c < 0 || c >= columns_ || r < 0 || r >= rows_) return;
-    for (const std::size_t i : cells_[static_cast<std::size_t>(r * columns_ + c)]) {
+    const auto cell = static_cast<std::size_t>(r * columns_ + c);
+    for (std::uint32_t at = starts_[cell]; at < ends_[cell]; ++at) {
+      const std::uint32_t i = in_cells_[at];
       const double d2 = distance2(entries_[i].point, to);
       if (best && (d2 > best_distance2 || (d2 == best_distance2 && i > *best))) continue;
       best = i;

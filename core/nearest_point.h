@@ -19,6 +19,7 @@ class NearestPoint {
     std::size_t place = 0;  // which of the owner's points
   };
 
+  // COSTS: O(entries). REQUIRES: fewer than 2^32; best, but not needed, an owner's in one run.
   explicit NearestPoint(std::vector<Entry> entries);
 
   // Takes all of an owner's points away. REQUIRES: the owner had a point at the begin.
@@ -32,9 +33,18 @@ class NearestPoint {
   [[nodiscard]] std::int64_t column(std::int32_t x) const;
   [[nodiscard]] std::int64_t row(std::int32_t y) const;
 
+  [[nodiscard]] std::size_t cell_of(Point p) const;
+
+  struct Range {
+    std::uint32_t begin = 0;
+    std::uint32_t end = 0;
+  };
+
   std::vector<Entry> entries_;
-  std::vector<std::vector<std::size_t>> of_owner_;  // entries
-  std::vector<std::vector<std::size_t>> cells_;     // entries left, in the order given
+  std::vector<Range> of_owner_;          // the entries from its first to its last
+  std::vector<std::uint32_t> starts_;    // by cell, into in_cells_
+  std::vector<std::uint32_t> ends_;      // by cell: of what is left
+  std::vector<std::uint32_t> in_cells_;  // entries
   Point origin_;
   std::int64_t cell_ = 1;
   std::int64_t columns_ = 0;

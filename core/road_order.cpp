@@ -112,6 +112,13 @@ std::vector<Road> nearest_order(std::vector<Road> roads, Point& at) {
   return ordered;
 }
 
+static void append_in_stages(IslandRoads& island, Point& at, std::vector<Road>& ordered) {
+  for (std::vector<Road>& stage_roads : island.stages) {
+    std::vector<Road> part = nearest_order(std::move(stage_roads), at);
+    std::move(part.begin(), part.end(), std::back_inserter(ordered));
+  }
+}
+
 std::vector<Road> printing_order(std::vector<Road> roads, const Region& slice, Point at) {
   std::vector<Outline> outlines;
   for (Island& island : islands(slice)) {
@@ -123,20 +130,24 @@ std::vector<Road> printing_order(std::vector<Road> roads, const Region& slice, P
   std::vector<IslandRoads> all(std::max<std::size_t>(1, outlines.size()));
   std::vector<NearestPoint::Entry> entries;
   for (Road& road : roads) {
-    const std::size_t island = outlines.size() > 1 ? island_at(road.points.front(), outlines) : 0;
-    for (std::size_t i = 0; i < road.points.size(); ++i) {
-      entries.push_back({road.points[i], island, i});
+    std::size_t island = 0;
+    if (all.size() > 1) {
+      island = island_at(road.points.front(), outlines);
+      for (std::size_t i = 0; i < road.points.size(); ++i) {
+        entries.push_back({road.points[i], island, i});
+      }
     }
     all[island].stages[stage(road.kind)].push_back(std::move(road));
   }
-  NearestPoint islands_left(std::move(entries));
   std::vector<Road> ordered;
+  if (all.size() == 1) {
+    append_in_stages(all.front(), at, ordered);
+    return ordered;
+  }
+  NearestPoint islands_left(std::move(entries));
   while (const auto next = islands_left.nearest(at)) {
     islands_left.remove_owner(next->owner);
-    for (std::vector<Road>& stage_roads : all[next->owner].stages) {
-      std::vector<Road> part = nearest_order(std::move(stage_roads), at);
-      std::move(part.begin(), part.end(), std::back_inserter(ordered));
-    }
+    append_in_stages(all[next->owner], at, ordered);
   }
   return ordered;
 }
