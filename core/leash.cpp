@@ -18,49 +18,58 @@ Place place(Point p) { return {static_cast<double>(p.x), static_cast<double>(p.y
 
 double squared(Place a, Place b) { return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y); }
 
-// The point of the straight line from a to b that is nearest to p.
-Place nearest(Place p, Place a, Place b) {
-  const double dx = b.x - a.x, dy = b.y - a.y, length2 = dx * dx + dy * dy;
-  if (length2 == 0) return a;
-  const double t = std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / length2, 0.0, 1.0);
-  return {a.x + t * dx, a.y + t * dy};
-}
-
 // Goes forward along a ring, from corner to corner or to a place before the next one.
-struct Walker {
-  Walker(const Ring& on, std::size_t from)
-      : ring(&on), corner(from), at(place(on[from])), next(place(after(from))) {}
-
-  [[nodiscard]] Point after(std::size_t i) const {
-    return (*ring)[i + 1 < ring->size() ? i + 1 : 0];
+class Walker {
+ public:
+  Walker(const Ring& ring, std::size_t corner) : ring_(&ring), next_corner_(corner) {
+    next_ = place(ring[corner]);
+    pass();
   }
 
-  void go_to_next() {
-    at = next;
-    corner = corner + 1 < ring->size() ? corner + 1 : 0;
-    next = place(after(corner));
+  [[nodiscard]] Place next() const { return next_; }
+
+  // Where along the edge that it is on the place nearest to p is: 0 its begin, 1 its end.
+  [[nodiscard]] double share_at(Place p) const {
+    return ((p.x - from_.x) * dx_ + (p.y - from_.y) * dy_) * per_length2_;
   }
 
-  const Ring* ring;
-  std::size_t corner;
-  Place at;
-  Place next;
+  // The place there, but neither behind where it is nor beyond the edge.
+  [[nodiscard]] Place ahead(double share) const {
+    const double t = std::min(std::max(share, share_), 1.0);
+    return {from_.x + t * dx_, from_.y + t * dy_};
+  }
+
+  void go_to(double share) { share_ = std::min(std::max(share, share_), 1.0); }
+
+  // On to the next corner.
+  void pass() {
+    from_ = next_;
+    next_corner_ = next_corner_ + 1 < ring_->size() ? next_corner_ + 1 : 0;
+    next_ = place((*ring_)[next_corner_]);
+    dx_ = next_.x - from_.x;
+    dy_ = next_.y - from_.y;
+    const double length2 = dx_ * dx_ + dy_ * dy_;
+    per_length2_ = length2 > 0 ? 1 / length2 : 0;
+    share_ = 0;
+  }
+
+ private:
+  const Ring* ring_;
+  std::size_t next_corner_;
+  Place from_, next_;
+  double dx_ = 0;
+  double dy_ = 0;
+  double per_length2_ = 0;
+  double share_ = 0;
 };
 
-// Goes on to the next corner of `ahead`, and with `beside` to the nearest place that is not behind
-// it and not beyond its own next corner. False when the leash is too short for that.
-bool go_on(Walker& ahead, Walker& beside, double reach2) {
-  const Place place = nearest(ahead.next, beside.at, beside.next);
-  if (squared(ahead.next, place) > reach2) return false;
-  beside.at = place;
-  ahead.go_to_next();
+// Goes on to the next corner of `ahead`, and with `beside` as near to it as it may. False when the
+// leash is too short for that.
+bool go_on(Walker& ahead, Walker& beside, double share, double reach2) {
+  if (squared(ahead.next(), beside.ahead(share)) > reach2) return false;
+  beside.go_to(share);
+  ahead.pass();
   return true;
-}
-
-// Whether `p` lies beyond the next corner, seen along the way there.
-bool beyond(Place p, const Walker& walker) {
-  const double dx = walker.next.x - walker.at.x, dy = walker.next.y - walker.at.y;
-  return (p.x - walker.next.x) * dx + (p.y - walker.next.y) * dy >= 0;
 }
 
 // The corner before the ring's place that is nearest to p, as a rule: beside the nearest corner.
@@ -74,26 +83,27 @@ std::size_t start_corner(const Ring& ring, Place p) {
     best = i;
   }
   const std::size_t before = best > 0 ? best - 1 : ring.size() - 1;
-  const Place at_best = place(ring[best]);
-  const Place on_last = nearest(p, place(ring[before]), at_best);
-  return squared(p, on_last) < least ? before : best;
+  const Walker last(ring, before);
+  return squared(p, last.ahead(last.share_at(p))) < least ? before : best;
 }
 
 bool leashed(const Ring& ring, const Ring& other, double reach2) {
+  const Place start = place(ring.front());
   Walker a(ring, 0);
-  Walker b(other, start_corner(other, a.at));
-  b.at = nearest(a.at, b.at, b.next);
-  if (squared(a.at, b.at) > reach2) return false;
+  Walker b(other, start_corner(other, start));
+  b.go_to(b.share_at(start));
+  if (squared(start, b.ahead(0)) > reach2) return false;
   const std::size_t steps_max = 2 * (ring.size() + other.size());
   std::size_t passed = 0;
   for (std::size_t i = 0; i < steps_max && passed < ring.size(); ++i) {
     // Whoever's corner comes first goes there; the other one when the leash is too short.
-    bool a_goes = !beyond(a.next, b);
-    if (!(a_goes ? go_on(a, b, reach2) : go_on(b, a, reach2))) {
-      a_goes = !a_goes;
-      if (!(a_goes ? go_on(a, b, reach2) : go_on(b, a, reach2))) return false;
+    const double b_share = b.share_at(a.next());
+    if (b_share < 1 && go_on(a, b, b_share, reach2)) {
+      ++passed;
+    } else if (!go_on(b, a, a.share_at(b.next()), reach2)) {
+      if (b_share < 1 || !go_on(a, b, b_share, reach2)) return false;
+      ++passed;
     }
-    passed += a_goes ? 1 : 0;
   }
   return passed == ring.size();
 }
