@@ -42,6 +42,16 @@ struct Extrude {
   double speed_mm_s = 0;
 };
 
+// Lays material along an arc of a circle, at constant height, from where the nozzle is.
+struct ExtrudeArc {
+  Point to;
+  Point centre;
+  bool clockwise = false;  // seen from above
+  double length_mm = 0;    // of the way
+  double filament_mm = 0;
+  double speed_mm_s = 0;
+};
+
 // Moves the filament alone: negative draws it back, positive returns it or primes.
 struct MoveFilament {
   double filament_mm = 0;
@@ -67,7 +77,7 @@ struct Verbatim {
   std::string line;
 };
 
-using Motion = std::variant<BeginLayer, BeginRoad, Travel, Lift, Extrude, MoveFilament, SetFan,
-                            SetNozzleTemperature, SetBedTemperature, Verbatim>;
+using Motion = std::variant<BeginLayer, BeginRoad, Travel, Lift, Extrude, ExtrudeArc, MoveFilament,
+                            SetFan, SetNozzleTemperature, SetBedTemperature, Verbatim>;
 
 }  // namespace core

@@ -45,7 +45,15 @@ class MotionBuilder::Boundary {
   std::optional<SegmentGrid> grid_;
 };
 
-MotionBuilder::MotionBuilder(const Settings& settings) : settings_(settings) {}
+MotionBuilder::MotionBuilder(const Settings& settings)
+    : settings_(settings), fitter_(settings.arc_fit_tolerance) {
+  if (settings.arcs != ArcUse::kAuto) state_.arcs = settings.arcs == ArcUse::kOn;
+}
+
+void MotionBuilder::decide_arcs(bool drawn) {
+  RIND_CHECK(!state_.arcs && !state_.begun);
+  state_.arcs = drawn;
+}
 
 void MotionBuilder::go_on_from(const MotionState& state) {
   RIND_CHECK(!state_.preheated && !state_.begun);
@@ -106,16 +114,35 @@ void MotionBuilder::road(const Road& road, double slowdown, const Sink& sink) {
       bead_area_mm2(road.width, height_) / (std::numbers::pi * d * d / 4);
   sink(BeginRoad{road.kind, road.width});
   ++totals_.roads;
+  if (state_.arcs.value_or(false) && road.points.size() >= kArcSegmentsMin) {
+    for (const RoadPiece& piece : fitter_.pieces(road.points, road.closed)) {
+      lay(piece, road.kind, filament_per_mm, speed, sink);
+    }
+    return;
+  }
   const auto to = [&](Point point) {
     const double mm = distance_mm(state_.position, point);
     if (mm == 0) return;
-    const double filament = mm * filament_per_mm;
-    totals_.filament_mm[static_cast<std::size_t>(road.kind)] += filament;
-    sink(Extrude{point, filament, speed});
-    state_.position = point;
+    RoadPiece piece;
+    piece.to = point;
+    piece.length_mm = piece.laid_over_mm = mm;
+    lay(piece, road.kind, filament_per_mm, speed, sink);
   };
   for (std::size_t i = 1; i < road.points.size(); ++i) to(road.points[i]);
   if (road.closed) to(road.points.front());
+}
+
+void MotionBuilder::lay(const RoadPiece& piece, RoadKind kind, double filament_per_mm, double speed,
+                        const Sink& sink) {
+  const double filament = piece.laid_over_mm * filament_per_mm;
+  totals_.filament_mm[static_cast<std::size_t>(kind)] += filament;
+  if (piece.is_arc) {
+    ++totals_.arcs;
+    sink(ExtrudeArc{piece.to, piece.centre, piece.clockwise, piece.length_mm, filament, speed});
+  } else {
+    sink(Extrude{piece.to, filament, speed});
+  }
+  state_.position = piece.to;
 }
 
 void MotionBuilder::travel(Point to, Boundary& boundary, const Sink& sink) {

@@ -5,8 +5,8 @@
 //     layer      BeginLayer, (retract) Lift Travel (return), then BeginRoad Extrude … for each road
 //     finish     retract, lift, heaters and fan off, end G-code
 //
-// Filament laid by a straight piece of road:  length · bead area / (π d² / 4),  relative.
-// Holds one layer's roads at a time, never the print.
+// Filament laid by a piece of road:  length · bead area / (π d² / 4),  relative. An arc lays as
+// much as the segments that it stands for. Holds one layer's roads at a time, never the print.
 #pragma once
 
 #include <array>
@@ -15,6 +15,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/arc_fit.h"   // ArcFitter
 #include "core/motion.h"    // Motion
 #include "core/road.h"      // Road, RoadKind
 #include "core/settings.h"  // Settings
@@ -27,6 +28,7 @@ struct MotionTotals {
   std::array<double, kRoadKindCount> filament_mm{};  // by RoadKind; retractions don't count
   double travel_mm = 0;
   std::int64_t roads = 0;
+  std::int64_t arcs = 0;
   std::int64_t travels = 0;
   std::int64_t retractions = 0;
   std::int64_t layers = 0;  // with roads
@@ -43,6 +45,7 @@ struct MotionState {
   std::optional<Length> nozzle_z;  // likewise
   double fan = 0;
   double nozzle_celsius = 0;
+  std::optional<bool> arcs;  // whether round roads become arcs; nothing: not decided
 };
 
 class MotionBuilder {
@@ -51,6 +54,11 @@ class MotionBuilder {
 
   // REQUIRES: settings in their ranges.
   explicit MotionBuilder(const Settings& settings);
+
+  // Decides what ArcUse::kAuto leaves open: whether the controller draws arcs. Without it, there
+  // are none. REQUIRES: no layer had roads so far.
+  [[nodiscard]] bool arcs_undecided() const { return !state_.arcs; }
+  void decide_arcs(bool drawn);
 
   // Turns the heaters on before the first layer is known, so that they are warm by then; the first
   // layer's preamble leaves that out then. At most once, before any layer(). What comes out in all
@@ -85,6 +93,8 @@ class MotionBuilder {
   void preamble(const Sink& sink);
   void begin_layer(const Slice& slice, const Sink& sink);
   void road(const Road& road, double slowdown, const Sink& sink);
+  void lay(const RoadPiece& piece, RoadKind kind, double filament_per_mm, double speed,
+           const Sink& sink);
   void travel(Point to, Boundary& boundary, const Sink& sink);
   void retract(const Sink& sink);
   void unretract(const Sink& sink);
@@ -94,6 +104,7 @@ class MotionBuilder {
   [[nodiscard]] double slowdown(const std::vector<Road>& roads) const;
 
   Settings settings_;
+  ArcFitter fitter_;
   MotionTotals totals_;
   MotionState state_;
   bool ended_ = false;

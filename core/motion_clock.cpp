@@ -36,6 +36,8 @@ void MotionClock::add(const Motion& motion) {
         using M = std::decay_t<decltype(m)>;
         if constexpr (std::is_same_v<M, Travel> || std::is_same_v<M, Extrude>) {
           add_line(m.to.x / kUnitsPerMm, m.to.y / kUnitsPerMm, z_mm_, m.speed_mm_s);
+        } else if constexpr (std::is_same_v<M, ExtrudeArc>) {
+          add_arc(m);
         } else if constexpr (std::is_same_v<M, Lift>) {
           add_line(x_mm_, y_mm_, m.to.mm(), m.speed_mm_s);
         } else if constexpr (std::is_same_v<M, MoveFilament>) {
@@ -55,7 +57,30 @@ void MotionClock::add_line(double x_mm, double y_mm, double z_mm, double speed_m
   push({.length_mm = length,
         .speed_mm_s = speed_mm_s,
         .acceleration_mm_s2 = model_.acceleration_mm_s2,
-        .direction = {dx / length, dy / length, dz / length}});
+        .direction = {dx / length, dy / length, dz / length},
+        .direction_end = {dx / length, dy / length, dz / length}});
+}
+
+void MotionClock::add_arc(const ExtrudeArc& arc) {
+  if (arc.length_mm <= 0) return;
+  const double cx = arc.centre.x / kUnitsPerMm, cy = arc.centre.y / kUnitsPerMm;
+  // Tangents: the radius, a quarter turned.
+  const double way = arc.clockwise ? -1 : 1;
+  const auto tangent = [&](double x, double y) {
+    const double radius = std::hypot(x - cx, y - cy);
+    RIND_CHECK(radius > 0);
+    return Direction{-way * (y - cy) / radius, way * (x - cx) / radius, 0};
+  };
+  const double radius = std::hypot(x_mm_ - cx, y_mm_ - cy);
+  Move move;
+  move.length_mm = arc.length_mm;
+  move.speed_mm_s = std::min(arc.speed_mm_s, std::sqrt(model_.acceleration_mm_s2 * radius));
+  move.acceleration_mm_s2 = model_.acceleration_mm_s2;
+  move.direction = tangent(x_mm_, y_mm_);
+  x_mm_ = arc.to.x / kUnitsPerMm;
+  y_mm_ = arc.to.y / kUnitsPerMm;
+  move.direction_end = tangent(x_mm_, y_mm_);
+  push(move);
 }
 
 void MotionClock::add_filament(double filament_mm, double speed_mm_s) {
@@ -63,7 +88,8 @@ void MotionClock::add_filament(double filament_mm, double speed_mm_s) {
   push({.length_mm = std::abs(filament_mm),
         .speed_mm_s = speed_mm_s,
         .acceleration_mm_s2 = model_.filament_acceleration_mm_s2,
-        .direction = {}});
+        .direction = {},
+        .direction_end = {}});
 }
 
 void MotionClock::push(const Move& move) {
@@ -106,7 +132,7 @@ void MotionClock::plan() {
 }
 
 double MotionClock::corner_speed(const Move& before, const Move& after) const {
-  const Direction& u = before.direction;
+  const Direction& u = before.direction_end;
   const Direction& v = after.direction;
   const bool filament = u.x == 0 && u.y == 0 && u.z == 0;
   if (filament || (v.x == 0 && v.y == 0 && v.z == 0)) return 0;

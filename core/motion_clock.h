@@ -9,6 +9,9 @@
 // rest. (S. K. Jeon, "Improving Grbl: Cornering Algorithm", 2011; Marlin 2.1 has the same formula
 // in its planner, δ = 0.013 mm, 16 blocks.)
 //
+// An arc of radius r is one move along its length, no faster than v² = a · r (what Marlin's planner
+// makes of an arc's short segments), that leaves in another direction than it begins in.
+//
 //     speed │      ╭───────╮           ╭──
 //           │     ╱         ╲__________╱        the corner's speed bounds both neighbours
 //           └────┴───────────┴────────┴───→ way
@@ -51,10 +54,12 @@ class MotionClock {
     double entry_speed_max_mm_s = 0;  // what the corner before it allows
     double braking_speed_mm_s = -1;   // entered no faster, it comes to rest at the last move's end
     double entry_speed_mm_s = 0;      // planned
-    Direction direction;
+    Direction direction;              // at its begin
+    Direction direction_end;
   };
 
   void add_line(double x_mm, double y_mm, double z_mm, double speed_mm_s);
+  void add_arc(const ExtrudeArc& arc);
   void add_filament(double filament_mm, double speed_mm_s);
   void push(const Move& move);
   void plan();

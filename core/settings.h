@@ -23,6 +23,19 @@ enum class BuildStyle {
               // above and below, dense elsewhere (wall_style.h)
 };
 
+// Whether roads are drawn as arcs (G2, G3) where they are round.
+enum class ArcUse {
+  kAuto,  // in print, where the controller says that it draws them; in a file
+  kOn,
+  kOff,
+};
+
+// Whether lines are packed (MeatPack) on their way.
+enum class PackUse {
+  kAuto,  // where the controller offers it
+  kOff,
+};
+
 struct Settings {
   // Layers and the wall.
   Length layer_height = Length::from_units(2'000);
@@ -50,6 +63,10 @@ struct Settings {
   Length simplify_tolerance = Length::from_units(50);  // 5 µm
   Length arc_tolerance = Length::from_units(25);       // 2.5 µm
   Length chain_gap_max = Length::from_units(20'000);   // open chains are closed across at most this
+
+  // Roads as motions.
+  ArcUse arcs = ArcUse::kAuto;
+  Length arc_fit_tolerance = Length::from_units(100);  // 10 µm, between a road and its arcs
 
   // Speeds, mm/s.
   double perimeter_speed_mm_s = 60;

@@ -24,8 +24,20 @@ inline constexpr std::int64_t kPositionUmMax = 9'999'999'999;
 inline constexpr std::int64_t kFilament10nmMax = 999'999'999'999;
 inline constexpr std::int64_t kFeedMmMinMax = 9'999'999;
 
-// A straight move, absolute in x, y, z, relative in e. What is not set stays as it was.
-// REQUIRES: numbers within the bounds above.
+// Radii of arcs: ±9,999 mm, so that an arc's text fits a line too.
+inline constexpr std::int32_t kArcCentreUmMax = 9'999'999;
+
+// The way of a move that is an arc of a circle in the plane (G2, G3).
+struct Arc {
+  bool clockwise = false;
+  std::int32_t i_um = 0;  // from where it begins to the centre
+  std::int32_t j_um = 0;
+  std::int32_t length_um = 0;  // of the way; not sent
+};
+
+// A move, straight or along an arc, absolute in x, y, z, relative in e. What is not set stays as it
+// was. REQUIRES: numbers within the bounds above; an arc is extruding, ends elsewhere than it
+// begins, and has no z.
 struct Move {
   bool extruding = false;  // G1, otherwise G0: most controllers make no difference, readers do
   std::optional<std::int64_t> x_um;
@@ -33,6 +45,7 @@ struct Move {
   std::optional<std::int64_t> z_um;
   std::optional<std::int64_t> e_10nm;
   std::optional<std::int64_t> f_mm_min;
+  std::optional<Arc> arc;
 };
 
 enum class Heater { kNozzle, kBed };

@@ -12,10 +12,12 @@ constexpr std::int64_t kPowerOf10[] = {1,       10,        100,        1'000,   
                                        100'000, 1'000'000, 10'000'000, 100'000'000, 1'000'000'000};
 
 static_assert(kMoveBytesMax <= kTextBytesMax);
+static_assert(kArcBytesMax <= kTextBytesMax);
 static_assert(kSetTemperatureBytesMax <= kTextBytesMax);
 static_assert(kSetFanBytesMax <= kTextBytesMax);
 // "-9999999.999" and "-9999999.99999" are what the bounds allow.
 static_assert(kPositionUmMax == 9'999'999'999 && kFilament10nmMax == 999'999'999'999);
+static_assert(kArcCentreUmMax == 9'999'999);  // "-9999.999"
 
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
@@ -61,15 +63,25 @@ bool within(const std::optional<std::int64_t>& value, std::int64_t limit) {
   return !value || (*value >= -limit && *value <= limit);
 }
 
+void check_arc(const Move& move) {
+  const Arc& arc = *move.arc;
+  LINK_CHECK(within(arc.i_um, kArcCentreUmMax) && within(arc.j_um, kArcCentreUmMax));
+  LINK_CHECK((arc.i_um != 0 || arc.j_um != 0) && (move.x_um || move.y_um));
+  LINK_CHECK(move.extruding && !move.z_um);
+}
+
 void write_command(TextWriter& writer, const Move& move) {
   LINK_CHECK(within(move.x_um, kPositionUmMax) && within(move.y_um, kPositionUmMax) &&
              within(move.z_um, kPositionUmMax));
   LINK_CHECK(within(move.e_10nm, kFilament10nmMax));
   LINK_CHECK(!move.f_mm_min || (*move.f_mm_min >= 0 && *move.f_mm_min <= kFeedMmMinMax));
-  writer.literal(move.extruding ? "G1" : "G0");
+  if (move.arc) check_arc(move);
+  writer.literal(move.arc ? (move.arc->clockwise ? "G2" : "G3") : move.extruding ? "G1" : "G0");
   if (move.x_um) writer.word('X', *move.x_um, 3);
   if (move.y_um) writer.word('Y', *move.y_um, 3);
   if (move.z_um) writer.word('Z', *move.z_um, 3);
+  if (move.arc && move.arc->i_um != 0) writer.word('I', move.arc->i_um, 3);
+  if (move.arc && move.arc->j_um != 0) writer.word('J', move.arc->j_um, 3);
   if (move.e_10nm) writer.word('E', *move.e_10nm, 5);
   if (move.f_mm_min) writer.word('F', *move.f_mm_min, 0);
 }

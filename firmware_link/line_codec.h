@@ -25,6 +25,7 @@ using LineBuffer = std::array<char, kLineBytesMax>;
 
 // Largest text of each kind; each fits kTextBytesMax (static_assert beside the encoder).
 inline constexpr std::size_t kMoveBytesMax = 2 + 3 * (2 + 12) + (2 + 14) + (2 + 7);
+inline constexpr std::size_t kArcBytesMax = 2 + 2 * (2 + 12) + 2 * (2 + 9) + (2 + 14) + (2 + 7);
 inline constexpr std::size_t kSetTemperatureBytesMax = 4 + 2 + 5;
 inline constexpr std::size_t kSetFanBytesMax = 4 + 2 + 3;
 

@@ -9,6 +9,12 @@ constexpr std::size_t kHalf = kPlannerBlocks / 2;
 
 }  // namespace
 
+std::size_t planner_blocks_of(const Move& move) {
+  if (!move.arc) return 1;
+  const std::int32_t blocks = (move.arc->length_um + kArcBlockUm - 1) / kArcBlockUm;
+  return std::clamp<std::size_t>(static_cast<std::size_t>(std::max(blocks, 1)), 1, kPlannerBlocks);
+}
+
 void PlannerWatch::drop_oldest() {
   first_ = (first_ + 1) % ends_.size();
   --count_;
@@ -30,13 +36,15 @@ void PlannerWatch::advance(Instant now) {
   at_ = std::max(at_, now);
 }
 
-void PlannerWatch::accepted_move(Duration nominal, Instant now) {
+void PlannerWatch::accepted_move(Duration nominal, Instant now, std::size_t blocks) {
   advance(now);
   if (nominal.count() <= 0) return;
-  // It was accepted, so there was room: the oldest has ended, whatever was thought of it.
-  if (count_ == ends_.size()) drop_oldest();
-  last_nominal_ = nominal;
-  add_block(nominal, now);
+  last_nominal_ = nominal / static_cast<Duration::rep>(blocks);
+  for (; blocks > 0; --blocks) {
+    // It was accepted, so there was room: the oldest has ended, whatever was thought of it.
+    if (count_ == ends_.size()) drop_oldest();
+    add_block(last_nominal_, now);
+  }
 }
 
 void PlannerWatch::told_free(std::int32_t blocks_free, Instant now) {

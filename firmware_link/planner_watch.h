@@ -17,15 +17,22 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "firmware_link/command.h"  // Move
 #include "firmware_link/instant.h"  // Instant
 #include "firmware_link/limits.h"   // kPlannerBlocks
 
 namespace firmware_link {
 
+// Controllers make straight blocks of at most 1 mm of an arc (Marlin's MAX_ARC_SEGMENT_MM).
+inline constexpr std::int32_t kArcBlockUm = 1'000;
+
+// How many blocks a move takes in the planner, at least. ENSURES: 1 … kPlannerBlocks.
+[[nodiscard]] std::size_t planner_blocks_of(const Move& move);
+
 class PlannerWatch {
  public:
-  // A move that takes so long was accepted.
-  void accepted_move(Duration nominal, Instant now);
+  // A move that takes so long, and so many blocks, was accepted.
+  void accepted_move(Duration nominal, Instant now, std::size_t blocks = 1);
 
   // The controller told its free blocks.
   void told_free(std::int32_t blocks_free, Instant now);

@@ -58,18 +58,24 @@ void PositionWatch::gave_filament_reset() {
   expected_.moves = 0;
 }
 
-Duration PositionWatch::nominal_time(const Move& move) const {
-  const std::int64_t feed = move.f_mm_min.value_or(feed_mm_min_);
-  if (feed <= 0) return Duration(0);
+// Negative when it is not known.
+double PositionWatch::straight_um(const Move& move) const {
   const std::optional<std::int64_t> to[] = {move.x_um, move.y_um, move.z_um};
   double squares = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (!to[axis]) continue;
-    if (!expected_.axes_um[axis]) return Duration(0);
+    if (!expected_.axes_um[axis]) return -1;
     const double way = static_cast<double>(*to[axis] - *expected_.axes_um[axis]);
     squares += way * way;
   }
-  double way_um = std::sqrt(squares);
+  return std::sqrt(squares);
+}
+
+Duration PositionWatch::nominal_time(const Move& move) const {
+  const std::int64_t feed = move.f_mm_min.value_or(feed_mm_min_);
+  if (feed <= 0) return Duration(0);
+  double way_um = move.arc ? static_cast<double>(move.arc->length_um) : straight_um(move);
+  if (way_um < 0) return Duration(0);
   if (way_um == 0) way_um = std::abs(static_cast<double>(move.e_10nm.value_or(0))) / 100;
   // µm over mm/min, in µs.
   const double time_us = way_um * 60'000 / static_cast<double>(feed);

@@ -55,6 +55,8 @@ class PositionWatch {
   [[nodiscard]] static std::string text_of(const Position& position);
 
  private:
+  [[nodiscard]] double straight_um(const Move& move) const;
+
   Expected expected_;
   std::int64_t feed_mm_min_ = 0;
 };

@@ -263,6 +263,7 @@ class Session {
   HeaterWatch bed_watch_{"the bed", bed_watch_limits()};
   // By sequence, as in the window: how long a move takes, or one of the marks below.
   std::array<Duration, kHistoryLinesMax> nominal_{};
+  std::array<std::uint8_t, kHistoryLinesMax> blocks_{};  // likewise: of the planner
 
   LineSplitter splitter_;
   std::array<std::byte, kOutputBytesMax> output_{};

@@ -169,9 +169,9 @@ void Session::acknowledged(const Reply& reply, Instant now) {
 // What it means that lines from `from` on have been acknowledged.
 void Session::note_accepted(std::int64_t from, Instant now) {
   for (std::int64_t i = from; i < window_.acknowledged(); ++i) {
-    const Duration nominal = nominal_[static_cast<std::size_t>(i) % nominal_.size()];
-    if (nominal == kWaitsForPlanner) planner_.expect_gap(now);
-    if (nominal.count() > 0) planner_.accepted_move(nominal, now);
+    const std::size_t at = static_cast<std::size_t>(i) % nominal_.size();
+    if (nominal_[at] == kWaitsForPlanner) planner_.expect_gap(now);
+    if (nominal_[at].count() > 0) planner_.accepted_move(nominal_[at], now, blocks_[at]);
   }
   settle_position();
 }

@@ -56,19 +56,25 @@ void Session::push_command(const Command& command, bool is_command) {
   TextBuffer buffer;
   const std::string_view text = encode(command, long_buffer);
   Duration nominal(0);
+  std::size_t blocks = 1;
   if (const auto* move = std::get_if<Move>(&command)) {
     nominal = position_.nominal_time(*move);
+    blocks = planner_blocks_of(*move);
     position_.gave(*move);
   } else if (std::holds_alternative<Verbatim>(command)) {
     position_.gave_unknown();
   }
   if (waits_for_planner(text)) nominal = kWaitsForPlanner;
-  nominal_[static_cast<std::size_t>(window_.end()) % nominal_.size()] = nominal;
+  const std::size_t at = static_cast<std::size_t>(window_.end()) % nominal_.size();
+  nominal_[at] = nominal;
+  blocks_[at] = static_cast<std::uint8_t>(blocks);
   window_.push(shortened(text, buffer), is_command);
 }
 
 void Session::push_own(std::string_view text, Duration nominal) {
-  nominal_[static_cast<std::size_t>(window_.end()) % nominal_.size()] = nominal;
+  const std::size_t at = static_cast<std::size_t>(window_.end()) % nominal_.size();
+  nominal_[at] = nominal;
+  blocks_[at] = 1;
   window_.push(text, false);
 }
 

@@ -2,14 +2,18 @@
 // what is given again when lines were lost, and how the machine was set before any of them.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
+#include <variant>
 
-#include "core/check.h"            // RIND_CHECK
-#include "firmware_link/limits.h"  // kHistoryLinesMax, kPlannerBlocks
-#include "host/machine_state.h"    // MachineState
-#include "host/queued_command.h"   // QueuedCommand
+#include "core/check.h"                   // RIND_CHECK
+#include "firmware_link/limits.h"         // kHistoryLinesMax, kPlannerBlocks
+#include "firmware_link/planner_watch.h"  // planner_blocks_of
+#include "host/machine_state.h"           // MachineState
+#include "host/queued_command.h"          // QueuedCommand
 
 namespace host {
 
@@ -52,12 +56,13 @@ class CommandTrail {
     return state;
   }
 
-  // The number of the first of the last `moves` moves before `number`; begin() when there are
-  // fewer.
-  [[nodiscard]] std::int64_t moves_back(std::int64_t number, std::size_t moves) const {
-    while (moves > 0 && number > begin_) {
-      --number;
-      moves -= std::holds_alternative<firmware_link::Move>(at(number).command) ? 1 : 0;
+  // The number of the first of the last moves before `number` that take so many blocks of the
+  // planner; begin() when there are fewer.
+  [[nodiscard]] std::int64_t blocks_back(std::int64_t number, std::size_t blocks) const {
+    while (blocks > 0 && number > begin_) {
+      const auto* move = std::get_if<firmware_link::Move>(&at(--number).command);
+      if (move == nullptr) continue;
+      blocks -= std::min(blocks, firmware_link::planner_blocks_of(*move));
     }
     return number;
   }

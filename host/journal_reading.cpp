@@ -18,8 +18,8 @@ using core::ErrorCode;
 using core::Result;
 using Json = nlohmann::ordered_json;
 
-// "rind journal 1 0123456789abcdef 00001234\n": form, checksum and length of what follows.
-constexpr std::string_view kMark = "rind journal 1 ";
+// "rind journal 2 0123456789abcdef 00001234\n": form, checksum and length of what follows.
+constexpr std::string_view kMark = "rind journal 2 ";
 constexpr std::size_t kSumDigits = 16;
 constexpr std::size_t kLengthDigits = 8;
 constexpr std::size_t kFirstLineBytes = kMark.size() + kSumDigits + 1 + kLengthDigits + 1;

@@ -84,6 +84,11 @@ void pass(Stream& stream, core::MotionState& motions) {
   stream.number(known);
   pass(stream, height);
   if (Stream::kReads && known) motions.nozzle_z = height;
+  bool decided = motions.arcs.has_value();
+  bool arcs = motions.arcs.value_or(false);
+  stream.number(decided);
+  stream.number(arcs);
+  if (Stream::kReads && decided) motions.arcs = arcs;
   stream.real(motions.fan);
   stream.real(motions.nozzle_celsius);
 }

@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
 
-#include "core/limits.h"  // kWallLayersMax
-#include "core/units.h"   // Length
+#include "core/arc_fit.h"  // kArcSegmentsMin
+#include "core/limits.h"   // kWallLayersMax
+#include "core/units.h"    // Length
 
 namespace host {
 
@@ -34,7 +36,11 @@ core::Status check_layer_height(const std::string& part, const core::Slice& slic
 core::Status check_on_bed(const std::string& part, const core::Slice& slice,
                           const std::vector<core::Road>& roads, const core::Settings& settings) {
   for (const core::Road& road : roads) {
-    const std::int64_t reach = road.width.units() / 2;
+    // An arc may bulge beyond its road's points: the nozzle stays above the bed even then.
+    const bool may_bulge =
+        settings.arcs != core::ArcUse::kOff && road.points.size() >= core::kArcSegmentsMin;
+    const std::int64_t bulge = may_bulge ? settings.arc_fit_tolerance.units() : 0;
+    const std::int64_t reach = std::max(road.width.units() / 2, bulge);
     for (const core::Point point : road.points) {
       const bool inside = point.x >= reach && point.x + reach <= settings.bed_x.units() &&
                           point.y >= reach && point.y + reach <= settings.bed_y.units();

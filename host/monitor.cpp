@@ -70,6 +70,9 @@ LinkOutcome Monitor::run() {
 }
 
 void Monitor::feed(Instant now) {
+  if (options_.controller_known && session_->state() == SessionState::kStreaming) {
+    std::exchange(options_.controller_known, nullptr)(session_->capabilities());
+  }
   while (session_->can_take() && feed_one(now)) {
   }
   if (!finish_said_ && session_->state() == SessionState::kStreaming && !starting_ &&

@@ -84,6 +84,8 @@ struct MonitorOptions {
   double banner_wait_s = 2.5;                 // for a `start` (SessionOptions)
   core::Box part;                             // where not to park
   std::function<Journal*()> journal;          // null as long as there is none; may be empty
+  // Called once, when it has said what it can do, before it is given a command; may be empty.
+  std::function<void(const firmware_link::Capabilities&)> controller_known;
   LostPortOptions lost_port;
   std::optional<Resumption> resumption;
 };

@@ -46,7 +46,7 @@ constexpr std::int32_t kNoLine = std::numeric_limits<std::int32_t>::max() - kJou
 std::optional<JournalRecord> Monitor::record(PrintState state) const {
   const std::int64_t accepted = session_base_ + session_->accepted();
   std::int64_t sure =
-      trail_.moves_back(std::min(accepted, trail_.end()), session_->planner_blocks());
+      trail_.blocks_back(std::min(accepted, trail_.end()), session_->planner_blocks());
   sure = std::max(sure, trail_.begin() + 1);
   if (accepted > trail_.end() || sure > accepted) return std::nullopt;
   const QueuedCommand& last_sure = trail_.at(sure - 1);

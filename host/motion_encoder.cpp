@@ -83,6 +83,23 @@ std::optional<Command> MotionEncoder::encode_one(const core::Extrude& motion) {
   return move;
 }
 
+std::optional<Command> MotionEncoder::encode_one(const core::ExtrudeArc& motion) {
+  RIND_CHECK(state_.x_um && state_.y_um);
+  firmware_link::Arc arc;
+  arc.clockwise = motion.clockwise;
+  arc.i_um = static_cast<std::int32_t>(to_um(motion.centre.x) - *state_.x_um);
+  arc.j_um = static_cast<std::int32_t>(to_um(motion.centre.y) - *state_.y_um);
+  arc.length_um = static_cast<std::int32_t>(std::lround(motion.length_mm * 1'000));
+  Move move;
+  move.extruding = true;
+  put_position(motion.to, move);
+  RIND_CHECK(move.x_um || move.y_um);
+  put_filament(motion.filament_mm, move);
+  put_feed(motion.speed_mm_s, move);
+  move.arc = arc;
+  return move;
+}
+
 std::optional<Command> MotionEncoder::encode_one(const core::MoveFilament& motion) {
   Move move;
   move.extruding = true;

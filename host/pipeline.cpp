@@ -205,6 +205,9 @@ class Pipeline {
     statistics_.roads += static_cast<std::int64_t>(plan.roads.size());
     keep(outputs_.on_roads ? outputs_.on_roads(layer, plan.roads) : true);
     if (!outputs_.on_motion) return {};
+    if (!plan.roads.empty() && builder_.arcs_undecided()) {
+      builder_.decide_arcs(job_.draws_arcs == nullptr || job_.draws_arcs());
+    }
     if (outputs_.on_checkpoint && !plan.roads.empty() && !refused_) {
       outputs_.on_checkpoint({slice.index, slice.bottom, commands_,
                               filament_before_mm_ + total_mm(builder_.totals().filament_mm),
@@ -252,6 +255,7 @@ class Pipeline {
     statistics_.region_operations_worst = window.operations_worst;
     statistics_.reused = {cutter_.reused(), window.layers_reused, planner_.reused()};
     statistics_.filament_mm = builder_.totals().filament_mm;
+    statistics_.arcs = builder_.totals().arcs;
     statistics_.time_s = motion_clock_.seconds();
   }
 

@@ -40,6 +40,10 @@ struct Job {
   OnBadLayer on_bad_layer = OnBadLayer::kRepair;
   int jobs = 1;  // processors that the geometry may use; REQUIRES: 1 … kJobsMax
 
+  // Whether the controller draws arcs, for arcs = auto: asked once, before the first layer's
+  // motions, and may wait for the answer. Empty: it does.
+  std::function<bool()> draws_arcs = nullptr;
+
   // Goes on in mid-print: with the layer of this checkpoint, which is computed as in the whole
   // print, from the slices around it; those below are read and dropped.
   std::optional<Checkpoint> start = std::nullopt;

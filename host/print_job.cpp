@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <atomic>
+#include <condition_variable>
 #include <exception>
+#include <mutex>
 #include <optional>
 #include <thread>
 #include <utility>
@@ -22,6 +24,28 @@ namespace {
 struct GeometryOutcome {
   std::optional<std::string> error;
   GeometryStatistics statistics;
+};
+
+// Whether the controller draws arcs: geometry waits for it, the link tells.
+class ArcsAnswer {
+ public:
+  // The first one counts.
+  void tell(bool drawn) {
+    const std::lock_guard lock(mutex_);
+    if (!drawn_) drawn_ = drawn;
+    told_.notify_all();
+  }
+
+  [[nodiscard]] bool wait() {
+    std::unique_lock lock(mutex_);
+    told_.wait(lock, [this] { return drawn_.has_value(); });
+    return *drawn_;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable told_;
+  std::optional<bool> drawn_;
 };
 
 GeometryOutcome run_geometry(const PrintRequest& request, CommandQueue& queue, QueueFiller& filler,
@@ -109,6 +133,11 @@ PrintOutcome print_part(const PrintRequest& request) {
   QueueFiller filler(queue, request.job.settings, resumed);
   MonitorOptions options = request.link;
   options.part = request.job.part.summary.box;
+  ArcsAnswer arcs;
+  request.job.draws_arcs = [&arcs] { return arcs.wait(); };
+  options.controller_known = [&arcs](const firmware_link::Capabilities& controller) {
+    arcs.tell(controller.arcs);
+  };
   GeometryOutcome geometry;
   std::thread thread([&] { geometry = run_geometry(request, queue, filler, signals); });
   LinkOutcome link;
@@ -127,6 +156,7 @@ PrintOutcome print_part(const PrintRequest& request) {
   }
   link_ended.store(true);
   queue.close();
+  arcs.tell(false);
   stop_waiting_for_input();
   thread.join();
   for (const std::string& warning : signals.warnings.take()) {

@@ -47,6 +47,11 @@ void QueueFiller::note(const core::Motion& motion) {
     next_.lays_road = true;
     next_.filament_mm += extrude->filament_mm;
     add_way(extrude->to, extrude->speed_mm_s);
+  } else if (const auto* arc = std::get_if<core::ExtrudeArc>(&motion)) {
+    next_.lays_road = true;
+    next_.filament_mm += arc->filament_mm;
+    next_.seconds += arc->length_mm / arc->speed_mm_s;
+    position_ = arc->to;
   } else if (const auto* travel = std::get_if<core::Travel>(&motion)) {
     add_way(travel->to, travel->speed_mm_s);
   }

@@ -28,7 +28,8 @@ using Lines = std::vector<std::string>;
 // Which field, and with it how its values are written.
 using Member =
     std::variant<Length Settings::*, double Settings::*, int Settings::*, bool Settings::*,
-                 core::WallShape Settings::*, core::BuildStyle Settings::*, Lines Settings::*>;
+                 core::WallShape Settings::*, core::BuildStyle Settings::*,
+                 core::ArcUse Settings::*, core::PackUse Settings::*, Lines Settings::*>;
 
 struct Setting {
   std::string_view key;
@@ -46,6 +47,8 @@ constexpr std::array<std::string_view, 2> names_of(core::WallShape) { return {"b
 constexpr std::array<std::string_view, 3> names_of(core::BuildStyle) {
   return {"thin-wall", "regular", "fast"};
 }
+constexpr std::array<std::string_view, 3> names_of(core::ArcUse) { return {"auto", "on", "off"}; }
+constexpr std::array<std::string_view, 2> names_of(core::PackUse) { return {"auto", "off"}; }
 
 constexpr double kBedMaxMm = core::kCoordinateMax / core::kUnitsPerMm / 2;  // the part lies within
 
@@ -86,6 +89,10 @@ constexpr std::array kTable = {
             "how far chords may stay off the arcs of an offset"},
     Setting{"chain_gap_max", &S::chain_gap_max, "mm", 0, 100,
             "widest gap of a broken mesh that is closed"},
+    Setting{"arcs", &S::arcs, "", 0, 0,
+            "round roads as G2, G3; auto: where the controller says that it draws them, in files"},
+    Setting{"arc_fit_tolerance", &S::arc_fit_tolerance, "mm", 0, 0.5,
+            "how far an arc may be off the road that it stands for; 0: no arcs"},
     Setting{"perimeter_speed_mm_s", &S::perimeter_speed_mm_s, "mm/s", 0.1, 2'000,
             "inner perimeters"},
     Setting{"outer_perimeter_speed_mm_s", &S::outer_perimeter_speed_mm_s, "mm/s", 0.1, 2'000,
@@ -158,6 +165,12 @@ std::string range_text(const Setting& setting) {
   if (std::holds_alternative<core::BuildStyle S::*>(setting.member)) {
     return fmt::format("{}", fmt::join(names_of(core::BuildStyle{}), ", "));
   }
+  if (std::holds_alternative<core::ArcUse S::*>(setting.member)) {
+    return fmt::format("{}", fmt::join(names_of(core::ArcUse{}), ", "));
+  }
+  if (std::holds_alternative<core::PackUse S::*>(setting.member)) {
+    return fmt::format("{}", fmt::join(names_of(core::PackUse{}), ", "));
+  }
   if (std::holds_alternative<bool S::*>(setting.member)) return "0 or 1";
   if (std::holds_alternative<Lines S::*>(setting.member)) {
     return fmt::format("up to {} lines of {} bytes", kVerbatimLinesMax, kVerbatimBytesMax);
@@ -218,6 +231,8 @@ Status assign(Settings& settings, const Setting& setting, std::string_view text)
                  },
                  [&](core::WallShape S::*field) { return choose(settings.*field, setting, text); },
                  [&](core::BuildStyle S::*field) { return choose(settings.*field, setting, text); },
+                 [&](core::ArcUse S::*field) { return choose(settings.*field, setting, text); },
+                 [&](core::PackUse S::*field) { return choose(settings.*field, setting, text); },
                  [&](Lines S::*field) -> Status {
                    core::Result<Lines> lines = read_lines(text);
                    if (!lines.ok()) return explain(setting, lines.error());
@@ -234,6 +249,8 @@ std::string value_text(const Settings& settings, const Setting& setting) {
                                [&](Length S::*f) { return write_number((settings.*f).mm()); },
                                [&](core::WallShape S::*f) { return name_of(settings.*f); },
                                [&](core::BuildStyle S::*f) { return name_of(settings.*f); },
+                               [&](core::ArcUse S::*f) { return name_of(settings.*f); },
+                               [&](core::PackUse S::*f) { return name_of(settings.*f); },
                                [&](Lines S::*f) { return write_lines(settings.*f); }},
                     setting.member);
 }

@@ -128,6 +128,7 @@ std::string statistics_json(const GeometryStatistics& geometry, const LinkStatis
   if (link != nullptr) clock.merge(link->clock);
   Json json = {{"layers", geometry.layers},
                {"roads", geometry.roads},
+               {"arcs", geometry.arcs},
                {"peak_layers_held", geometry.peak_layers_held},
                {"peak_regions_held", geometry.peak_regions_held},
                {"peak_triangles_held", geometry.peak_triangles_held},

@@ -64,6 +64,7 @@ struct GeometryStatistics {
   StageClock clock;
   std::int64_t layers = 0;
   std::int64_t roads = 0;
+  std::int64_t arcs = 0;
   std::int64_t peak_layers_held = 0;
   std::int64_t peak_regions_held = 0;
   std::int64_t peak_triangles_held = 0;

@@ -10,7 +10,6 @@
 namespace firmware_link {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kTemperatureWindow = 1;
 constexpr double kHomingSpeedMmS = 50;
 constexpr double kHomingZSpeedMmS = 4;
@@ -87,7 +86,7 @@ bool VirtualController::Firmware::handle_g(std::int64_t code, std::string_view t
   switch (code) {
     case 0:
     case 1:
-      move(text, 0);
+      move(text, nullptr);
       return true;
     case 2:
     case 3:
@@ -145,10 +144,7 @@ bool VirtualController::Firmware::wait_over() {
     case Waiting::kTime:
       return wait_until_ <= now_;
     case Waiting::kPlannerSlot:
-      if (planner_.full()) return false;
-      plan(*pending_move_);
-      pending_move_.reset();
-      return true;
+      return plan_pending();
     case Waiting::kPlannerEmpty:
       if (!planner_.empty()) return false;
       if (dwell_.count() == 0) return true;
@@ -193,13 +189,13 @@ void VirtualController::Firmware::end_command() {
   print("\n");
 }
 
-// `arc_length_mm` is 0 for a straight move.
-void VirtualController::Firmware::move(std::string_view text, double arc_length_mm) {
+// `way` is null for a straight move.
+void VirtualController::Firmware::move(std::string_view text, const ArcWay* way) {
   constexpr char kAxes[] = {'X', 'Y', 'Z'};
   const double limits_mm[] = {options_.bed_x_mm, options_.bed_y_mm, options_.height_z_mm};
   if (const auto feed = word(text, 'F', 0); feed && *feed > 0) feed_mm_min_ = *feed;
   std::array<double, 3> delta_mm{};
-  bool clamped = false;
+  bool clamped = way != nullptr && leaves_bed(*way);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto value = word(text, kAxes[axis], 3);
     if (!value) continue;
@@ -227,16 +223,16 @@ void VirtualController::Firmware::move(std::string_view text, double arc_length_
   totals_.clamped_moves += clamped ? 1 : 0;
   totals_.filament_10nm += filament;
   const double length_mm =
-      arc_length_mm > 0 ? arc_length_mm : std::hypot(delta_mm[0], delta_mm[1], delta_mm[2]);
+      way != nullptr ? way->length_mm : std::hypot(delta_mm[0], delta_mm[1], delta_mm[2]);
   totals_.distance_mm += length_mm;
   if (filament > 0 && length_mm > 0) {
     totals_.z_mm_max = std::max(totals_.z_mm_max, static_cast<double>(position_um_[2]) * 1e-3);
   }
-  queue_move(length_mm, delta_mm, static_cast<double>(filament) * 1e-5);
+  queue_move(length_mm, delta_mm, static_cast<double>(filament) * 1e-5, way);
 }
 
 void VirtualController::Firmware::queue_move(double length_mm, const std::array<double, 3>& delta,
-                                             double filament_mm) {
+                                             double filament_mm, const ArcWay* way) {
   PlannerMove block;
   const bool moves = length_mm > 0;
   block.length_mm = moves ? length_mm : std::abs(filament_mm);
@@ -254,50 +250,12 @@ void VirtualController::Firmware::queue_move(double length_mm, const std::array<
   }
   block.speed_mm_s = std::max(speed, 0.05);
   block.acceleration_mm_s2 = options_.acceleration_mm_s2;
-  if (planner_.full()) {
-    pending_move_ = block;
-    wait(Waiting::kPlannerSlot);
-    return;
-  }
-  plan(block);
-}
-
-void VirtualController::Firmware::plan(const PlannerMove& block) {
-  planner_.push(block, now_, pause_was_asked_);
-  pause_was_asked_ = false;
-}
-
-void VirtualController::Firmware::arc(std::int64_t code, std::string_view text) {
-  const auto i = word(text, 'I', 3);
-  const auto j = word(text, 'J', 3);
-  const auto r = word(text, 'R', 3);
-  if (!i && !j && !r) {
-    print("Error:G2/G3 bad parameters\n");
-    return;
-  }
-  const double x0 = static_cast<double>(position_um_[0]) * 1e-3;
-  const double y0 = static_cast<double>(position_um_[1]) * 1e-3;
-  const auto end = [&](char letter, double from) {
-    const auto value = word(text, letter, 3);
-    if (!value) return from;
-    return static_cast<double>(*value) * 1e-3 + (relative_ ? from : 0);
-  };
-  const double x1 = end('X', x0);
-  const double y1 = end('Y', y0);
-  double length = 0;
-  if (r) {
-    const double radius = std::abs(static_cast<double>(*r) * 1e-3);
-    const double half = std::hypot(x1 - x0, y1 - y0) / 2;
-    length = radius >= half && radius > 0 ? 2 * radius * std::asin(half / radius) : 2 * half;
+  if (way != nullptr && way->radius_mm > 0) {
+    queue_arc(*way, block);
   } else {
-    const double ci = static_cast<double>(i.value_or(0)) * 1e-3;
-    const double cj = static_cast<double>(j.value_or(0)) * 1e-3;
-    double turn = std::atan2(y1 - y0 - cj, x1 - x0 - ci) - std::atan2(-cj, -ci);
-    if (code == 2) turn = -turn;
-    while (turn <= 1e-9) turn += 2 * kPi;
-    length = turn * std::hypot(ci, cj);
+    pending_turn_ = 0;
+    queue_blocks(block, 1);
   }
-  move(text, length);
 }
 
 void VirtualController::Firmware::dwell(std::string_view text) {

@@ -154,7 +154,7 @@ void VirtualController::Firmware::reset(Instant now) {
   handling_ = false;
   waiting_ = Waiting::kNothing;
   homing_ = false;
-  pending_move_.reset();
+  pending_blocks_ = 0;
   busy_interval_s_ = numbers_lines(options_.dialect) ? 2 : 0;
   shutdown_words_.clear();
   delay_next_ = Duration(0);

@@ -3,6 +3,7 @@
 //     virtual_firmware.cpp   time: what happens next; wire, receive ring, waiting handlers, reports
 //     virtual_queue.cpp      bytes -> lines -> command slots: comments, numbers, checksums, cuts
 //     virtual_commands.cpp   moves and waits: what G commands do, and when a handler is done
+//     virtual_arc.cpp        G2, G3, and blocks for the planner
 //     virtual_machine_codes.cpp   what M commands do
 //     virtual_texts.h        long texts: the banner, M115
 #pragma once
@@ -16,7 +17,8 @@
 #include <string_view>
 
 #include "firmware_link/check.h"
-#include "firmware_link/line_codec.h"  // word
+#include "firmware_link/line_codec.h"     // word
+#include "firmware_link/planner_watch.h"  // kArcBlockUm
 #include "firmware_link/virtual/virtual_controller.h"
 #include "firmware_link/virtual/virtual_heater.h"   // VirtualHeater
 #include "firmware_link/virtual/virtual_planner.h"  // VirtualPlanner
@@ -79,6 +81,15 @@ class VirtualController::Firmware {
     [[nodiscard]] std::string_view line() const { return {bytes.data(), size}; }
   };
 
+  // Radius 0: not known, as with R.
+  struct ArcWay {
+    double length_mm = 0;
+    double radius_mm = 0;
+    std::array<double, 2> centre_mm{};
+    double begin = 0;  // angle about the centre, radians
+    double turn = 0;   // counter-clockwise
+  };
+
   // What a handler waits for before its `ok` leaves.
   enum class Waiting { kNothing, kTime, kPlannerSlot, kPlannerEmpty, kNozzle, kBed };
 
@@ -121,16 +132,22 @@ class VirtualController::Firmware {
   [[nodiscard]] bool handle_m(std::int64_t code, std::string_view text);
   [[nodiscard]] bool handle_m_temperature(std::int64_t code, std::string_view text);
   [[nodiscard]] bool handle_m_host(std::int64_t code, std::string_view text);
-  void move(std::string_view text, double arc_length_mm);
-  void arc(std::int64_t code, std::string_view text);
-  void queue_move(double length_mm, const std::array<double, 3>& delta, double filament_mm);
-  void plan(const PlannerMove& block);
+  void move(std::string_view text, const ArcWay* way);
+  void queue_move(double length_mm, const std::array<double, 3>& delta, double filament_mm,
+                  const ArcWay* way);
   void dwell(std::string_view text);
   void home(std::string_view text);
   void set_position(std::string_view text);
   void print_position();
   void wait(Waiting waiting);
   void wait_until(Instant when);
+
+  // virtual_arc.cpp
+  void arc(std::int64_t code, std::string_view text);
+  [[nodiscard]] bool leaves_bed(const ArcWay& way) const;
+  void queue_arc(const ArcWay& way, PlannerMove block);
+  void queue_blocks(const PlannerMove& block, std::size_t count);
+  [[nodiscard]] bool plan_pending();
 
   VirtualControllerOptions options_;
   VirtualControllerTotals totals_;
@@ -163,7 +180,9 @@ class VirtualController::Firmware {
   Instant busy_next_;
   Instant heat_report_next_;
   std::optional<Instant> within_window_since_;
-  std::optional<PlannerMove> pending_move_;
+  PlannerMove pending_block_;
+  std::size_t pending_blocks_ = 0;  // of the command in its handler, not in the planner yet
+  double pending_turn_ = 0;         // from one to the next
 
   int busy_interval_s_ = 2;
   std::optional<Duration> auto_report_;

@@ -212,3 +212,44 @@ TEST_CASE("the end lifts off the part, never above the axis, heaters off, then t
     CHECK(parked.all<Verbatim>().empty());
   }
 }
+
+TEST_CASE("round roads become arcs only where that is decided, and lay as much") {
+  Road ring{RoadKind::kPerimeter, Length::from_mm(0.45), true, {}};
+  for (int i = 0; i < 200; ++i) {
+    const double angle = 2 * std::numbers::pi * i / 200;
+    ring.points.push_back(at_mm(25 + 10 * std::cos(angle), 25 + 10 * std::sin(angle)));
+  }
+  const auto built = [&ring](ArcUse use, std::optional<bool> decided) {
+    Settings settings;
+    settings.arcs = use;
+    MotionBuilder builder(settings);
+    CHECK(builder.arcs_undecided() == (use == ArcUse::kAuto));
+    if (decided) builder.decide_arcs(*decided);
+    Recorder recorder;
+    builder.layer(slice_of(0, kSquare), {ring, line(20, 20, 30, 20)}, recorder.sink());
+    CHECK(builder.totals().arcs == std::ssize(recorder.all<ExtrudeArc>()));
+    double filament = 0;
+    for (const Extrude& extrude : recorder.all<Extrude>()) filament += extrude.filament_mm;
+    for (const ExtrudeArc& arc : recorder.all<ExtrudeArc>()) filament += arc.filament_mm;
+    return std::pair(builder.totals().arcs, filament);
+  };
+  const auto [none, straight_mm] = built(ArcUse::kOff, std::nullopt);
+  CHECK(none == 0);
+  CHECK(built(ArcUse::kAuto, std::nullopt).first == 0);
+  CHECK(built(ArcUse::kAuto, false).first == 0);
+  CHECK(built(ArcUse::kAuto, true).first == 2);
+  const auto [arcs, round_mm] = built(ArcUse::kOn, std::nullopt);
+  CHECK(arcs == 2);
+  CHECK(round_mm == doctest::Approx(straight_mm));
+}
+
+TEST_CASE("what was decided about arcs goes on with a print") {
+  MotionBuilder first{Settings()};
+  first.decide_arcs(true);
+  Recorder recorder;
+  first.layer(slice_of(0, kSquare), {line(1, 1, 5, 1)}, recorder.sink());
+  MotionBuilder second{Settings()};
+  second.go_on_from(first.state());
+  CHECK_FALSE(second.arcs_undecided());
+  CHECK(second.state().arcs == true);
+}

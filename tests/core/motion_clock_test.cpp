@@ -9,6 +9,7 @@
 namespace {
 
 using core::Extrude;
+using core::ExtrudeArc;
 using core::Length;
 using core::Lift;
 using core::MotionClock;
@@ -122,6 +123,29 @@ TEST_CASE("random paths within the look-ahead agree with a finely sampled speed 
     bound.back() = 0;
     CHECK(clock.seconds() == doctest::Approx(sampled_seconds(bound, step, 1'000)).epsilon(0.01));
   }
+}
+
+TEST_CASE("an arc takes as long as its length, no faster than its radius allows") {
+  constexpr double kPi = 3.14159265358979323846;
+  // Half a turn of radius 40: along the line, through it, and out along the line again.
+  MotionClock clock(kModel);
+  clock.add(Travel{at_mm(100, 0), 50});
+  clock.add(ExtrudeArc{at_mm(100, 80), at_mm(100, 40), false, 40 * kPi, 1, 50});
+  clock.add(Travel{at_mm(0, 80), 50});
+  CHECK(clock.seconds() == doctest::Approx(0.1 + (197.5 + 40 * kPi) / 50));
+  // The same arc the other way round turns back at its begin: a stop.
+  MotionClock back(kModel);
+  back.add(Travel{at_mm(100, 0), 50});
+  back.add(ExtrudeArc{at_mm(100, 80), at_mm(100, 40), true, 40 * kPi, 1, 50});
+  CHECK(back.seconds() > 0.19 + (95 + 40 * kPi) / 50);
+  // v² = a r: radius 0.4 at 1000 mm/s² is 20 mm/s.
+  MotionClock tight(kModel);
+  tight.add(Travel{at_mm(0.4, 0), 20});
+  for (int i = 0; i < 100; ++i) {
+    tight.add(ExtrudeArc{at_mm(-0.4, 0), at_mm(0, 0), false, 0.4 * kPi, 1, 500});
+    tight.add(ExtrudeArc{at_mm(0.4, 0), at_mm(0, 0), false, 0.4 * kPi, 1, 500});
+  }
+  CHECK(tight.seconds() == doctest::Approx(200 * 0.4 * kPi / 20).epsilon(0.05));
 }
 
 }  // namespace

@@ -194,3 +194,28 @@ TEST_CASE("random bytes are taken apart without harm") {
     (void)word(text, 'X', static_cast<int>(random() % 10));
   }
 }
+
+TEST_CASE(
+    "an arc's text: the longest fits a line, zeros are left out, it is shortened and spelled") {
+  Move move;
+  move.extruding = true;
+  move.x_um = -kPositionUmMax;
+  move.y_um = -kPositionUmMax;
+  move.e_10nm = -kFilament10nmMax;
+  move.f_mm_min = kFeedMmMinMax;
+  move.arc = Arc{true, -kArcCentreUmMax, -kArcCentreUmMax, 0};
+  TextBuffer buffer;
+  CHECK(encode(move, buffer).size() == kArcBytesMax);
+  move = {};
+  move.extruding = true;
+  move.x_um = 12'300;
+  move.e_10nm = 1'230;
+  move.arc = Arc{false, -500, 0, 700};
+  const std::string text(encode(move, buffer));
+  CHECK(text == "G3 X12.3 I-0.5 E0.0123");
+  TextBuffer short_buffer;
+  const std::string wire(shortened(text, short_buffer));
+  CHECK(wire == "G3X12.3I-.5 E.0123");
+  SpelledBuffer spelled;
+  CHECK(spelled_out(wire, spelled) == text);
+}

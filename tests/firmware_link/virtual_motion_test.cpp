@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <chrono>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -143,4 +144,33 @@ TEST_CASE("answers that nobody reads make it stand still, nothing grows") {
   const std::string told = bench.hear();
   CHECK(told.size() <= 8192);
   CHECK(bench.hear().find("FIRMWARE_NAME") != std::string::npos);
+}
+
+TEST_CASE("an arc is as long as it is round, ends where it should, and fills the planner") {
+  Bench bench;
+  CHECK(bench.say("G1 X100 Y50 F60000\n") == "ok\n");
+  CHECK(bench.say("M400\n").empty());
+  (void)bench.pass(10s);
+  // Half a turn of radius 5, 15.7 mm: sixteen blocks, and fifteen fit.
+  CHECK(bench.say("G3 X100 Y60 J5 F600\n").empty());
+  CHECK(bench.controller.state().planner_blocks == 15);
+  CHECK(bench.pass(200ms) == "ok\n");
+  CHECK(bench.say("M114\n").substr(0, 16) == "X:100.00 Y:60.00");
+  (void)bench.pass(10s);
+  CHECK_FALSE(bench.controller.moving());
+  const double straight = std::hypot(100, 50);
+  CHECK(bench.controller.totals().distance_mm == doctest::Approx(straight + 5 * 3.14159265));
+  CHECK(bench.controller.totals().planner_starvations == 0);
+  CHECK(bench.say("G3 X100 Y60\n") == "Error:G2/G3 bad parameters\nok\n");
+}
+
+TEST_CASE("an arc that bulges off the bed is counted as a move off it") {
+  Bench bench;
+  CHECK(bench.say("G28\n").empty());
+  (void)bench.pass(60s);
+  (void)bench.say("G1 X3 Y50 F60000\n");
+  (void)bench.say("G3 X3 Y54 J2\n");
+  CHECK(bench.controller.totals().clamped_moves == 0);
+  (void)bench.say("G3 X3 Y46 J-4\n");
+  CHECK(bench.controller.totals().clamped_moves == 1);
 }

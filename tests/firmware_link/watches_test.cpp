@@ -146,3 +146,27 @@ TEST_CASE("capabilities and names out of what M115 says") {
   CHECK(firmware_name_in(" RepRapFirmware for Duet 2 FIRMWARE_VERSION: 3") ==
         "RepRapFirmware for Duet 2");
 }
+
+TEST_CASE("an arc takes its length's time, and a planner's block for each millimetre") {
+  PositionWatch watch;
+  Move begin = to(0, 0);
+  begin.y_um = 0;
+  begin.f_mm_min = 600;
+  watch.gave(begin);
+  Move arc = to(20'000, 100);
+  arc.arc = Arc{true, 10'000, 0, 31'416};
+  CHECK(watch.nominal_time(arc) == Duration(3'141'600));
+  CHECK(planner_blocks_of(arc) == kPlannerBlocks);
+  arc.arc->length_um = 2'500;
+  CHECK(planner_blocks_of(arc) == 3);
+  arc.arc->length_um = 10;
+  CHECK(planner_blocks_of(arc) == 1);
+  CHECK(planner_blocks_of(begin) == 1);
+
+  PlannerWatch planner;
+  const Instant now{};
+  planner.accepted_move(300ms, now, 3);
+  CHECK(planner.blocks() == 3);
+  planner.advance(now + 150ms);
+  CHECK(planner.blocks() == 2);
+}

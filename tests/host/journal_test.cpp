@@ -41,7 +41,8 @@ host::JournalRecord record_of(std::mt19937_64& random) {
   record.checkpoint.bottom = core::Length::from_units(any());
   record.checkpoint.commands = any();
   record.checkpoint.filament_mm = static_cast<double>(any()) / 3;
-  record.checkpoint.motions = {true, random() % 2 == 0, true, false, {-5, 7}, {}, 0.1, 210};
+  record.checkpoint.motions = {true, random() % 2 == 0, true, false, {-5, 7}, {}, 0.1, 210, {}};
+  if (random() % 3 > 0) record.checkpoint.motions.arcs = random() % 2 == 0;
   if (random() % 2 == 0) record.checkpoint.motions.nozzle_z = core::Length::from_units(any());
   record.checkpoint.encoder = {maybe(), maybe(), maybe(), maybe(), -0.25};
   record.sure = any();
@@ -82,6 +83,7 @@ TEST_CASE("a record is read back as it was written") {
     CHECK_EQ(read->record.checkpoint.encoder.z_um, record.checkpoint.encoder.z_um);
     CHECK_EQ(read->record.checkpoint.encoder.filament_rest_10nm, -0.25);
     CHECK_EQ(read->record.checkpoint.motions.position.x, -5);
+    CHECK(read->record.checkpoint.motions.arcs == record.checkpoint.motions.arcs);
     CHECK_EQ(read->record.sure_hash, record.sure_hash);
     CHECK_EQ(read->record.line_kinds, record.line_kinds);
     CHECK_EQ(read->record.machine.f_mm_min, record.machine.f_mm_min);

@@ -117,7 +117,8 @@ int kills_wanted() {
 TEST_CASE("a print that is killed in its midst is gone on with, every road once") {
   const test::PartFolder parts_folder;
   const test::TemporaryFolder folder;
-  const std::string part = parts_folder.add("part.stl", parts::box({90, 80, 0}, 16, 12, 6));
+  const std::string part = parts_folder.add(
+      "part.stl", parts::together({parts::box({8, 8, 0}, 14, 10, 6), parts::tube(7, 5, 6, 180)}));
   const std::vector<std::string> settings = {"--layer-height", "0.3",   "--set",
                                              "bed_x=200",      "--set", "bed_y=200"};
   std::string typed;

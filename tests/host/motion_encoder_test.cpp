@@ -108,3 +108,45 @@ TEST_CASE("a user's line that may not be sent is told with its setting and place
   CHECK_NE(host::check_user_gcode(settings).error().message.find("end_gcode, line 1"),
            std::string::npos);
 }
+
+TEST_CASE("an arc is told by its end, its centre from its begin, and which way round") {
+  MotionEncoder encoder;
+  (void)encoder.encode(core::Travel{at_mm(10, 5), 60});
+  CHECK_EQ(text_of(encoder.encode(
+               core::ExtrudeArc{at_mm(12, 7), at_mm(10, 7), false, 3.1415, 0.25, 60})),
+           "G3 X12 Y7 J2 E0.25");
+  CHECK_EQ(
+      text_of(encoder.encode(core::ExtrudeArc{at_mm(10, 7), at_mm(11, 7), true, 3.1415, 0.25, 30})),
+      "G2 X10 I-1 E0.25 F1800");
+}
+
+TEST_CASE("on the wire an arc's radius differs by less than 3 µm from begin to end") {
+  std::mt19937 random(17);
+  std::uniform_int_distribution<std::int32_t> place(-2'000'000, 2'000'000);
+  std::uniform_real_distribution<double> angle(0, 6.28);
+  std::uniform_real_distribution<double> radius(2'000, 2'000'000);
+  double worst_um = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    const core::Point centre{place(random), place(random)};
+    const double r = radius(random);
+    const auto on_it = [&] {
+      const double a = angle(random);
+      return core::Point{centre.x + static_cast<std::int32_t>(std::lround(r * std::cos(a))),
+                         centre.y + static_cast<std::int32_t>(std::lround(r * std::sin(a)))};
+    };
+    const core::Point from = on_it(), to = on_it();
+    if (std::hypot(from.x - to.x, from.y - to.y) < 100) continue;
+    MotionEncoder encoder;
+    (void)encoder.encode(core::Travel{from, 60});
+    const MotionEncoder::State begin = encoder.state();
+    const auto command = encoder.encode(core::ExtrudeArc{to, centre, false, 1, 1, 60});
+    const auto& arc = *std::get<firmware_link::Move>(*command).arc;
+    const auto x = static_cast<double>(*begin.x_um + arc.i_um);
+    const auto y = static_cast<double>(*begin.y_um + arc.j_um);
+    const double at_end = std::hypot(static_cast<double>(*encoder.state().x_um) - x,
+                                     static_cast<double>(*encoder.state().y_um) - y);
+    worst_um = std::max(worst_um, std::abs(at_end - std::hypot(arc.i_um, arc.j_um)));
+  }
+  CHECK_LT(worst_um, 3);
+  CHECK_GT(worst_um, 1);
+}

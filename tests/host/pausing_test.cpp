@@ -237,10 +237,10 @@ TEST_CASE("a trail knows its last commands and the machine before each") {
     CHECK_EQ(state.fan, wanted.fan);
   }
   // Numbers 1499 and 1494 blow, all others move.
-  CHECK_EQ(trail.moves_back(1'500, 0), 1'500);
-  CHECK_EQ(trail.moves_back(1'500, 1), 1'498);
-  CHECK_EQ(trail.moves_back(1'500, 5), 1'493);
-  CHECK_EQ(trail.moves_back(1'500, 10'000), trail.begin());
+  CHECK_EQ(trail.blocks_back(1'500, 0), 1'500);
+  CHECK_EQ(trail.blocks_back(1'500, 1), 1'498);
+  CHECK_EQ(trail.blocks_back(1'500, 5), 1'493);
+  CHECK_EQ(trail.blocks_back(1'500, 10'000), trail.begin());
 }
 
 TEST_CASE("keys") {

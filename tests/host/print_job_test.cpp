@@ -4,8 +4,10 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <iterator>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -13,6 +15,8 @@
 #include "host/exit_codes.h"
 #include "host/limits.h"
 #include "tests/host/print_rig.h"
+#include "tests/support/laid_roads.h"
+#include "tests/support/road_path.h"
 
 using core::Length;
 using print_test::Rig;
@@ -110,6 +114,68 @@ TEST_CASE("what the controller executes is what the file says") {
     CHECK_EQ(rig.controller().nozzle_target_celsius, 0);
     CHECK_EQ(rig.controller().bed_target_celsius, 0);
   }
+}
+
+// A round part: the way with arcs against the way without, by brute force, layer by layer.
+TEST_CASE("arcs lie within their tolerance of the roads, and lay as much") {
+  const PartFolder folder;
+  const std::string path = folder.add("tube.stl", parts::tube(5, 3, 0.9, 180));
+  const auto printed = [&path](core::ArcUse use, firmware_link::VirtualDialect dialect) {
+    core::Settings settings = coarse();
+    settings.arcs = use;
+    firmware_link::VirtualControllerOptions options;
+    options.dialect = dialect;
+    Rig rig(settings, path, options);
+    const host::PrintOutcome outcome = rig.print();
+    CAPTURE(outcome.message);
+    CHECK_EQ(outcome.exit_code, host::kExitDone);
+    CHECK_EQ(outcome.geometry.arcs, rig.count("G2 ") + rig.count("G3 "));
+    return std::pair(test::laid_by(rig.executed), rig.port->controller().totals());
+  };
+  using firmware_link::VirtualDialect;
+  const auto [straight, straight_totals] = printed(core::ArcUse::kOff, VirtualDialect::kMarlin);
+  const auto [round, round_totals] = printed(core::ArcUse::kAuto, VirtualDialect::kMarlin);
+  CHECK_LT(round.size() * 4, straight.size());
+  CHECK_LT(std::abs(round_totals.filament_10nm - straight_totals.filament_10nm), 20);
+  CHECK_EQ(round_totals.unknown_commands, 0);
+  const auto paths_by_height = [](const std::vector<test::LaidPiece>& laid) {
+    std::map<double, std::vector<test::Path>> paths;
+    for (const test::LaidPiece& piece : laid) {
+      std::vector<test::Path>& roads = paths[piece.height];
+      if (roads.empty() || roads.back().back() != piece.from) roads.push_back({piece.from});
+      if (piece.turn == 0) {
+        roads.back().push_back(piece.to);
+      } else {
+        test::add_arc(piece.from, piece.to, piece.centre, piece.turn < 0, 0.005, roads.back());
+      }
+    }
+    return paths;
+  };
+  const auto wanted = paths_by_height(straight), got = paths_by_height(round);
+  REQUIRE_EQ(got.size(), wanted.size());
+  // The tolerance, and two roundings to the wire's micrometres.
+  const double most_mm = core::Settings().arc_fit_tolerance.mm() + 0.003;
+  for (const auto& [height, roads] : wanted) {
+    const std::vector<test::Path>& arcs = got.at(height);
+    REQUIRE_EQ(arcs.size(), roads.size());
+    for (std::size_t i = 0; i < roads.size(); ++i) {
+      REQUIRE_LT(test::farthest_off(arcs[i], roads[i], 0.01), most_mm);
+      REQUIRE_LT(test::farthest_off(roads[i], arcs[i], 0.01), most_mm);
+    }
+  }
+}
+
+TEST_CASE("a controller that does not say that it draws arcs gets none") {
+  const PartFolder folder;
+  const std::string path = folder.add("tube.stl", parts::tube(5, 3, 0.9, 180));
+  core::Settings settings = coarse();
+  firmware_link::VirtualControllerOptions options;
+  options.dialect = firmware_link::VirtualDialect::kKlipper;
+  Rig rig(settings, path, options);
+  const host::PrintOutcome outcome = rig.print();
+  CHECK_EQ(outcome.exit_code, host::kExitDone);
+  CHECK_EQ(outcome.geometry.arcs, 0);
+  CHECK_EQ(rig.port->controller().totals().unknown_commands, 0);
 }
 
 TEST_CASE("a signal in mid-print lifts the nozzle and turns the heaters off") {

@@ -36,6 +36,12 @@ std::string small_part(const PartFolder& folder) {
                                                  parts::box({6, 6, 0}, 3, 3, 4)}));
 }
 
+// Round beside it: arcs begin where the one before ended, wherever that was.
+std::string round_part(const PartFolder& folder) {
+  return folder.add("part.stl",
+                    parts::together({parts::box({8, 8, 0}, 6, 5, 3), parts::tube(6, 4, 3, 180)}));
+}
+
 void check_same(const std::vector<LaidPiece>& laid, const std::vector<LaidPiece>& wanted) {
   REQUIRE_EQ(laid.size(), wanted.size());
   for (std::size_t i = 0; i < wanted.size(); ++i) {
@@ -62,8 +68,10 @@ void make_pluggable(Rig& rig) {
 
 TEST_CASE("a print that is paused lays the same roads, and the nozzle waits off the part") {
   const PartFolder folder;
-  const std::string path = small_part(folder);
+  const std::string path = round_part(folder);
   const std::vector<LaidPiece> whole = laid_by(print_test::sliced_lines(coarse(), path));
+  CHECK_GT(std::count_if(whole.begin(), whole.end(), [](const auto& at) { return at.turn != 0; }),
+           50);
   std::mt19937 random(11);
   for (int i = 0; i < 6; ++i) {
     Rig rig(coarse(), path);
@@ -147,7 +155,7 @@ TEST_CASE("feed and flow go to the controller; a stop by key is a safe one") {
 
 TEST_CASE("a port that vanishes and comes back loses no road and doubles none") {
   const PartFolder folder;
-  const std::string path = small_part(folder);
+  const std::string path = round_part(folder);
   const std::vector<LaidPiece> whole = laid_by(print_test::sliced_lines(coarse(), path));
   std::mt19937 random(12);
   for (int i = 0; i < 3; ++i) {
@@ -242,7 +250,7 @@ TEST_CASE("nobody says where the nozzle is: nothing moves any more") {
 TEST_CASE("a print that ended goes on from its journal, in another program") {
   const PartFolder folder;
   const test::TemporaryFolder state;
-  const std::string path = small_part(folder);
+  const std::string path = round_part(folder);
   const std::string journal_path = state.path("print.journal");
   const std::vector<LaidPiece> whole = laid_by(print_test::sliced_lines(coarse(), path));
   std::mt19937 random(14);

@@ -67,7 +67,7 @@ TEST_CASE("every field of core::Settings has its row, in the same order") {
   REQUIRE(header.good());
   std::vector<std::string> fields;
   const std::regex field(
-      "^  (?:Length|double|int|bool|WallShape|BuildStyle|std::vector<std::string>) "
+      "^  (?:Length|double|int|bool|WallShape|BuildStyle|ArcUse|PackUse|std::vector<std::string>) "
       "([a-z0-9_]+)(?: = .*)?(?:;.*)?$");
   for (std::string line; std::getline(header, line);) {
     std::smatch match;

@@ -1,5 +1,6 @@
-// What a list of executed commands lays: each straight piece of road, by its ends, height, filament
-// and feed. Travels, retractions and primes leave no trace, as long as they lay nothing.
+// What a list of executed commands lays: each piece of road, straight or an arc, by its ends, its
+// centre, height, filament and feed. Travels, retractions and primes leave no trace, as long as
+// they lay nothing.
 #pragma once
 
 #include <array>
@@ -11,6 +12,8 @@ namespace test {
 
 struct LaidPiece {
   std::array<double, 2> from{}, to{};
+  int turn = 0;  // of an arc: 1 counter-clockwise, -1 clockwise
+  std::array<double, 2> centre{};
   double height = 0;
   double filament = 0;
   double feed = 0;
@@ -28,7 +31,9 @@ class RoadTracer {
     } else if (word == "G28") {
       place_ = {-1, -1};  // nothing is laid from there
     } else if (word == "G0" || word == "G1") {
-      move(text);
+      move(text, 0);
+    } else if (word == "G2" || word == "G3") {
+      move(text, word == "G3" ? 1 : -1);
     }
   }
 
@@ -44,8 +49,14 @@ class RoadTracer {
     return true;
   }
 
-  void move(const std::string& text) {
+  void move(const std::string& text, int turn) {
     const std::array<double, 2> from = place_;
+    std::array<double, 2> centre{};
+    if (turn != 0) {
+      read(text, 'I', centre[0]);
+      read(text, 'J', centre[1]);
+      centre = {from[0] + centre[0], from[1] + centre[1]};
+    }
     const bool x = read(text, 'X', place_[0]);
     const bool y = read(text, 'Y', place_[1]);
     read(text, 'Z', height_);
@@ -53,7 +64,7 @@ class RoadTracer {
     double filament = 0;
     if (!read(text, 'E', filament)) return;
     if (x || y) {
-      laid_.push_back({from, place_, height_, filament, feed_});
+      laid_.push_back({from, place_, turn, centre, height_, filament, feed_});
     } else {
       primed_mm_ += filament;
     }
