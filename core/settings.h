@@ -66,7 +66,7 @@ struct Settings {
 
   // Roads as motions.
   ArcUse arcs = ArcUse::kAuto;
-  Length arc_fit_tolerance = Length::from_units(100);  // 10 µm, between a road and its arcs
+  Length arc_fit_tolerance = Length::from_units(70);  // 7 µm, between a road and its arcs
 
   // Speeds, mm/s.
   double perimeter_speed_mm_s = 60;
