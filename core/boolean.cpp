@@ -65,7 +65,9 @@ Region subtract(const Region& a, const Region& b) {
 }
 
 Region subtract_within(const Region& a, const Region& b) {
-  std::vector<Ring> rings = a.rings();
+  std::vector<Ring> rings;
+  rings.reserve(a.rings().size() + b.rings().size());
+  rings = a.rings();
   for (Ring ring : b.rings()) {
     std::reverse(ring.begin() + 1, ring.end());
     rings.push_back(std::move(ring));
@@ -84,7 +86,8 @@ Region exclusive_or(const Region& a, const Region& b) {
 
 Region intersect_all(std::span<const Region* const> operands) {
   RIND_CHECK(!operands.empty());
-  std::vector<const Region*> different;
+  thread_local std::vector<const Region*> different;
+  different.clear();
   for (const Region* operand : operands) {
     if (operand->empty()) return {};
     const bool known = std::any_of(different.begin(), different.end(),
@@ -95,5 +98,7 @@ Region intersect_all(std::span<const Region* const> operands) {
   if (different.size() == 2) return intersect(*different[0], *different[1]);
   return overlay().intersect(different);
 }
+
+std::int64_t boolean_retries() { return overlay().retries(); }
 
 }  // namespace core

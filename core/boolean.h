@@ -12,6 +12,7 @@
 // nothing but the results is allocated.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -43,5 +44,9 @@ enum class FillRule {
 // What all operands cover: one operation, so that everything is rounded once.
 // REQUIRES: at least one operand.
 [[nodiscard]] Region intersect_all(std::span<const Region* const> operands);
+
+// Operations of the calling thread that were done twice, everything tried against everything,
+// because an operand that should have been clean crossed itself. 0 unless something is wrong.
+[[nodiscard]] std::int64_t boolean_retries();
 
 }  // namespace core

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 
 namespace core {
 namespace {
@@ -26,9 +27,12 @@ struct Foot {
 
 class Sweep {
  public:
-  explicit Sweep(const std::vector<Ring>& rings) : rings_(rings) {}
-
-  bool clear() {
+  // Memory is kept for the next call.
+  bool clear(std::span<const Ring> rings) {
+    rings_ = rings;
+    chains_.clear();
+    feet_.clear();
+    reaching_.clear();
     for (std::uint32_t i = 0; i < rings_.size(); ++i) {
       if (!add_ring(i)) return false;
     }
@@ -155,7 +159,7 @@ class Sweep {
     std::uint32_t chain;
   };
 
-  const std::vector<Ring>& rings_;
+  std::span<const Ring> rings_;
   std::vector<Chain> chains_;
   std::vector<Foot> feet_;
   std::vector<Reach> reaching_;  // chains that reach up to the sweep, or did
@@ -163,6 +167,9 @@ class Sweep {
 
 }  // namespace
 
-bool keep_clear(const std::vector<Ring>& rings) { return Sweep(rings).clear(); }
+bool keep_clear(const std::vector<Ring>& rings) {
+  thread_local Sweep sweep;
+  return sweep.clear(rings);
+}
 
 }  // namespace core

@@ -1,5 +1,6 @@
 #include "core/edge_grid.h"
 
+#include <cmath>
 #include <cstdlib>
 
 namespace core {
@@ -9,10 +10,19 @@ constexpr std::uint64_t kCellsPerEdge = 2;
 constexpr std::uint64_t kCellsMin = 16;
 // An edge of mean length enters no more than about this many cells.
 constexpr std::uint64_t kMeanEntriesMax = 8;
+// Of slices that aren't crowded an entry shares its cell with less than half as many.
+constexpr std::uint64_t kCrowdMax = 24;
+
+// Every point is at least two units away from the grid's rim.
+constexpr std::int64_t kRim = 2;
+
+std::uint64_t extent_of(std::int32_t low, std::int32_t high) {
+  return static_cast<std::uint64_t>(std::int64_t{high} - low + 2 * kRim + 1);
+}
 
 }  // namespace
 
-void EdgeGrid::choose_cells(const ContourEdges& edges) {
+void EdgeGrid::choose_even_cells(const ContourEdges& edges) {
   std::uint64_t length = 0, count = 0;
   for (const ContourRing& ring : edges.rings()) {
     for (EdgeIndex e = ring.first; e < ring.end; ++e) {
@@ -23,22 +33,49 @@ void EdgeGrid::choose_cells(const ContourEdges& edges) {
     count += ring.size();
   }
   const Box& box = edges.box();
-  // Every point is at least two units away from the grid's rim.
-  origin_x_ = std::int64_t{box.min.x} - 2;
-  origin_y_ = std::int64_t{box.min.y} - 2;
-  const auto width = static_cast<std::uint64_t>(box.max.x + std::int64_t{3} - origin_x_);
-  const auto height = static_cast<std::uint64_t>(box.max.y + std::int64_t{3} - origin_y_);
+  const std::uint64_t width = extent_of(box.min.x, box.max.x);
+  const std::uint64_t height = extent_of(box.min.y, box.max.y);
   const std::uint64_t cells_max = std::max(kCellsMin, kCellsPerEdge * count);
-  for (shift_ = 0; shift_ < 30; ++shift_) {
-    const std::uint64_t cells = ((width >> shift_) + 1) * ((height >> shift_) + 1);
-    if (cells <= cells_max && (length >> shift_) <= kMeanEntriesMax * count) break;
+  std::uint32_t shift = 0;
+  for (; shift < 30; ++shift) {
+    const std::uint64_t cells = ((width >> shift) + 1) * ((height >> shift) + 1);
+    if (cells <= cells_max && (length >> shift) <= kMeanEntriesMax * count) break;
   }
-  columns_ = static_cast<std::uint32_t>(width >> shift_) + 1;
-  rows_ = static_cast<std::uint32_t>(height >> shift_) + 1;
+  columns_.set_even(box.min.x - kRim, width, shift);
+  rows_.set_even(box.min.y - kRim, height, shift);
+}
+
+// As many columns as rows, both where the corners are.
+void EdgeGrid::choose_crowded_cells(const ContourEdges& edges) {
+  const Box& box = edges.box();
+  const auto corners = [&](auto coordinate) {
+    values_.clear();
+    for (const ContourRing& ring : edges.rings()) {
+      for (EdgeIndex e = ring.first; e < ring.end; ++e)
+        values_.push_back(coordinate(edges.from(e)));
+    }
+    return std::span<const std::int32_t>(values_);
+  };
+  const auto wanted = static_cast<std::uint32_t>(std::sqrt(edges.index_end())) + 1;
+  columns_.set_crowded(box.min.x - kRim, extent_of(box.min.x, box.max.x), wanted,
+                       corners([](Point p) { return p.x; }));
+  rows_.set_crowded(box.min.y - kRim, extent_of(box.min.y, box.max.y), wanted,
+                    corners([](Point p) { return p.y; }));
 }
 
 void EdgeGrid::build(const ContourEdges& edges) {
-  choose_cells(edges);
+  choose_even_cells(edges);
+  place_edges(edges);
+  const std::uint64_t even_crowd = crowd_;
+  if (even_crowd <= kCrowdMax * entries_.size()) return;
+  choose_crowded_cells(edges);
+  place_edges(edges);
+  if (crowd_ < even_crowd) return;
+  choose_even_cells(edges);
+  place_edges(edges);
+}
+
+void EdgeGrid::place_edges(const ContourEdges& edges) {
   starts_.assign(std::size_t{cell_count()} + 1, 0);
   std::size_t count = 0;
   for (const ContourRing& ring : edges.rings()) {
@@ -51,7 +88,11 @@ void EdgeGrid::build(const ContourEdges& edges) {
     }
   }
   std::uint32_t end = 0;
-  for (std::uint32_t& start : starts_) start = end += start;
+  crowd_ = 0;
+  for (std::uint32_t& start : starts_) {
+    crowd_ += std::uint64_t{start} * start;
+    start = end += start;
+  }
   entries_.resize(end);
   // From the last to the first, so that every cell's edges come out in ascending order.
   for (std::size_t i = count; i-- > 0;) {

@@ -48,11 +48,11 @@ void add_arc(const OffsetPiece& piece, Point to, double tolerance, Ring& ring) {
 
 Region flatten(const OffsetContours& contours, Length tolerance) {
   RIND_CHECK(tolerance > Length());
+  thread_local Ring ring;  // kept, so that a result's ring is allocated once
   std::vector<Ring> rings;
   rings.reserve(contours.size());
   for (const OffsetContour& contour : contours) {
-    Ring ring;
-    ring.reserve(contour.size());
+    ring.clear();
     for (std::size_t i = 0; i < contour.size(); ++i) {
       const OffsetPiece& piece = contour[i];
       ring.push_back(piece.from);
@@ -62,7 +62,7 @@ Region flatten(const OffsetContours& contours, Length tolerance) {
     }
     ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
     while (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
-    if (ring.size() >= 3) rings.push_back(std::move(ring));
+    if (ring.size() >= 3) rings.emplace_back(ring.begin(), ring.end());
   }
   // Rounding can make tiny loops that turn the wrong way: they aren't part of the offset.
   if (surely_clean(rings)) return Region::from_clean_rings(std::move(rings));

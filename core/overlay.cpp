@@ -1,5 +1,7 @@
 #include "core/overlay.h"
 
+#include <iterator>
+
 #include "core/check.h"  // RIND_CHECK
 
 namespace core {
@@ -79,14 +81,16 @@ Region Overlay::run(const WindingRule& rule) {
   if (edges_.rings().empty()) return {};
   grid_.build(edges_);
   if (!find_boundary(rule)) {
+    ++retries_;
     weights_.clean = false;
     RIND_CHECK(find_boundary(rule));
   }
-  std::vector<Ring> rings;
-  tracer_.trace(edges_, snapped_, graph_, walk_, rings);
-  if (weights_.clean) copy_free_rings(rule, rings);
-  sort_rings(rings);
-  return Region::from_clean_rings(std::move(rings));
+  found_.clear();
+  tracer_.trace(edges_, snapped_, graph_, walk_, found_);
+  if (weights_.clean) copy_free_rings(rule, found_);
+  sort_rings(found_);
+  return Region::from_clean_rings(std::vector<Ring>(std::make_move_iterator(found_.begin()),
+                                                    std::make_move_iterator(found_.end())));
 }
 
 bool Overlay::find_boundary(const WindingRule& rule) {

@@ -42,6 +42,9 @@ class Overlay {
   // Rings of any kind, weighted 1.
   [[nodiscard]] Region combine(const std::vector<Ring>& rings, const WindingRule& rule);
 
+  // Second runs since birth.
+  [[nodiscard]] std::int64_t retries() const { return retries_; }
+
  private:
   void add_in_common(const Region& a, const Region& b);
   [[nodiscard]] Region run(const WindingRule& rule);
@@ -56,6 +59,8 @@ class Overlay {
   BoundaryWalk walk_;
   RingTracer tracer_;
   OperandWeights weights_;
+  std::vector<Ring> found_;  // the result, until its size is known
+  std::int64_t retries_ = 0;
   std::vector<std::uint8_t> common_a_;  // by ring of a: stands alike in b
   std::vector<std::uint8_t> common_b_;
 };

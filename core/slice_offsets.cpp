@@ -44,7 +44,8 @@ std::int64_t OffsetCutter::fill(const Slice& slice, SliceOffsets& cut) const {
     inner_edge = depth + half_spacing;
   }
   depths.push_back(inner_edge);
-  std::vector<OffsetContours> contours(depths.size());
+  thread_local std::vector<OffsetContours> contours;
+  contours.resize(depths.size());
   const std::int64_t tries_before = foot.retries() + foot.fallbacks();
   foot.offset(slice.region, depths, contours);
 

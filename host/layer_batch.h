@@ -10,7 +10,7 @@
 #include "core/slice.h"          // Slice
 #include "core/slice_offsets.h"  // OffsetCutter
 #include "core/units.h"          // LayerIndex, Length
-#include "host/stage_clock.h"    // StageSeconds
+#include "host/stage_meter.h"    // StageUse
 
 namespace host {
 
@@ -26,7 +26,7 @@ struct LayerBatch {
   core::OffsetCutter::Place offsets;
   std::int64_t offset_retries = 0;
   std::vector<SettledLayer> settled;
-  StageSeconds seconds{};  // processor time by stage
+  StageUse use;
 };
 
 }  // namespace host

@@ -36,6 +36,9 @@ inline constexpr std::size_t kReorderTriangles = 8'192;
 inline constexpr std::size_t kLogBytesMax = std::size_t{1} << 20;
 inline constexpr std::size_t kLogFilesMax = 2;
 
+// Layers that may grow the memory that is kept, before allocations are counted.
+inline constexpr std::int64_t kWarmUpLayers = 50;
+
 // Of progress, a line in the log at most so often.
 inline constexpr double kLogPeriod_s = 60;
 

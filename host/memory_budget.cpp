@@ -18,6 +18,8 @@ std::atomic<std::int64_t> g_used = 0;     // allocated and not given back
 std::atomic<std::int64_t> g_base = 0;     // resident beside that
 std::atomic<std::int64_t> g_refused = 0;  // would have been in use with what was refused last
 
+thread_local std::int64_t t_allocations = 0;
+
 std::int64_t resident_bytes() {
   std::int64_t total_pages = 0, resident_pages = 0;
   std::FILE* file = std::fopen("/proc/self/statm", "re");
@@ -49,8 +51,11 @@ bool memory_allowed(std::size_t bytes) noexcept {
 }
 
 void memory_taken(std::size_t bytes) noexcept {
+  ++t_allocations;
   g_used.fetch_add(static_cast<std::int64_t>(bytes), std::memory_order_relaxed);
 }
+
+std::int64_t thread_allocations() noexcept { return t_allocations; }
 
 void memory_given_back(std::size_t bytes) noexcept {
   g_used.fetch_sub(static_cast<std::int64_t>(bytes), std::memory_order_relaxed);

@@ -92,7 +92,7 @@ class Pipeline {
     if (window_emptied_ || stopped()) return nullptr;
     auto batch = std::make_unique<LayerBatch>();
     if (source_ended_) return batch;
-    const CpuTimer timer(seconds_of(Stage::kSlice, batch->seconds));
+    const StageMeter meter(Stage::kSlice, batch->use);
     if (core::Status taken = take_slice(*batch); !taken.ok()) batch->error = taken.error();
     source_ended_ = !batch->slice;
     return batch;
@@ -132,14 +132,14 @@ class Pipeline {
 
   void cut(LayerBatch& batch) const {
     if (!batch.slice || !batch.offsets.to_fill) return;
-    const CpuTimer timer(seconds_of(Stage::kOffset, batch.seconds));
+    const StageMeter meter(Stage::kOffset, batch.use);
     batch.offset_retries = cutter_.fill(*batch.slice, *batch.offsets.offsets);
   }
 
   // In order.
   void split(LayerBatch& batch) {
     if (batch.error) return;
-    const CpuTimer timer(seconds_of(Stage::kWindow, batch.seconds));
+    const StageMeter meter(Stage::kWindow, batch.use);
     if (!batch.slice) {
       std::optional<core::SplitLayer> settled = splitter_.finish();
       window_emptied_ = !settled;
@@ -162,7 +162,7 @@ class Pipeline {
   }
 
   void plan(LayerBatch& batch) const {
-    const CpuTimer timer(seconds_of(Stage::kRoads, batch.seconds));
+    const StageMeter meter(Stage::kRoads, batch.use);
     for (SettledLayer& settled : batch.settled) {
       if (settled.place.to_fill) planner_.fill(*settled.place.plan, wants_roads());
     }
@@ -173,14 +173,16 @@ class Pipeline {
     if (stopped()) return;
     if (batch.error) return fail(*batch.error);
     {
-      const CpuTimer timer(seconds_of(Stage::kEncode, batch.seconds));
+      const StageMeter meter(Stage::kEncode, batch.use);
       for (const SettledLayer& settled : batch.settled) {
         if (core::Status given = give(settled); !given.ok()) return fail(given.error());
         if (stopped()) return;
       }
     }
     statistics_.mountain_retries += batch.offset_retries;
-    statistics_.layer_times.add(layers_timed_++, statistics_.clock.add_layer(batch.seconds));
+    statistics_.boolean_retries += batch.use.boolean_retries;
+    statistics_.allocations.add(layers_timed_, batch.use.allocations);
+    statistics_.layer_times.add(layers_timed_++, statistics_.clock.add_layer(batch.use.seconds));
   }
 
   void fail(const core::Error& error) {

@@ -56,6 +56,15 @@ Json defects_json(const DefectLog& defects) {
           {"heights_mm", heights}};
 }
 
+Json allocations_json(const AllocationLog& allocations) {
+  Json json;
+  for (const Stage stage :
+       {Stage::kSlice, Stage::kOffset, Stage::kWindow, Stage::kRoads, Stage::kEncode}) {
+    json[std::string(stage_name(stage))] = allocations.per_layer(stage);
+  }
+  return json;
+}
+
 template <typename T>
 Json or_null(const std::optional<T>& value) {
   return value ? Json(*value) : Json(nullptr);
@@ -117,6 +126,17 @@ std::string DefectLog::summary() const {
   return text + " mm";
 }
 
+void AllocationLog::add(std::int64_t layer, const StageCounts& counts) {
+  if (layer < kWarmUpLayers) return;
+  ++layers_;
+  for (std::size_t i = 0; i < counts.size(); ++i) counts_[i] += counts[i];
+}
+
+double AllocationLog::per_layer(Stage stage) const {
+  const auto count = static_cast<double>(counts_[static_cast<std::size_t>(stage)]);
+  return layers_ > 0 ? count / static_cast<double>(layers_) : 0;
+}
+
 std::int64_t peak_rss_bytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -135,6 +155,7 @@ std::string statistics_json(const GeometryStatistics& geometry, const LinkStatis
                {"spilled_bytes", geometry.spilled_bytes},
                {"bad_layers", geometry.bad_layers},
                {"mountain_retries", geometry.mountain_retries},
+               {"boolean_retries", geometry.boolean_retries},
                {"region_operations", geometry.region_operations},
                {"region_operations_worst", geometry.region_operations_worst},
                {"layers_reused",
@@ -148,6 +169,7 @@ std::string statistics_json(const GeometryStatistics& geometry, const LinkStatis
                 {{"median", geometry.layer_times.median_ms()},
                  {"worst", geometry.layer_times.worst_ms()},
                  {"worst_layer", geometry.layer_times.worst_layer() + 1}}},
+               {"allocations_per_layer", allocations_json(geometry.allocations)},
                {"solid_mm3", geometry.solid_mm3},
                {"loose_mm3", geometry.loose_mm3},
                {"regularised_mm3", geometry.regularised_mm3},

@@ -13,6 +13,7 @@
 #include "core/units.h"        // LayerIndex, Length
 #include "host/layer_times.h"  // LayerTimes
 #include "host/stage_clock.h"  // StageClock
+#include "host/stage_meter.h"  // StageCounts
 
 namespace host {
 
@@ -59,6 +60,20 @@ struct ReuseCounts {
   std::int64_t roads = 0;
 };
 
+// Allocations by stage, those of the first kWarmUpLayers left out: what kept memory doesn't save.
+class AllocationLog {
+ public:
+  // REQUIRES: layers come by index, from 0.
+  void add(std::int64_t layer, const StageCounts& counts);
+
+  // A layer's, in the mean; 0 before there is any.
+  [[nodiscard]] double per_layer(Stage stage) const;
+
+ private:
+  std::int64_t layers_ = 0;
+  StageCounts counts_{};
+};
+
 // Filled by the geometry side.
 struct GeometryStatistics {
   StageClock clock;
@@ -71,11 +86,13 @@ struct GeometryStatistics {
   std::int64_t spilled_bytes = 0;      // to the temporary file for sorting
   std::int64_t bad_layers = 0;         // bad_layers.h
   std::int64_t mountain_retries = 0;   // Voronoi diagrams that failed their check
+  std::int64_t boolean_retries = 0;    // operands that crossed themselves (core/boolean.h)
   std::int64_t region_operations = 0;  // of the window: intersections and subtractions
   int region_operations_worst = 0;     // of one layer
   ReuseCounts reused;
   double regularised_mm3 = 0;  // moved from loose to solid, to be printable (regularise.h)
   LayerTimes layer_times;      // processor time
+  AllocationLog allocations;   // of the program only: tests have no hook that counts
   double solid_mm3 = 0;        // volume of the wall, and of the inside
   double loose_mm3 = 0;
   FilamentUse filament_mm{};

@@ -9,7 +9,7 @@ build_packages=(
 
 # Clipper and printrun judge our work; qemu, with a kernel that test_uart fetches, has a real UART.
 test_packages=(
-  clang doctest-dev libpolyclipping-dev python3 printrun-common
+  clang doctest-dev libbenchmark-dev libpolyclipping-dev python3 printrun-common
   qemu-system-x86 busybox-static cpio
 )
 

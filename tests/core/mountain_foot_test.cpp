@@ -11,13 +11,13 @@
 #include "core/units.h"
 #include "core/voronoi_mountain.h"
 #include "tests/support/grid_regions.h"
+#include "tests/support/offset_checks.h"
 #include "tests/support/random_regions.h"
 #include "tests/support/region_checks.h"
 #include "tests/support/region_text.h"
 
 using core::Length;
 using core::MountainFoot;
-using core::OffsetContour;
 using core::OffsetContours;
 using core::OffsetPiece;
 using core::Point;
@@ -28,75 +28,23 @@ using test::region_from_text;
 
 namespace {
 
-const Length kTolerance = Length::from_mm(0.0025);
+using test::kArcTolerance;
+
 // An end is rounded to the grid, and the depth was nudged: sqrt(1/2) and a little.
 constexpr double kEnd = 0.75;
-constexpr double kRounding = 2;
+constexpr double kRounding = test::kOffsetRoundingUnits;
 
 double units(Length length) { return static_cast<double>(length.units()); }
 
-// The middle of an arc of at most half a turn, of the true radius.
-std::pair<double, double> middle_of_arc(const OffsetPiece& piece, Point to, double radius) {
-  const double ax = piece.from.x - piece.centre.x, ay = piece.from.y - piece.centre.y;
-  const double bx = to.x - piece.centre.x, by = to.y - piece.centre.y;
-  double x = ax + bx, y = ay + by;
-  if (std::hypot(x, y) < radius / 16) {  // nearly half a turn: across the chord
-    const bool left = piece.kind == OffsetPiece::Kind::kArcClockwise;
-    x = left ? ay - by : by - ay;
-    y = left ? bx - ax : ax - bx;
-  }
-  const double scale = radius / std::hypot(x, y);
-  return {piece.centre.x + x * scale, piece.centre.y + y * scale};
-}
-
-// Every piece lies at its depth: its start, its middle.
-double worst_depth_error(const Region& region, Length depth, const OffsetContours& contours) {
-  double worst = 0;
-  const auto measure = [&](double x, double y) {
-    const double error = test::signed_distance(region, x, y) - units(depth);
-    worst = std::max(worst, std::abs(error));
-  };
-  for (const OffsetContour& contour : contours) {
-    for (std::size_t i = 0; i < contour.size(); ++i) {
-      const OffsetPiece& piece = contour[i];
-      const Point to = contour[(i + 1) % contour.size()].from;
-      measure(piece.from.x, piece.from.y);
-      if (piece.kind == OffsetPiece::Kind::kLine) {
-        measure((double{1} * piece.from.x + to.x) / 2, (double{1} * piece.from.y + to.y) / 2);
-      } else if (std::hypot(piece.from.x - to.x, piece.from.y - to.y) > 4) {
-        const auto [x, y] = middle_of_arc(piece, to, std::abs(units(depth)));
-        measure(x, y);
-      }
-    }
-  }
-  return worst;
-}
-
-// Points inside the result are those of the region that are deeper.
-int misjudged_points(const Region& region, Length depth, const Region& result, Random& random,
-                     int samples) {
-  const core::Box box = region.box();
-  const double margin = std::abs(units(depth)) + 10, slack = units(kTolerance) + kRounding;
-  int wrong = 0;
-  for (int i = 0; i < samples; ++i) {
-    const double x = random.between(box.min.x - margin, box.max.x + margin);
-    const double y = random.between(box.min.y - margin, box.max.y + margin);
-    const double height = test::signed_distance(region, x, y) - units(depth);
-    if (std::abs(height) < slack) continue;
-    if (test::winding_number(result.rings(), x, y) != (height > 0 ? 1 : 0)) ++wrong;
-  }
-  return wrong;
-}
-
 void check(const Region& region, Length depth, const OffsetContours& contours, Random& random,
            int samples) {
-  CHECK_LE(worst_depth_error(region, depth, contours), kEnd);
-  const Region result = core::flatten(contours, kTolerance);
-  CHECK_EQ(misjudged_points(region, depth, result, random, samples), 0);
+  CHECK_LE(test::worst_depth_error(region, depth, contours), kEnd);
+  const Region result = core::flatten(contours, kArcTolerance);
+  CHECK_EQ(test::misjudged_points(region, depth, result, random, samples), 0);
 }
 
 Region clipper_offset(const Region& region, Length depth) {
-  ClipperLib::ClipperOffset offset(2, units(kTolerance));
+  ClipperLib::ClipperOffset offset(2, units(kArcTolerance));
   for (const Ring& ring : region.rings()) {
     ClipperLib::Path path;
     for (const Point p : ring) path.push_back({p.x, p.y});
@@ -115,14 +63,6 @@ Region clipper_offset(const Region& region, Length depth) {
   return core::clean(rings, core::FillRule::kPositive);
 }
 
-Length random_grid_depth(Random& random, int scale) {
-  const int steps = random.integer(1, 14);
-  const double depth =
-      random.integer(0, 2) > 0 ? steps * scale / 4.0 : std::sqrt(steps) * scale / 2;
-  const int sign = random.integer(0, 2) == 0 ? -1 : 1;
-  return Length::from_units(sign * std::max(1L, std::lround(depth)));
-}
-
 }  // namespace
 
 TEST_CASE("a square's offsets, in and out, in one go") {
@@ -132,8 +72,8 @@ TEST_CASE("a square's offsets, in and out, in one go") {
                            Length::from_mm(500)};
   OffsetContours out[5];
   foot.offset(square, depths, out);
-  CHECK_EQ(core::flatten(out[0], kTolerance), region_from_text("1:1 9:1 9:9 1:9"));
-  CHECK_EQ(core::flatten(out[1], kTolerance), square);
+  CHECK_EQ(core::flatten(out[0], kArcTolerance), region_from_text("1:1 9:1 9:9 1:9"));
+  CHECK_EQ(core::flatten(out[1], kArcTolerance), square);
   CHECK(out[3].empty());
   CHECK(out[4].empty());
   REQUIRE_EQ(out[2].size(), 1u);
@@ -204,7 +144,7 @@ TEST_CASE("small regions full of coincidences") {
     const int scales[] = {1000, 997, 40, 7};
     const int scale = scales[random.integer(0, 3)];
     const Region region = test::random_grid_region(random, scale);
-    const Length depth = random_grid_depth(random, scale);
+    const Length depth = test::random_grid_depth(random, scale);
     CAPTURE(depth.units());
     const OffsetContours offset = foot.offset(region, depth);
     contours += static_cast<int>(offset.size());
@@ -227,15 +167,16 @@ TEST_CASE("the same as the whole diagram") {
     Length depths[4];
     OffsetContours out[4];
     for (Length& depth : depths) {
-      depth = coarse ? random_grid_depth(random, 10'000) : Length::from_mm(random.between(-2, 3));
+      depth =
+          coarse ? test::random_grid_depth(random, 10'000) : Length::from_mm(random.between(-2, 3));
     }
     foot.offset(region, depths, out);
     for (std::size_t i = 0; i < 4; ++i) {
       CAPTURE(depths[i].mm());
-      const Region ours = core::flatten(out[i], kTolerance);
-      const Region reference = core::flatten(mountain.offset(depths[i]), kTolerance);
+      const Region ours = core::flatten(out[i], kArcTolerance);
+      const Region reference = core::flatten(mountain.offset(depths[i]), kArcTolerance);
       CHECK(test::is_clean(ours));
-      CHECK_LE(test::widest_difference(ours, reference), units(kTolerance) + kRounding);
+      CHECK_LE(test::widest_difference(ours, reference), units(kArcTolerance) + kRounding);
     }
   }
   CHECK_EQ(foot.fallbacks(), 0);
@@ -252,9 +193,9 @@ TEST_CASE("random regions agree with measured distances and with Clipper") {
       const Length depth = Length::from_mm(depth_mm);
       const OffsetContours contours = foot.offset(region, depth);
       check(region, depth, contours, random, 60);
-      CHECK_LE(test::widest_difference(core::flatten(contours, kTolerance),
+      CHECK_LE(test::widest_difference(core::flatten(contours, kArcTolerance),
                                        clipper_offset(region, depth)),
-               2 * units(kTolerance) + kRounding);
+               2 * units(kArcTolerance) + kRounding);
     }
   }
   CHECK_EQ(foot.fallbacks(), 0);
@@ -272,7 +213,7 @@ TEST_CASE("small regions, where everything is rounding") {
       const Length depth = Length::from_units(depth_units);
       const OffsetContours contours = foot.offset(region, depth);
       check(region, depth, contours, random, 40);
-      CHECK(test::is_clean(core::flatten(contours, kTolerance)));
+      CHECK(test::is_clean(core::flatten(contours, kArcTolerance)));
     }
   }
   CHECK_EQ(foot.fallbacks(), 0);
@@ -289,8 +230,8 @@ TEST_CASE("contours of 20,000 edges") {
     for (const double depth_mm : {0.2, 1.35, -0.8}) {
       CAPTURE(depth_mm);
       const Length depth = Length::from_mm(depth_mm);
-      const Region result = core::flatten(foot.offset(region, depth), kTolerance);
-      CHECK_EQ(misjudged_points(region, depth, result, random, 200), 0);
+      const Region result = core::flatten(foot.offset(region, depth), kArcTolerance);
+      CHECK_EQ(test::misjudged_points(region, depth, result, random, 200), 0);
     }
   }
   CHECK_EQ(foot.fallbacks(), 0);

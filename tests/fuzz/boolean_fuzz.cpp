@@ -1,5 +1,5 @@
 // Booleans on whatever libFuzzer thinks of. ctest replays random bytes through the same checks
-// (tests/core/overlay_test.cpp).
+// (tests/core/kernel_cases_test.cpp).
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>

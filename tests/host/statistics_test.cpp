@@ -43,15 +43,29 @@ TEST_CASE("defects are counted for ever and told by height a bounded number of t
   CHECK_NE(log.summary().find("..."), std::string::npos);
 }
 
+TEST_CASE("allocations are counted by stage, the first layers left out") {
+  host::AllocationLog log;
+  CHECK_EQ(log.per_layer(host::Stage::kOffset), 0);
+  host::StageCounts counts{};
+  for (std::int64_t layer = 0; layer < host::kWarmUpLayers + 4; ++layer) {
+    counts[static_cast<std::size_t>(host::Stage::kOffset)] =
+        layer < host::kWarmUpLayers ? 1000 : layer;
+    log.add(layer, counts);
+  }
+  CHECK_EQ(log.per_layer(host::Stage::kOffset), doctest::Approx(host::kWarmUpLayers + 1.5));
+  CHECK_EQ(log.per_layer(host::Stage::kRoads), 0);
+}
+
 TEST_CASE("the statistics file has every key that was promised") {
   const host::GeometryStatistics geometry;
   host::LinkStatistics link;
   link.first_road_s = 1.5;
   const json with_link = json::parse(host::statistics_json(geometry, &link));
-  for (const char* key : {"layers", "peak_layers_held", "peak_regions_held", "peak_triangles_held",
-                          "peak_rss_bytes", "cpu_seconds", "worst_layer_ms", "first_command_s",
-                          "first_road_s", "slices_cut_at_first_road", "spilled_bytes", "bad_layers",
-                          "filament_mm", "time_s", "stalls", "resends", "defects"}) {
+  for (const char* key :
+       {"layers", "peak_layers_held", "peak_regions_held", "peak_triangles_held", "peak_rss_bytes",
+        "cpu_seconds", "worst_layer_ms", "first_command_s", "first_road_s",
+        "slices_cut_at_first_road", "spilled_bytes", "bad_layers", "filament_mm", "time_s",
+        "allocations_per_layer", "boolean_retries", "stalls", "resends", "defects"}) {
     CAPTURE(key);
     CHECK(with_link.contains(key));
   }

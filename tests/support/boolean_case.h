@@ -29,8 +29,17 @@ struct BooleanCase {
 // Returns what was wrong, or nothing.
 [[nodiscard]] std::string check_operations(const BooleanCase& input);
 
-// The same against Boost.Polygon: the widest piece of the difference is 3 units wide at most. Only
-// for coordinates at which Boost.Polygon is right.
-[[nodiscard]] std::string check_against_reference(const BooleanCase& input);
+// What comparisons with Boost.Polygon found.
+struct BooleanComparison {
+  std::int64_t compared = 0;  // results
+  std::int64_t wider = 0;     // that differ by more than 2 units: Boost.Polygon is off there
+  double widest = 0;          // difference, units
+};
+
+// The same against Boost.Polygon: where the difference has a piece wider than 2 units, points of it
+// that keep clear of the operands' edges say who is right. Only for coordinates at which
+// Boost.Polygon is right as a rule. Returns what was wrong with ours, or nothing.
+[[nodiscard]] std::string check_against_reference(const BooleanCase& input,
+                                                  BooleanComparison& comparison);
 
 }  // namespace test
