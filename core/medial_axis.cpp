@@ -205,15 +205,13 @@ class Chains {
   void add_line(std::uint32_t run, bool backwards, std::vector<ThickPolyline>& lines) {
     if (runs_[run].used) return;
     std::vector<Place> places;
-    const std::uint32_t start = backwards ? runs_[run].to : runs_[run].from;
-    std::uint32_t vertex = start;
     bool closed = false;
     for (;;) {
       Run& current = runs_[run];
       current.used = true;
       if (backwards) std::reverse(current.places.begin(), current.places.end());
       places.insert(places.end(), current.places.begin(), current.places.end());
-      vertex = backwards ? current.from : current.to;
+      const std::uint32_t vertex = backwards ? current.from : current.to;
       if (!passes(vertex)) break;
       const std::uint32_t next = at_[vertex][0] == run ? at_[vertex][1] : at_[vertex][0];
       closed = runs_[next].used;

@@ -80,8 +80,8 @@ void add_runs(const std::vector<Sample>& ring, bool near, Length width, RoadKind
       const bool last = i == count || ring[(start + i) % count].near != near;
       if (road.points.empty() || last || sample.corner) road.points.push_back(sample.point);
     }
-    if (road.points.size() >= 2) roads.push_back(std::move(road));
     if (road.points.empty()) ++i;
+    if (road.points.size() >= 2) roads.push_back(std::move(road));
   }
 }
 
