@@ -53,7 +53,16 @@ std::vector<Region> pieces_of(const Region& rest, const Settings& settings) {
   return kept;
 }
 
+// Whether the whole line lies in the piece, looked at in nine places.
+bool holds(const Region& piece, const Segment& line) {
+  for (int i = 0; i <= 8; ++i) {
+    if (!piece.contains(between(line.from, line.to, i / 8.0))) return false;
+  }
+  return true;
+}
+
 // A piece as long as it is broad has no axis: a road along its longest diagonal holds what it does.
+// A crescent's diagonal would lead out of it.
 void add_blob(const Region& piece, Length widest, const Settings& settings,
               std::vector<Road>& roads) {
   Segment longest;
@@ -73,11 +82,10 @@ void add_blob(const Region& piece, Length widest, const Settings& settings,
     return;
   }
   const double share = length / diagonal / 2;
-  roads.push_back({RoadKind::kRest,
-                   Length::from_mm(width),
-                   false,
-                   {between(longest.from, longest.to, 0.5 - share),
-                    between(longest.from, longest.to, 0.5 + share)}});
+  const Segment line{between(longest.from, longest.to, 0.5 - share),
+                     between(longest.from, longest.to, 0.5 + share)};
+  if (!holds(piece, line)) return;
+  roads.push_back({RoadKind::kRest, Length::from_mm(width), false, {line.from, line.to}});
 }
 
 class Cutter {
