@@ -7,14 +7,19 @@
 #include <vector>
 
 #include "core/boolean.h"
+#include "core/plane_sweep.h"
 #include "core/polyline.h"
+#include "core/segment_grid.h"
 #include "core/slice_offsets.h"
 #include "core/voronoi_mountain.h"
 #include "core/wall_fill.h"
+#include "core/wall_splitter.h"
+#include "tests/support/mesh.h"
 #include "tests/support/random_regions.h"
 #include "tests/support/region_checks.h"
 #include "tests/support/region_text.h"
 #include "tests/support/road_checks.h"
+#include "tools/parts/part_maker.h"
 
 using namespace core;
 
@@ -220,4 +225,40 @@ TEST_CASE("the wall is dense up to its inner edge, however little of it the peri
     test::Random random(11);
     CHECK_GE(test::covered_share(layer.solid, dense, 4'000, random), 0.995);
   }
+}
+
+TEST_CASE("dense roads run in the wall, nowhere in the inside: a screw's layers") {
+  Settings settings;
+  settings.wall_thickness = Length::from_mm(1);
+  OffsetCutter cutter(settings);
+  WallSplitter splitter(settings);
+  const RoadPlanner planner(settings);
+  // Rows and rings end where the wall does, rests reach into what those leave.
+  const double beyond_max_mm = settings.road_width.mm() / 2;
+  std::size_t looked_at = 0;
+  const auto look = [&](const SplitLayer& layer) {
+    const SegmentGrid edge(Length::from_mm(1), layer.loose);
+    for (const Road& road : planner.plan(layer)) {
+      if (road.kind == RoadKind::kLoose || road.kind == RoadKind::kSkirt) continue;
+      for (std::size_t i = 1; i < road.points.size(); ++i) {
+        for (int part = 0; part <= 4; ++part) {
+          const Point p = between(road.points[i - 1], road.points[i], part / 4.0);
+          ++looked_at;
+          if (!layer.loose.contains(p)) continue;
+          CAPTURE(layer.layer.slice.index);
+          CHECK(edge.any_within(p, Length::from_mm(beyond_max_mm)));
+        }
+      }
+    }
+  };
+  PlaneSweep::Options options = test::exact_options();
+  options.simplify_tolerance = settings.simplify_tolerance;
+  const parts::Part screw = parts::screw();
+  for (Slice& slice : test::sweep(test::triangles_of(screw), options).slices) {
+    auto offsets = cutter.cut(slice);
+    std::optional<SplitLayer> settled = splitter.push({std::move(slice), std::move(offsets)});
+    for (; settled; settled = splitter.next()) look(*settled);
+  }
+  while (const std::optional<SplitLayer> settled = splitter.finish()) look(*settled);
+  CHECK_GE(looked_at, 10'000u);
 }
