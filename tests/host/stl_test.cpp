@@ -196,7 +196,7 @@ TEST_CASE("files that are no STL, or hold nothing") {
   check_refused(read("solid nothing\nendsolid nothing\n"), ErrorCode::kBadPart,
                 {"line 3", "no facet"});
   check_refused(read("Dear reader,\nthis is no part.\n"), ErrorCode::kBadPart,
-                {"line 1", "'solid'"});
+                {"line 1", "of no kind that is known"});
   check_refused(read("solid ground\nis what we stand upon"), ErrorCode::kBadPart,
                 {"line 2", "'facet'"});
   check_refused(read("PK\x03\x04 and so on"), ErrorCode::kBadPart, {"zip", "STL"});
