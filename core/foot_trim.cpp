@@ -23,6 +23,10 @@ double half_tangent(double x, double y, double radius) {
 
 }  // namespace
 
+void FootTrim::begin(const FootContours& contours) {
+  covered_.assign(2 * contours.edges().size(), 0);
+}
+
 bool FootTrim::trim(const FootContours& contours, const FootSearch& search, double depth) {
   contours_ = &contours;
   edges_ = &contours.edges();
@@ -43,9 +47,15 @@ bool FootTrim::trim_all() {
     for (std::int32_t i = chunk.first; i < chunk.last; ++i) {
       const auto element = static_cast<std::size_t>(2 * i);
       first_[element] = pieces_.count();
-      trim_line<kWide>(i, near);
+      if (covered_[element] == 0) {
+        trim_line<kWide>(i, near);
+        if (first_[element] == pieces_.count()) covered_[element] = 1;
+      }
       first_[element + 1] = pieces_.count();
-      if (corner(i).reflex && !trim_arc<kWide>(i, near)) return false;
+      if (covered_[element + 1] == 0) {
+        if (corner(i).reflex && !trim_arc<kWide>(i, near)) return false;
+        if (first_[element + 1] == pieces_.count()) covered_[element + 1] = 1;
+      }
     }
   }
   first_.back() = pieces_.count();

@@ -16,6 +16,10 @@
 // t0, τ0, s, h and c come from crosses and dots of exact integers, rounded once: convex or not,
 // parallel or not, on the line or not is decided right. Both elements that meet at an end compute
 // it from the same numbers.
+//
+// What is covered at one depth is covered at all greater ones: the straight way from a point of an
+// element back to its own site is nearest to that site all along. So depths are trimmed in
+// ascending order, and an element of which nothing stayed is never looked at again.
 #pragma once
 
 #include <cstdint>
@@ -30,6 +34,10 @@ namespace core {
 
 class FootTrim {
  public:
+  // Elements covered at the depths of earlier calls are left out: REQUIRES that none was greater,
+  // nor of other contours, since begin().
+  void begin(const FootContours& contours);
+
   // Returns false when contours touch at a corner that raises an arc and were not mended yet.
   // COSTS: O(n · sites within 2d of what survives).
   [[nodiscard]] bool trim(const FootContours& contours, const FootSearch& search, double depth);
@@ -83,6 +91,7 @@ class FootTrim {
   FootSpan span_;
   FootPieces pieces_;
   std::vector<std::int32_t> first_;
+  std::vector<std::uint8_t> covered_;  // by element: nothing is left, here and deeper
 };
 
 }  // namespace core

@@ -104,10 +104,19 @@ void MountainFoot::Scratch::cut_side(const Region& region, std::span<const Lengt
   if (asked.empty() || region.empty()) return;
   contours.load(region, outwards);
   prepare(static_cast<double>(deepest) + 1);
+  std::sort(asked.begin(), asked.end(), [&](std::size_t i, std::size_t k) {
+    const std::int64_t a = std::abs(depths[i].units()), b = std::abs(depths[k].units());
+    return a != b ? a < b : i < k;
+  });
   for (const std::size_t i : asked) {
     const auto depth = static_cast<double>(std::abs(depths[i].units()));
     int attempt = 0;
-    while (attempt < kDepthTriesMax && !cut(nudged(depth, attempt))) ++attempt;
+    while (attempt < kDepthTriesMax && !cut(nudged(depth, attempt))) {
+      ++attempt;
+      trim.begin(contours);  // what rounding decided may have been part of it
+    }
+    // A tried depth may be greater than the next one asked for.
+    if (attempt > 0) trim.begin(contours);
     retries += attempt;
     if (attempt < kDepthTriesMax) {
       write(nudged(depth, attempt), outwards, out[i]);
@@ -121,6 +130,7 @@ void MountainFoot::Scratch::cut_side(const Region& region, std::span<const Lengt
 void MountainFoot::Scratch::prepare(double deepest) {
   find_runs(contours, deepest);
   search.prepare(contours, deepest);
+  trim.begin(contours);
 }
 
 bool MountainFoot::Scratch::cut(double depth) {

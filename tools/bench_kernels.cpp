@@ -3,6 +3,7 @@
 //
 //     bench_kernels                        made-up contours, and slices of vase, lattice and screw
 //     bench_kernels benchy.3mf other.stl   of parts in files as well; --only-files: of them alone
+//     bench_kernels --only lattice         samples whose names say that
 //     bench_kernels --depths 0.2,-0.45     mm; negative ones are outwards, and without booleans
 //     bench_kernels --boost                Boost.Polygon, too, which takes its time
 //
@@ -15,6 +16,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <map>
 #include <polyclipping/clipper.hpp>
@@ -52,6 +54,7 @@ struct Choices {
   double layer_height_mm = 0.2;
   int pairs = 12;
   bool only_files = false;
+  std::string only;
   bool boost = false;
 };
 
@@ -66,7 +69,11 @@ class Medians : public benchmark::BenchmarkReporter {
           run.GetAdjustedCPUTime() / benchmark::GetTimeUnitMultiplier(run.time_unit);
     }
   }
-  [[nodiscard]] double operator[](const std::string& name) const { return seconds_.at(name); }
+  // Not a number where a filter left it out.
+  [[nodiscard]] double operator[](const std::string& name) const {
+    const auto found = seconds_.find(name);
+    return found != seconds_.end() ? found->second : std::nan("");
+  }
 
  private:
   std::map<std::string, double> seconds_;
@@ -201,6 +208,7 @@ struct Bound {
   std::string where{};
 
   void see(double value, const Row& row) {
+    if (std::isnan(value)) return;
     if (!where.empty() && (at_most ? value <= worst : value >= worst)) return;
     worst = value;
     where = fmt::format("{} at {} mm", row.sample->name, row.depth_mm);
@@ -262,10 +270,15 @@ std::vector<Sample> chosen_samples(const Choices& choices) {
       all.push_back(std::move(sample).value());
     }
   };
+  const auto wanted = [&](const std::string& name) {
+    return name.find(choices.only) != std::string::npos;
+  };
   if (!choices.only_files) {
     all = samples::made_up();
+    std::erase_if(all, [&](const Sample& sample) { return !wanted(sample.name); });
     for (const parts::NamedPart& part : parts::all_parts()) {
       if (part.name != "vase" && part.name != "lattice" && part.name != "screw") continue;
+      if (!wanted(part.name)) continue;
       take(samples::of_part(part, choices.layer_height_mm, choices.pairs), part.name);
     }
   }
@@ -297,6 +310,7 @@ int main(int argc, char** argv) {
   Choices choices;
   app.add_option("files", choices.files, "parts to take slices of");
   app.add_flag("--only-files", choices.only_files, "nothing but the parts in these files");
+  app.add_option("--only", choices.only, "the samples of this name, or a part of it");
   app.add_option("--depths", choices.depths_mm, "of the offsets, mm")->delimiter(',');
   app.add_option("--layer-height", choices.layer_height_mm, "mm")->check(CLI::Range(0.01, 10.0));
   app.add_option("--pairs", choices.pairs, "of slices, from each part")->check(CLI::Range(1, 1000));

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/boolean.h"
+#include "core/contact_check.h"
 #include "core/mountain_foot.h"
 #include "core/offset_contours.h"
 #include "core/reference_boolean.h"
@@ -104,7 +105,7 @@ class PartCheck {
          {std::pair(common, reference::intersect(a, b)), std::pair(rest, reference::subtract(a, b)),
           std::pair(united, reference::unite(a, b))}) {
       ++totals_.booleans;
-      CHECK((core::clean(ours.rings(), core::FillRule::kPositive) == ours));
+      CHECK((core::surely_clean(ours.rings()) || test::is_clean(ours)));
       totals_.widest = std::max(totals_.widest, test::widest_difference(ours, theirs));
     }
     const core::Box box = united.box();

@@ -70,10 +70,20 @@ Region tube(double phase) {
   return clean({wavy({64, 10, 2, 5, phase}), wavy({64, 8.4, 2, 5, phase}, true)});
 }
 
-Region columns(int corners, double radius_mm, double shift_mm) {
+Region squares(double shift_mm) {
   std::vector<Ring> rings;
   for (int i = 0; i < 441; ++i) {
-    rings.push_back(wavy({corners, radius_mm, 0, 1, 0, 0, i % 21 * 5 + shift_mm, i / 21 * 5.0}));
+    const double x = i % 21 * 5 + shift_mm, y = i / 21 * 5.0;
+    rings.push_back(
+        {point_mm(x, y), point_mm(x + 4, y), point_mm(x + 4, y + 4), point_mm(x, y + 4)});
+  }
+  return clean(rings);
+}
+
+Region columns(double radius_mm) {
+  std::vector<Ring> rings;
+  for (int i = 0; i < 441; ++i) {
+    rings.push_back(wavy({32, radius_mm, 0, 1, 0, 0, i % 21 * 5.0, i / 21 * 5.0}));
   }
   return clean(rings);
 }
@@ -125,8 +135,8 @@ std::vector<Sample> made_up() {
       clean({wavy({20'000, 19.95, 2, 15, 0, 0.3})}));
   add("lobed tube 128, turning", tube(0.3), tube(0.3 + 5 * kTurn / 360));
   add("circle 96, sloping", clean({wavy({96, 10})}), clean({wavy({96, 9.95})}));
-  add("441 squares, leaning", columns(4, 2.8, 0), columns(4, 2.8, 0.05));
-  add("441 columns, sloping", columns(32, 2, 0), columns(32, 1.99, 0));
+  add("441 squares, leaning", squares(0), squares(0.05));
+  add("441 columns, sloping", columns(2), columns(1.99));
   add("random star 1000, turning", star(0), star(0.002));
   add("annulus 2000, one dent", annulus(2000, 0, 0), dented(annulus(2000, 0, 0)));
   return all;
