@@ -1,6 +1,7 @@
 #include "core/chain_sweep.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -8,6 +9,7 @@ namespace core {
 namespace {
 
 constexpr std::size_t kChainEdgesMax = 16;
+constexpr std::size_t kColumnsMax = 32;
 
 int sign(std::int64_t value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
 
@@ -32,12 +34,12 @@ class Sweep {
     rings_ = rings;
     chains_.clear();
     feet_.clear();
-    reaching_.clear();
     for (std::uint32_t i = 0; i < rings_.size(); ++i) {
       if (!add_ring(i)) return false;
     }
     std::sort(chains_.begin(), chains_.end(),
               [](const Chain& a, const Chain& b) { return a.box.min.y < b.box.min.y; });
+    choose_columns();
     for (std::uint32_t i = 0; i < chains_.size(); ++i) {
       if (!enter(i)) return false;
     }
@@ -89,25 +91,59 @@ class Sweep {
            0;
   }
 
+  // As many as pay for themselves, equally wide.
+  void choose_columns() {
+    Box box;
+    for (const Chain& chain : chains_) {
+      box.add(chain.box.min);
+      box.add(chain.box.max);
+    }
+    const std::size_t wanted = std::clamp<std::size_t>(chains_.size() / 8, 1, kColumnsMax);
+    west_ = box.min.x;
+    const std::int64_t width = chains_.empty() ? 0 : std::int64_t{box.max.x} - box.min.x;
+    shift_ = 0;
+    while (static_cast<std::size_t>(width >> shift_) >= wanted) ++shift_;
+    for (std::vector<Reach>& column : reaching_) column.clear();
+  }
+
+  [[nodiscard]] std::size_t column_of(std::int32_t x) const {
+    return static_cast<std::size_t>((std::int64_t{x} - west_) >> shift_);
+  }
+
   // Tests a chain against those that reach up to it, and places its ring among them.
   bool enter(std::uint32_t index) {
     const Chain& chain = chains_[index];
-    Foot& foot = feet_[chain.ring];
-    const bool place = !foot.placed && chain.box.min.y == foot.corner.y;
-    int winding = 0;
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < reaching_.size(); ++i) {
-      const Reach reach = reaching_[i];
-      if (reach.top < chain.box.min.y) continue;
-      reaching_[kept++] = reach;
-      if (place && reach.left <= foot.corner.x) winding += winding_about(reach.chain, foot.corner);
-      if (reach.left > chain.box.max.x || reach.right < chain.box.min.x) continue;
-      if (meet(chains_[reach.chain], chain)) return false;
+    const Foot& foot = feet_[chain.ring];
+    if (!foot.placed && chain.box.min.y == foot.corner.y && !place(chain.ring)) return false;
+    const std::size_t first = column_of(chain.box.min.x), last = column_of(chain.box.max.x);
+    for (std::size_t column = first; column <= last; ++column) {
+      std::vector<Reach>& reaching = reaching_[column];
+      std::size_t kept = 0;
+      for (const Reach reach : reaching) {
+        if (reach.top < chain.box.min.y) continue;
+        reaching[kept++] = reach;
+        if (reach.left > chain.box.max.x || reach.right < chain.box.min.x) continue;
+        // Both may stand in several columns: the first common one is enough.
+        if (column != first && column_of(reach.left) != column) continue;
+        if (meet(chains_[reach.chain], chain)) return false;
+      }
+      reaching.resize(kept);
+      reaching.push_back({chain.box.min.x, chain.box.max.x, chain.box.max.y, index});
     }
-    reaching_.resize(kept);
-    reaching_.push_back({chain.box.min.x, chain.box.max.x, chain.box.max.y, index});
-    if (!place) return true;
+    return true;
+  }
+
+  // Whether the ring stands where one that turns its way may stand.
+  bool place(std::uint32_t ring) {
+    Foot& foot = feet_[ring];
     foot.placed = true;
+    int winding = 0;
+    for (std::size_t column = 0; column <= column_of(foot.corner.x); ++column) {
+      for (const Reach& reach : reaching_[column]) {
+        if (column_of(reach.left) != column || reach.left > foot.corner.x) continue;
+        winding += winding_about(reach.chain, foot.corner);
+      }
+    }
     return winding == (foot.counter_clockwise ? 0 : 1);
   }
 
@@ -162,7 +198,10 @@ class Sweep {
   std::span<const Ring> rings_;
   std::vector<Chain> chains_;
   std::vector<Foot> feet_;
-  std::vector<Reach> reaching_;  // chains that reach up to the sweep, or did
+  // Chains that reach up to the sweep, or did, in every column of x that they pass.
+  std::array<std::vector<Reach>, kColumnsMax> reaching_;
+  std::int32_t west_ = 0;
+  int shift_ = 0;
 };
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace core {
 // and stand outside all others or in a hole, and holes the other way: the rings are clean.
 // False otherwise, also for rings that touch and may be clean all the same.
 // REQUIRES: coordinates within ±kCoordinateMax.
-// COSTS: O(n log n + n · chains at one height); O(n²) when most edges lie in one heap.
+// COSTS: O(n log n + n · chains at one height and place); O(n²) when most edges lie in one heap.
 [[nodiscard]] bool keep_clear(const std::vector<Ring>& rings);
 
 }  // namespace core

@@ -230,6 +230,7 @@ void print_offsets(const std::vector<Row>& rows, const Medians& medians, bool bo
   for (const Row& row : rows) {
     const std::string key = row.key("offset");
     const double clipper = medians[key + "Clipper"], ours = medians[key + "arcs"];
+    if (std::isnan(ours)) continue;
     const double three = medians[key + "three"] / ours;
     arcs.see(clipper / ours, row);
     chords.see(clipper / medians[key + "chords"], row);
@@ -252,6 +253,7 @@ void print_booleans(const std::vector<Row>& rows, const Medians& medians, bool b
     if (row.inner.pairs.empty()) continue;
     const std::string key = row.key(kernel);
     const double clipper = medians[key + "Clipper"], ours = medians[key + "ours"];
+    if (std::isnan(ours)) continue;
     bound.see(clipper / ours, row);
     fmt::print("{:<28}{:>8}{:>7.2f}{:>12.3f}{:>10.4f}{:>8.1f}", row.sample->name,
                row.inner.edge_count(), row.depth_mm, clipper * 1e3, ours * 1e3, clipper / ours);
