@@ -1,5 +1,7 @@
 #include "firmware_link/ports.h"
 
+#include <sys/file.h>
+
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -37,6 +39,8 @@ PortError open_error(const std::string& path, int system_error) {
       return {cause, "`rind ports` lists the ports"};
   }
 }
+
+bool claim(int file) { return ::flock(file, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK; }
 
 OpenedPort open_port(const std::string& path, int baud) {
   LINK_CHECK(baud > 0);

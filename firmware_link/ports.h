@@ -19,6 +19,10 @@ struct PortError {
 // What a system's error number (errno) means for someone who wants to print.
 [[nodiscard]] PortError open_error(const std::string& path, int system_error);
 
+// Claims an opened device for this program (flock), until it is closed; false: another one has it,
+// and its lines would come between ours. Programs that don't ask are not kept out.
+[[nodiscard]] bool claim(int file);
+
 using OpenedPort = std::variant<std::unique_ptr<BytePort>, PortError>;
 
 // Opens a device by its path: tcp://host:port as a TcpPort, a pseudo-terminal (a path under

@@ -48,6 +48,13 @@ struct SerialPort::Device {
   sp_port* port = nullptr;
   bool open = false;
 
+  // A device that was pulled out reads as nothing, for ever.
+  [[nodiscard]] bool hung_up() const {
+    pollfd look{};
+    if (sp_get_port_handle(port, &look.fd) != SP_OK) return false;
+    return ::poll(&look, 1, 0) > 0 && (look.revents & (POLLHUP | POLLERR | POLLNVAL)) != 0;
+  }
+
   Device() = default;
   Device(const Device&) = delete;
   Device& operator=(const Device&) = delete;
@@ -69,6 +76,10 @@ std::variant<std::unique_ptr<BytePort>, PortError> SerialPort::open(const std::s
   }
   if (sp_open(device->port, SP_MODE_READ_WRITE) != SP_OK) return open_error(path, errno);
   device->open = true;
+  int file = -1;
+  if (sp_get_port_handle(device->port, &file) == SP_OK && !claim(file)) {
+    return open_error(path, EBUSY);
+  }
   if (sp_set_bits(device->port, 8) != SP_OK ||
       sp_set_parity(device->port, SP_PARITY_NONE) != SP_OK ||
       sp_set_stopbits(device->port, 1) != SP_OK ||
@@ -98,7 +109,7 @@ std::size_t SerialPort::read(std::span<std::byte> into, int timeout_ms) {
           ? static_cast<int>(sp_nonblocking_read(device_->port, into.data(), into.size()))
           : static_cast<int>(sp_blocking_read_next(device_->port, into.data(), into.size(),
                                                    static_cast<unsigned>(timeout_ms)));
-  if (count < 0) state_ = PortState::kLost;
+  if (count < 0 || (count == 0 && device_->hung_up())) state_ = PortState::kLost;
   return static_cast<std::size_t>(std::max(0, count));
 }
 

@@ -14,9 +14,13 @@ namespace {
 // Forced mismatches without progress, while temperatures still come: each takes room in a busy
 // controller's receive ring.
 constexpr int kProbesMax = 3;
+constexpr int kQuickProbesMax = 2;
 
 // What cannot come out of a damaged line, and stops at once any garbage before it.
 constexpr std::string_view kEmergencyStop = "\nM112\n";
+
+// Read before its turn, as M112 is: ends M109, M190, M0. Never M410, which kills a homing Marlin.
+constexpr std::string_view kWaitNoMore = "\nM108\n";
 
 std::string seconds_text(Duration duration) {
   const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(duration).count();
@@ -125,6 +129,8 @@ void Session::stop_now(std::span<const Command> safe_sequence, Instant now) {
   state_ = SessionState::kStopping;
   stop_began_ = now;
   window_.drop_never_sent();
+  // What waits for heat or for a user waits no longer; its own `ok` is met by the forced mismatch.
+  if (rules_.numbered && waiting_line_in_flight()) put(kWaitNoMore);
   // Which of the sent lines are accepted decides where the safe sequence begins: a line with a
   // number that the controller already has would be dropped in silence.
   if (rules_.numbered) {
@@ -133,6 +139,13 @@ void Session::stop_now(std::span<const Command> safe_sequence, Instant now) {
     end_of_commands_ = window_.end();
   }
   pump(now);
+}
+
+void Session::answer_user(Instant now) {
+  if (!waits_for_user_ || !rules_.numbered || phase_ != Phase::kOpen) return;
+  put(kWaitNoMore);
+  waits_for_user_ = false;
+  last_life_ = now;
 }
 
 void Session::port_lost(const std::string& reason) {
@@ -211,8 +224,12 @@ void Session::tick_silence(Instant now) {
   if (!silent && !idle) {
     // Something talks, and nothing goes on: temperatures that come by themselves hide a lost `ok`.
     // Asking does no harm, and is not held against a controller that has no time to answer.
+    // And a nozzle that stands on the part for want of an `ok` leaves a blob.
+    const bool stands =
+        phase_ == Phase::kOpen && planner_.blocks() == 0 && !works_ && probes_ < kQuickProbesMax;
     const bool hidden = rules_.numbered && !waiting_line_in_flight() && probes_ < kProbesMax &&
-                        now - std::max(last_progress_, last_probe_) > rules_.silence_max;
+                        now - std::max(last_progress_, last_probe_) >
+                            (stands ? rules_.silence_idle : rules_.silence_max);
     if (!hidden) return;
     ++probes_;
     last_probe_ = now;

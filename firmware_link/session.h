@@ -140,6 +140,10 @@ class Session {
   // output() until it is empty. REQUIRES: at most kSafeSequenceMax commands.
   void stop_now(std::span<const Command> safe_sequence, Instant now);
 
+  // The printer waits for a button (SessionEvent::kWaitsForUser), and its user presses ours: M108.
+  // A controller without EMERGENCY_PARSER and display does not heed it.
+  void answer_user(Instant now);
+
   // The device has gone: faults with this reason.
   void port_lost(const std::string& reason);
 
@@ -293,6 +297,8 @@ class Session {
   bool line_asked_ = false;
   bool settling_needed_ = false;
   bool holding_ = false;
+  bool waits_for_user_ = false;
+  bool works_ = false;  // busy lines came for the line at hand
   bool warned_of_resends_ = false;
   int resyncs_in_a_row_ = 0;
   int repeats_of_a_line_ = 0;

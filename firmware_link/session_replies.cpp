@@ -45,7 +45,8 @@ void Session::reply(const Reply& reply, Instant now) {
   note_names(reply);
   if (reply.kind == Reply::Kind::kAction) note_action(reply.text);
   if (reply.kind == Reply::Kind::kBusy &&
-      reply.text.find("paused for user") != std::string_view::npos) {
+      reply.text.find("paused for user") != std::string_view::npos && !waits_for_user_) {
+    waits_for_user_ = true;
     events_.push(SessionEvent::Kind::kWaitsForUser, std::string(reply.text));
   }
   if (reply.kind == Reply::Kind::kPosition && question_) question_->told = reply.position;
@@ -88,10 +89,21 @@ void Session::reply_while_open(const Reply& reply, Meaning meaning, Instant now)
       warn(reply.text);
       if (phase_ == Phase::kAsking) named_ = true;
       break;
+    case Meaning::kFilamentHeld:
+      // Its count goes on all the same: nothing else would show it. Before the count began it is
+      // the user's own start that draws back cold.
+      if (position_.expected().e_10nm && state_ == SessionState::kStreaming) {
+        fault(FaultKind::kAlarm, "the controller refused to lay: " + quoted(reply.text), true);
+      } else {
+        warn(reply.text);
+      }
+      break;
     case Meaning::kNoise:
     case Meaning::kAlive:
     case Meaning::kWorking:
-      if (meaning == Meaning::kWorking) resyncs_in_a_row_ = resync_pending_ ? 1 : 0;
+      if (meaning != Meaning::kWorking) break;
+      works_ = true;
+      resyncs_in_a_row_ = resync_pending_ ? 1 : 0;
       break;
     case Meaning::kReset:
     case Meaning::kAlarm:
@@ -131,6 +143,7 @@ void Session::note_names(const Reply& reply) {
 }
 
 void Session::acknowledged(const Reply& reply, Instant now) {
+  waits_for_user_ = works_ = false;
   if (recovering_) quiet_since_ = now;
   if (skip_next_ok_) {
     skip_next_ok_ = false;
@@ -190,12 +203,15 @@ void Session::resend_asked(const Reply& reply, Instant now) {
   if (sequence < window_.next_to_send() && !recovering_ && !repeat_from(sequence)) return;
   window_.restart(sequence);
   if (question_ && sequence <= question_->sequence) question_->told.reset();
-  if (resync_pending_) {
-    // After a silence, the `ok`s of accepted lines are not late but lost.
+  // After a silence, the `ok`s of accepted lines are not late but lost. Where a garbled number had
+  // sent us back, and this one sends us on again, they have come long ago.
+  if (resync_pending_ || window_.lines_in_flight() > kWindowLinesMax) {
     const std::int64_t before = window_.acknowledged();
     window_.acknowledge_before(sequence);
     note_accepted(before, now);
     if (ended()) return;
+  }
+  if (resync_pending_) {
     resync_pending_ = false;
     if (state_ == SessionState::kStopping && !end_of_commands_) {
       window_.drop_unsent();

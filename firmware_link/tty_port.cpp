@@ -23,6 +23,7 @@ std::variant<std::unique_ptr<BytePort>, PortError> TtyPort::open(const std::stri
   if (::tcgetattr(file, &settings) != 0) {
     return PortError{path + " is not a terminal", "name a serial device or a pseudo-terminal"};
   }
+  if (!claim(file)) return open_error(path, EBUSY);
   ::cfmakeraw(&settings);
   if (::tcsetattr(file, TCSANOW, &settings) != 0) return open_error(path, errno);
   return port;

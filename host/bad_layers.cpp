@@ -34,26 +34,30 @@ std::optional<std::string> why_bad(const core::SliceDefects& defects, bool empty
   return std::nullopt;
 }
 
-core::Status BadLayers::check(core::Slice& slice, core::LayerIndex layers) {
+core::Result<std::optional<std::string>> BadLayers::check(core::Slice& slice,
+                                                          core::LayerIndex layers) {
   // A part that is sliced as it comes ends with its last slice that is not empty.
   const bool more_above = layers == 0 || slice.index + 1 < layers;
   const std::optional<std::string> why = why_bad(slice.defects, slice.region.empty(), more_above);
   if (!why) {
     if (action_ == OnBadLayer::kNeighbour) below_ = slice.region;
-    return {};
+    return std::optional<std::string>();
   }
   ++count_;
   const std::string place =
       fmt::format("{}, layer {} at {:g} mm: {}", part_, slice.index + 1, slice.top().mm(), *why);
-  if (action_ == OnBadLayer::kStop || action_ == OnBadLayer::kPause) {
-    const char* pause = action_ == OnBadLayer::kPause ? "; a print can't be paused yet" : "";
+  if (action_ == OnBadLayer::kStop) {
     return core::Error{core::ErrorCode::kBadPart,
-                       place + pause + "; repair the mesh, or say --on-bad-layer repair"};
+                       place + "; repair the mesh, or say --on-bad-layer repair"};
+  }
+  if (action_ == OnBadLayer::kPause) {
+    warnings_.put(place + "; the print will pause before it");
+    return std::optional(place);
   }
   const bool copied = action_ == OnBadLayer::kNeighbour && !below_.empty();
   if (copied) slice.region = below_;
   warnings_.put(place + (copied ? "; the slice below is printed once more" : ""));
-  return {};
+  return std::optional<std::string>();
 }
 
 }  // namespace host

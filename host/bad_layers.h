@@ -3,7 +3,9 @@
 //
 //     repair      what could be closed is printed, the rest is missing there (segment_chains.h)
 //     neighbour   the slice below is printed once more
-//     pause       as stop, until a print can be gone on with
+//     pause       a print leaves the part before that layer and waits for its user, who lets it go
+//     on
+//                 as repaired, or stops it; where nothing is printed, as stop (job.cpp)
 //     stop        the print ends: nozzle lifted off the part, heaters off
 //
 // Each is told with its layer and height.
@@ -15,7 +17,7 @@
 #include <utility>
 
 #include "core/region.h"       // Region
-#include "core/result.h"       // Status
+#include "core/result.h"       // Result
 #include "core/slice.h"        // Slice
 #include "core/units.h"        // LayerIndex
 #include "host/warning_box.h"  // WarningBox
@@ -39,7 +41,9 @@ class BadLayers {
       : action_(action), part_(std::move(part)), warnings_(warnings) {}
 
   // Takes the slices from the bed up; may change the slice. `layers` of the part, 0: not known.
-  [[nodiscard]] core::Status check(core::Slice& slice, core::LayerIndex layers);
+  // ENSURES: a value is why the print is to pause before that layer.
+  [[nodiscard]] core::Result<std::optional<std::string>> check(core::Slice& slice,
+                                                               core::LayerIndex layers);
 
   [[nodiscard]] std::int64_t count() const { return count_; }
 

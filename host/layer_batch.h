@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/layer_planner.h"  // LayerPlanner
@@ -18,11 +19,13 @@ struct SettledLayer {
   core::LayerIndex index = 0;
   core::Length bottom;
   core::LayerPlanner::Place place;
+  std::optional<std::string> pause;  // why to pause before it
 };
 
 struct LayerBatch {
   std::optional<core::Slice> slice;  // none: the source has ended, the window is emptied
   std::optional<core::Error> error;  // why there is none
+  std::optional<std::string> pause;  // why to pause before its layer
   core::OffsetCutter::Place offsets;
   std::int64_t offset_retries = 0;
   std::vector<SettledLayer> settled;

@@ -115,6 +115,15 @@ bool Monitor::feed_one(Instant now) {
     session_->check_position(now);
     return true;
   }
+  if (next->pause && paused_before_ != index_) {
+    paused_before_ = index_;
+    pause_cause_ = "part";
+    reporter_.note("bad_layer",
+                   *next->pause + "; going on prints what could be repaired, else stop",
+                   {{"layer", next->layer}});
+    pauses_.want_pause(true);
+    return true;
+  }
   take(*next, now);
   return true;
 }

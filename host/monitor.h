@@ -119,6 +119,7 @@ class Monitor {
   // monitor_reports.cpp: what people want, and are told.
   void take_wishes(firmware_link::Instant now);
   void obey(Wish wish, firmware_link::Instant now);
+  void pause(bool wanted);
   void tell_phase(firmware_link::Instant now);
   void note_acknowledged();
   void tell_counts(const firmware_link::SessionStatistics& link);
@@ -148,6 +149,7 @@ class Monitor {
   [[nodiscard]] LinkOutcome halt();
   [[nodiscard]] LinkOutcome faulted();
   [[nodiscard]] LinkOutcome outcome(LinkEnd end) const;
+  [[nodiscard]] std::string heaters_off_unheard();
   void flush_output(double limit_s);
 
   const core::Settings& settings_;
@@ -179,6 +181,8 @@ class Monitor {
   int wished_flow_percent_ = 100;
   int feed_percent_ = 100;  // as the controller was told
   bool stop_wished_ = false;
+  std::string pause_cause_ = "user";
+  std::int64_t paused_before_ = -1;     // the command that has asked for it last
   std::optional<double> idle_since_s_;  // nothing to lay, and nothing in the planner
 
   bool starting_ = false;        // a resumption whose point is not known yet

@@ -1,4 +1,5 @@
 // How a print ends.
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -137,6 +138,20 @@ LinkOutcome Monitor::faulted() {
   flush_output(kLastWords_s);
   result.measures = "heaters off and a lift were sent, but not confirmed: check the printer";
   return result;
+}
+
+// To a controller that may be there, and may have forgotten where it is: nothing moves.
+std::string Monitor::heaters_off_unheard() {
+  using firmware_link::Heater;
+  if (port_->state() != firmware_link::PortState::kOpen) {
+    return "nothing more could be sent: check that the heaters are off";
+  }
+  const std::array<Command, 3> off = {firmware_link::SetTemperature{Heater::kNozzle, 0, false},
+                                      firmware_link::SetTemperature{Heater::kBed, 0, false},
+                                      firmware_link::SetFan{0}};
+  session_->stop_now(off, link_now());
+  flush_output(kLastWords_s);
+  return "heaters off was sent, but not confirmed: check the printer";
 }
 
 void Monitor::flush_output(double limit_s) {

@@ -219,15 +219,13 @@ std::optional<LinkOutcome> Monitor::reconnect(bool reset, double until_s) {
   static GonePort gone;
   bool open = reset && port_->state() == firmware_link::PortState::kOpen;
   while (true) {
-    if (stop_asked() || queue_.closed()) {
-      LinkOutcome end = outcome(queue_.closed() ? LinkEnd::kGeometryEnded : LinkEnd::kUserStopped);
-      end.measures = "nothing more could be sent: check that the heaters are off";
-      return end;
-    }
-    if (steady_seconds() > until_s) {
-      LinkOutcome end = outcome(LinkEnd::kFaulted);
-      end.reason = "it did not come back in time";
-      end.measures = "nothing more could be sent: check that the heaters are off";
+    if (stop_asked() || queue_.closed() || steady_seconds() > until_s) {
+      const bool wanted = stop_asked();
+      LinkOutcome end = outcome(wanted            ? LinkEnd::kUserStopped
+                                : queue_.closed() ? LinkEnd::kGeometryEnded
+                                                  : LinkEnd::kFaulted);
+      if (end.end == LinkEnd::kFaulted) end.reason = "it did not come back in time";
+      end.measures = heaters_off_unheard();
       return end;
     }
     take_wishes(link_now());

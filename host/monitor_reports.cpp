@@ -34,13 +34,14 @@ void Monitor::obey(Wish wish, Instant now) {
   };
   switch (wish) {
     case Wish::kPause:
-      pauses_.want_pause(true);
+      pause(true);
       return;
     case Wish::kGoOn:
-      pauses_.want_pause(false);
+      session_->answer_user(now);
+      pause(false);
       return;
     case Wish::kToggle:
-      pauses_.want_pause(!pauses_.pause_wanted());
+      pause(!pauses_.pause_wanted());
       return;
     case Wish::kStop:
       stop_wished_ = true;
@@ -67,14 +68,20 @@ void Monitor::obey(Wish wish, Instant now) {
   }
 }
 
+// A person wants it so.
+void Monitor::pause(bool wanted) {
+  if (!pauses_.pause_wanted()) pause_cause_ = "user";
+  pauses_.want_pause(wanted);
+}
+
 void Monitor::tell_phase(Instant now) {
-  const std::string cause = pauses_.pause_wanted() ? "user" : "geometry";
+  const std::string cause = pauses_.pause_wanted() ? pause_cause_ : "geometry";
   switch (pauses_.phase()) {
     case PauseControl::Phase::kLeaving:
       session_->hold(true, now);
       reporter_.note("pause",
-                     cause == "user" ? "pausing: the nozzle leaves the part"
-                                     : "geometry has fallen behind: the nozzle leaves the part",
+                     cause == "geometry" ? "geometry has fallen behind: the nozzle leaves the part"
+                                         : "pausing: the nozzle leaves the part",
                      {{"cause", cause}, {"layer", last_.layer}});
       return;
     case PauseControl::Phase::kAway:
@@ -167,11 +174,11 @@ void Monitor::tell_event(const firmware_link::SessionEvent& event) {
       return;
     case Kind::kPauseAsked:
       reporter_.note("action", "pause was asked for at the printer");
-      pauses_.want_pause(true);
+      pause(true);
       return;
     case Kind::kResumeAsked:
       reporter_.note("action", "going on was asked for at the printer");
-      pauses_.want_pause(false);
+      pause(false);
       return;
     case Kind::kCancelAsked:
       reporter_.note("action", "the print was cancelled at the printer");
@@ -181,7 +188,8 @@ void Monitor::tell_event(const firmware_link::SessionEvent& event) {
       reporter_.note("warning", "the controller says: " + event.text);
       return;
     case Kind::kWaitsForUser:
-      reporter_.note("waiting", "the printer waits for its user");
+      reporter_.note("waiting",
+                     "the printer waits for its user: press its button, or let it go on from here");
       return;
     case Kind::kResendsFrequent:
       reporter_.note("resends", event.text);

@@ -79,9 +79,10 @@ void add_bad_layer(CLI::App& command, Options& options) {
                                                            {"pause", OnBadLayer::kPause},
                                                            {"stop", OnBadLayer::kStop}};
   command
-      .add_option("--on-bad-layer", options.on_bad_layer,
-                  "where contours stay open, or nothing is there: repair (print what is sound), "
-                  "neighbour (the slice below once more), pause, stop")
+      .add_option(
+          "--on-bad-layer", options.on_bad_layer,
+          "where contours stay open, or nothing is there: repair (print what is sound), "
+          "neighbour (the slice below once more), pause (wait for the user before it), stop")
       ->type_name("WORD")
       ->transform(CLI::CheckedTransformer(kWords).description(""))
       ->each([&options](const std::string&) { options.bad_layer_told = true; });

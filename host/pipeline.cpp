@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <deque>
 #include <memory>
 #include <new>
 #include <utility>
@@ -106,8 +107,10 @@ class Pipeline {
       found = std::move(next).value();
       if (!found || stopped()) return {};
       core::Status fine = check_layer_height(job_.part_path, *found, settings_);
-      if (fine.ok()) fine = bad_layers_.check(*found, job_.part.summary.layers);
       if (!fine.ok()) return fine;
+      auto pause = bad_layers_.check(*found, job_.part.summary.layers);
+      if (!pause.ok()) return pause.error();
+      batch.pause = std::move(pause).value();
     } while (below_start(*found));
     core::Slice& slice = *found;
     signals_.slices_cut.fetch_add(1);
@@ -147,6 +150,7 @@ class Pipeline {
       return;
     }
     if (splitter_.next_index() == 0) splitter_.begin_at(batch.slice->index);
+    if (batch.pause) pauses_.emplace_back(batch.slice->index, *std::move(batch.pause));
     std::optional<core::SplitLayer> settled =
         splitter_.push({*std::move(batch.slice), std::move(batch.offsets.offsets)});
     for (; settled; settled = splitter_.next()) {
@@ -158,7 +162,16 @@ class Pipeline {
   SettledLayer place(core::SplitLayer layer) {
     const core::LayerIndex index = layer.layer.slice.index;
     const core::Length bottom = layer.layer.slice.bottom;
-    return {index, bottom, planner_.place(std::move(layer))};
+    return {index, bottom, planner_.place(std::move(layer)), pause_before(index)};
+  }
+
+  std::optional<std::string> pause_before(core::LayerIndex index) {
+    std::optional<std::string> pause;
+    while (!pauses_.empty() && pauses_.front().first <= index) {
+      if (pauses_.front().first == index) pause = std::move(pauses_.front().second);
+      pauses_.pop_front();
+    }
+    return pause;
   }
 
   void plan(LayerBatch& batch) const {
@@ -191,6 +204,7 @@ class Pipeline {
   }
 
   core::Status give(const SettledLayer& settled) {
+    if (settled.pause && outputs_.on_pause) outputs_.on_pause(*settled.pause);
     const core::LayerPlan& plan = *settled.place.plan;
     core::SplitLayer layer = plan.layer;
     core::Slice& slice = layer.layer.slice;
@@ -284,6 +298,7 @@ class Pipeline {
   core::WallSplitter splitter_;
   core::LayerPlanner planner_;  // plan() only reads its settings
   std::atomic<bool> window_emptied_ = false;
+  std::deque<std::pair<core::LayerIndex, std::string>> pauses_;  // of layers in the window
 
   // Of give().
   core::MotionBuilder builder_;

@@ -56,6 +56,8 @@ struct PipelineOutputs {
   std::function<bool(const core::SplitLayer&, const std::vector<core::Road>&)> on_roads;
   // Before each layer that has roads.
   std::function<void(const Checkpoint&)> on_checkpoint;
+  // Before a layer that the print is to pause at (OnBadLayer::kPause), and why.
+  std::function<void(const std::string&)> on_pause;
   // The command that carries the motion out, where it needs one.
   std::function<bool(const core::Motion&, const std::optional<firmware_link::Command>&)> on_motion;
 };

@@ -56,6 +56,7 @@ GeometryOutcome run_geometry(const PrintRequest& request, CommandQueue& queue, Q
     outputs.on_checkpoint = [&filler](const Checkpoint& checkpoint) {
       filler.begin_layer(checkpoint);
     };
+    outputs.on_pause = [&filler](const std::string& why) { filler.pause(why); };
     outputs.on_motion = [&filler](const core::Motion& motion,
                                   const std::optional<firmware_link::Command>& command) {
       return filler.take(motion, command);

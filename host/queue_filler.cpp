@@ -72,12 +72,14 @@ bool QueueFiller::take(const core::Motion& motion,
   ++number_;
   if (resumed_ != nullptr) {
     machine_.apply(*command);
+    next_.pause = nullptr;
     return true;
   }
   next_.command = *command;
   seconds_made_.store(next_.seconds);
   const bool queued = queue_.push(next_, sizeof next_);
   next_.before = nullptr;
+  next_.pause = nullptr;
   return queued;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 
 #include "core/units.h"             // LayerIndex, Length
 #include "firmware_link/command.h"  // Command
@@ -24,6 +25,9 @@ struct QueuedCommand {
   // Of the layer; null before the first. With the texts from its first command to this one.
   std::shared_ptr<const Checkpoint> checkpoint;
   std::uint64_t hash = kHashBegin;
+
+  // Why to pause before it; null mostly.
+  std::shared_ptr<const std::string> pause;
 
   // Of the first command of a print that is gone on with: how the machine is set before it.
   std::shared_ptr<const MachineState> before;

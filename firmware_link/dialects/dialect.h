@@ -15,16 +15,17 @@
 namespace firmware_link {
 
 enum class Meaning {
-  kNoise,        // means nothing, and doesn't even prove that the controller lives
-  kAlive,        // means nothing, but something answers
-  kWorking,      // the command at hand takes its time: silence is not to be feared
-  kAcknowledge,  // one line is done with
-  kRefused,      // a line was not accepted; a request to repeat it and an empty `ok` follow
-  kResend,       // reply.number is the line to go on from; an empty `ok` follows
-  kWarning,      // a line was accepted but did nothing
-  kReset,        // the controller has just begun its life
-  kAlarm,        // the print is over, but the controller still obeys
-  kFatal,        // the print is over, and the controller too
+  kNoise,         // means nothing, and doesn't even prove that the controller lives
+  kAlive,         // means nothing, but something answers
+  kWorking,       // the command at hand takes its time: silence is not to be feared
+  kAcknowledge,   // one line is done with
+  kRefused,       // a line was not accepted; a request to repeat it and an empty `ok` follow
+  kResend,        // reply.number is the line to go on from; an empty `ok` follows
+  kWarning,       // a line was accepted but did nothing
+  kFilamentHeld,  // a line was accepted, and moved no filament: the nozzle is too cold
+  kReset,         // the controller has just begun its life
+  kAlarm,         // the print is over, but the controller still obeys
+  kFatal,         // the print is over, and the controller too
 };
 
 struct LinkRules {
@@ -45,6 +46,9 @@ struct LinkRules {
   // waits (for heat, for the planner, for a user), and how long only signs of life that don't prove
   // work (temperatures).
   Duration silence_max{};
+  // The same where its planner is taken to be empty, so that it has nothing to do but answer: it
+  // is asked (numbered only), and nothing is held against it.
+  Duration silence_idle{};
   Duration silence_waiting_max{};
   Duration idle_talk_max{};
 

@@ -10,6 +10,7 @@ LinkRules MarlinDialect::rules() const {
   rules.tells_position = true;
   // Three busy lines missing in a row.
   rules.silence_max = rules.silence_waiting_max = std::chrono::seconds(6);
+  rules.silence_idle = std::chrono::seconds(1);
   // Builds without busy lines still report temperatures each second while they heat.
   rules.idle_talk_max = std::chrono::seconds(120);
   rules.quiet_after_resend = std::chrono::milliseconds(100);
@@ -37,10 +38,14 @@ Meaning MarlinDialect::meaning_of(const Reply& reply) const {
       return Meaning::kFatal;
     case Kind::kAlarm:
       return Meaning::kAlarm;
+    case Kind::kEcho:
+      // "cold extrusion prevented", "too long extrusion prevented"
+      return reply.text.find("extrusion prevented") != std::string_view::npos
+                 ? Meaning::kFilamentHeld
+                 : Meaning::kAlive;
     case Kind::kTemperatures:
     case Kind::kAction:
     case Kind::kPosition:
-    case Kind::kEcho:
     case Kind::kNote:
     case Kind::kFirmwareName:
     case Kind::kCapability:

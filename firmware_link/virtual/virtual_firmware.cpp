@@ -148,7 +148,7 @@ void VirtualController::Firmware::reset(Instant now) {
   wire_.clear();
   receive_.clear();
   assembling_.size = 0;
-  in_comment_ = false;
+  in_comment_ = escaped_ = false;
   last_number_ = 0;
   slot_count_ = 0;
   handling_ = false;

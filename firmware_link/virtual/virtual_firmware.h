@@ -160,6 +160,7 @@ class VirtualController::Firmware {
 
   Slot assembling_;
   bool in_comment_ = false;
+  bool escaped_ = false;
   std::int64_t last_number_ = 0;
 
   std::array<Slot, kControllerCommandSlots> slots_{};

@@ -27,12 +27,24 @@ bool VirtualController::Firmware::read_bytes() {
     any = true;
     const char c = receive_.pop();
     if (c == '\n' || c == '\r') {
-      in_comment_ = false;
+      in_comment_ = escaped_ = false;
       end_line();
       return true;
     }
-    if (c == ';') in_comment_ = true;
     if (in_comment_) continue;
+    if (c == '\\' && !escaped_ && numbers_lines(options_.dialect)) {
+      escaped_ = true;
+      continue;
+    }
+    if (c == ';' && !escaped_) {
+      in_comment_ = true;
+      continue;
+    }
+    escaped_ = false;
+    if (c == '\b' && numbers_lines(options_.dialect)) {  // takes back what is before it
+      if (assembling_.size > 0) --assembling_.size;
+      continue;
+    }
     // What is over 95 characters is dropped without a word, the checksum with it.
     if (assembling_.size < assembling_.bytes.size()) assembling_.bytes[assembling_.size++] = c;
   }

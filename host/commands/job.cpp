@@ -52,8 +52,9 @@ core::Result<Job> open_job(const Options& options, Reporter& reporter) {
   }
   open.stream_pipes =
       options.sorted == PipeSorted::kYes || (options.sorted == PipeSorted::kAuto && sliced);
-  const bool ends =
-      options.on_bad_layer == OnBadLayer::kStop || options.on_bad_layer == OnBadLayer::kPause;
+  OnBadLayer on_bad_layer = options.on_bad_layer;
+  if (on_bad_layer == OnBadLayer::kPause && !prints) on_bad_layer = OnBadLayer::kStop;
+  const bool ends = on_bad_layer == OnBadLayer::kStop;
   if (prints) open.plane_check = ends ? PlaneCheck::kRefuse : PlaneCheck::kWarn;
   // A print reads the rest with its heaters on already.
   core::Result<OpenedPart> part = prints ? open_part(options.part, settings.value(), open)
@@ -62,7 +63,7 @@ core::Result<Job> open_job(const Options& options, Reporter& reporter) {
   const PartSummary& summary = part.value().summary;
   for (const std::string& warning : summary.warnings) reporter.note("warning", warning);
   return Job{std::move(settings).value(), std::move(part).value(), part_title(options.part),
-             options.on_bad_layer, options.jobs};
+             on_bad_layer, options.jobs};
 }
 
 void report_warnings(PipelineSignals& signals, Reporter& reporter) {

@@ -99,6 +99,18 @@ TEST_CASE("a link to a pseudo-terminal is one too") {
   std::filesystem::remove(link);
 }
 
+TEST_CASE("a port that another program prints on is refused, and free when that one has ended") {
+  const FarEnd far_end;
+  {
+    const auto first = opened(far_end.path);
+    OpenedPort second = open_port(far_end.path, 115200);
+    REQUIRE(std::holds_alternative<PortError>(second));
+    CHECK(std::get<PortError>(second).remedy.find("another program") != std::string::npos);
+    CHECK(first->state() == PortState::kOpen);
+  }
+  CHECK(opened(far_end.path)->state() == PortState::kOpen);
+}
+
 TEST_CASE("a hang-up is a lost port, and stays so") {
   FarEnd far;
   const auto port = opened(far.path);

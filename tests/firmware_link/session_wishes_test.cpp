@@ -2,6 +2,7 @@
 // is told.
 #include <doctest/doctest.h>
 
+#include <array>
 #include <chrono>
 #include <string>
 #include <vector>
@@ -213,4 +214,97 @@ TEST_CASE("filament that ran twice is taken back, much of it is a fault") {
     const std::int64_t excess = link.controller->totals().filament_10nm - wanted;
     CHECK(std::abs(excess) <= 1'100);
   }
+}
+
+TEST_CASE("a road that a cold nozzle does not lay is a fault, a cold start of the user's is not") {
+  for (const bool laying : {true, false}) {
+    CAPTURE(laying);
+    VirtualLink link({}, {});
+    auto commands = moves(40, 7);
+    if (!laying) {
+      commands = {std::get<Verbatim>(verbatim_from("M83")),
+                  std::get<Verbatim>(verbatim_from("G1 E-2 F1800"))};
+    }
+    std::size_t next = 0;
+    stream(link, commands, next, static_cast<std::int64_t>(commands.size()) - 1);
+    link.controller->say("echo: cold extrusion prevented\n", link.now);
+    for (int i = 0; i < 20; ++i) link.turn();
+    if (laying) {
+      CHECK(link.session->fault_kind() == FaultKind::kAlarm);
+      CHECK(link.session->reason().find("cold extrusion") != std::string::npos);
+    } else {
+      CHECK(link.session->state() == SessionState::kStreaming);
+      CHECK(link.session->statistics().warnings == 1);
+    }
+  }
+}
+
+TEST_CASE("a stop while it heats ends the wait, and nothing has to be halted") {
+  for (const char* wait : {"M190 S100", "M109 S250"}) {
+    CAPTURE(wait);
+    VirtualLink link({}, {});
+    const std::vector<Command> commands = {std::get<Verbatim>(verbatim_from("G90")),
+                                           std::get<Verbatim>(verbatim_from(wait))};
+    std::size_t next = 0;
+    stream(link, commands, next, 1);
+    for (int i = 0; i < 1000; ++i) {
+      if (link.session->can_take() && next < commands.size()) {
+        link.session->take(commands[next++], link.now);
+      }
+      link.turn();
+    }
+    REQUIRE(link.session->statistics().lines_in_flight == 1);
+    const std::vector<Command> safe = {SetTemperature{Heater::kNozzle, 0, false},
+                                       SetTemperature{Heater::kBed, 0, false}};
+    link.session->stop_now(safe, link.now);
+    const Instant began = link.now;
+    while (!link.ended()) link.turn();
+    CHECK(link.session->state() == SessionState::kStopped);
+    CHECK(link.now - began < 5s);
+    link.let_controller_work();
+    const VirtualControllerState state = link.controller->state();
+    CHECK_FALSE(state.halted);
+    CHECK(state.nozzle_target_celsius == 0);
+    CHECK(state.bed_target_celsius == 0);
+  }
+}
+
+TEST_CASE("a printer that waits for its user says so once, and hears the user's answer here") {
+  VirtualLink link({}, {});
+  while (link.session->state() == SessionState::kConnecting) link.turn();
+  for (int i = 0; i < 10; ++i) link.turn();
+  (void)events_of(*link.session);
+  link.session->answer_user(link.now);  // nobody has asked
+  CHECK(link.session->output().empty());
+  for (int i = 0; i < 3; ++i) {
+    link.controller->say("echo:busy: paused for user\n", link.now);
+    for (int turn = 0; turn < 10; ++turn) link.turn();
+  }
+  CHECK(events_of(*link.session) ==
+        std::vector<SessionEvent::Kind>{SessionEvent::Kind::kWaitsForUser});
+  link.session->answer_user(link.now);
+  const auto bytes = link.session->output();
+  CHECK(std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()) == "\nM108\n");
+}
+
+TEST_CASE("a nozzle that stands for want of an `ok` makes the link ask at once") {
+  VirtualLink link({}, {});
+  const auto commands = moves(60, 9);
+  std::size_t next = 0;
+  stream(link, commands, next, 20);
+  // Lets all moves end, and then loses a whole answer.
+  for (int i = 0; i < 4000; ++i) link.turn();
+  CHECK(link.session->planner_blocks() == 0);
+  link.session->take(commands[next++], link.now);
+  const auto bytes = link.session->output();
+  link.to_controller(std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+  link.session->written(bytes.size(), link.now);
+  link.controller->advance(link.now);
+  std::array<std::byte, 256> lost;
+  while (link.controller->output(lost) > 0) {
+  }
+  const Instant began = link.now;
+  while (link.session->statistics().lines_in_flight > 0) link.turn();
+  CHECK(link.now - began < 2s);
+  CHECK(link.session->statistics().resyncs == 1);
 }

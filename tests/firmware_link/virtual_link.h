@@ -107,6 +107,7 @@ class VirtualLink {
   VirtualLink(VirtualControllerOptions options, const SessionOptions& session_options,
               const Damage& down = {}, const Damage& up = {}, std::uint64_t seed = 1)
       : down_(down, seed), up_(up, seed + 1000), session_options_(session_options) {
+    options.extrude_celsius_min = 0;
     options.executed = [this](const firmware_link::ExecutedCommand& command) {
       executed.push_back({command.number.has_value(), command.known, std::string(command.text)});
     };

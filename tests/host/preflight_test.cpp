@@ -13,6 +13,7 @@
 #include "host/exit_codes.h"
 #include "host/mesh_layers.h"
 #include "tests/host/print_rig.h"
+#include "tests/support/laid_roads.h"
 #include "tests/support/listed_triangles.h"
 #include "tests/support/mesh.h"
 #include "tests/support/region_text.h"
@@ -81,6 +82,13 @@ host::Job job_of(host::MeshInput mesh, const core::Settings& settings,
   auto part = host::open_mesh(std::move(mesh), settings, options);
   REQUIRE_MESSAGE(part.ok(), (part.ok() ? "" : part.error().message));
   return {settings, std::move(part).value(), "list"};
+}
+
+// With a facet that has no neighbours beside it, from 4 to 4.3 mm.
+std::vector<Triangle> torn_dome() {
+  std::vector<Triangle> triangles = dome();
+  triangles.push_back({{core::Vertex{0, 0, 40'000}, {0, 80'000, 40'000}, {0, 0, 43'000}}});
+  return triangles;
 }
 
 // A print whose part is read to its end only when the heaters are on.
@@ -189,14 +197,15 @@ TEST_CASE("a bad layer is told with its height and treated as asked for") {
     Slice good = slice_of(0, square, 0), open = slice_of(1, "0:0 1:0 1:1", 2);
     Slice nothing = slice_of(2, "", 0), last = slice_of(3, "", 0);
     REQUIRE(layers.check(good, 4).ok());
-    const core::Status status = layers.check(open, 4);
-    const bool ends = action == OnBadLayer::kPause || action == OnBadLayer::kStop;
-    CHECK_EQ(status.ok(), !ends);
+    const auto checked = layers.check(open, 4);
+    const bool ends = action == OnBadLayer::kStop;
+    REQUIRE_EQ(checked.ok(), !ends);
     if (ends) {
-      CHECK_NE(status.error().message.find("layer 2 at 0.4 mm: 2 open contours"),
+      CHECK_NE(checked.error().message.find("layer 2 at 0.4 mm: 2 open contours"),
                std::string::npos);
       continue;
     }
+    CHECK_EQ(checked.value().has_value(), action == OnBadLayer::kPause);
     REQUIRE(layers.check(nothing, 4).ok());
     REQUIRE(layers.check(last, 4).ok());
     const bool copies = action == OnBadLayer::kNeighbour;
@@ -213,9 +222,7 @@ TEST_CASE("a bad layer is told with its height and treated as asked for") {
 
 TEST_CASE("a bad layer in mid-print ends with the nozzle off the part, if so asked for") {
   const core::Settings settings;
-  std::vector<Triangle> triangles = dome();
-  triangles.push_back({{core::Vertex{0, 0, 40'000}, {0, 80'000, 40'000}, {0, 0, 43'000}}});
-  Rig rig(settings, job_of(test::listed_mesh(triangles, false).input, settings));
+  Rig rig(settings, job_of(test::listed_mesh(torn_dome(), false).input, settings));
   rig.job.on_bad_layer = host::OnBadLayer::kStop;
   const host::PrintOutcome outcome = rig.print();
   CAPTURE(outcome.message);
@@ -223,4 +230,38 @@ TEST_CASE("a bad layer in mid-print ends with the nozzle off the part, if so ask
   CHECK_NE(outcome.message.find("open contour"), std::string::npos);
   CHECK_EQ(rig.controller().nozzle_target_celsius, 0);
   CHECK_GT(rig.controller().z_mm, 10);  // park_lift
+}
+
+TEST_CASE("a bad layer in mid-print waits for its user off the part, and goes on as repaired") {
+  const core::Settings settings;
+  std::vector<test::LaidPiece> repaired;
+  for (const auto action : {host::OnBadLayer::kRepair, host::OnBadLayer::kPause}) {
+    Rig rig(settings, job_of(test::listed_mesh(torn_dome(), false).input, settings));
+    rig.job.on_bad_layer = action;
+    int waited = 0;
+    bool away = false;
+    rig.link.wish = [&]() -> std::optional<host::Wish> {
+      const auto state = rig.controller();
+      const bool off_part = state.z_mm > 10 && state.x_mm == 5 && state.y_mm == 5;
+      const bool waits = off_part && !away;
+      away = off_part;
+      if (!waits) return std::nullopt;
+      ++waited;
+      return host::Wish::kGoOn;
+    };
+    const host::PrintOutcome outcome = rig.print();
+    CAPTURE(outcome.message);
+    CHECK_EQ(outcome.exit_code, host::kExitDone);
+    CHECK_GT(outcome.geometry.bad_layers, 0);
+    const std::vector<test::LaidPiece> laid = test::laid_by(rig.executed);
+    if (action == host::OnBadLayer::kRepair) {
+      repaired = laid;
+      CHECK_EQ(waited, 0);
+      continue;
+    }
+    CHECK_EQ(waited, outcome.geometry.bad_layers);
+    CHECK_EQ(laid.size(), repaired.size());
+    CHECK(laid == repaired);
+    CHECK_EQ(rig.controller().nozzle_target_celsius, 0);
+  }
 }

@@ -1,7 +1,11 @@
 // Prints that are interrupted, and go on: paused, unplugged, reset, resumed from the journal. What
 // is laid in all is what the whole print lays.
+//
+// RIND_MOMENTS=50 interrupts each kind at 50 random moments instead of the few that fit into every
+// run.
 #include <doctest/doctest.h>
 
+#include <cstdlib>
 #include <optional>
 #include <random>
 #include <string>
@@ -23,6 +27,11 @@ using test::LaidPiece;
 using test::PartFolder;
 
 namespace {
+
+int moments(int few) {
+  const char* told = std::getenv("RIND_MOMENTS");
+  return told != nullptr ? std::atoi(told) : few;
+}
 
 core::Settings coarse() {
   core::Settings settings;
@@ -73,7 +82,7 @@ TEST_CASE("a print that is paused lays the same roads, and the nozzle waits off 
   CHECK_GT(std::count_if(whole.begin(), whole.end(), [](const auto& at) { return at.turn != 0; }),
            50);
   std::mt19937 random(11);
-  for (int i = 0; i < 6; ++i) {
+  for (int i = 0; i < moments(6); ++i) {
     Rig rig(coarse(), path);
     const std::size_t at = 30 + random() % 400;
     const bool cools = i % 2 == 0;
@@ -158,7 +167,7 @@ TEST_CASE("a port that vanishes and comes back loses no road and doubles none") 
   const std::string path = round_part(folder);
   const std::vector<LaidPiece> whole = laid_by(print_test::sliced_lines(coarse(), path));
   std::mt19937 random(12);
-  for (int i = 0; i < 3; ++i) {
+  for (int i = 0; i < moments(3); ++i) {
     Rig rig(coarse(), path);
     make_pluggable(rig);
     const std::size_t at = 20 + random() % 450;
@@ -180,7 +189,7 @@ TEST_CASE("after a controller's reset what its planner lost is laid once more") 
   const std::string path = small_part(folder);
   const std::vector<LaidPiece> whole = laid_by(print_test::sliced_lines(coarse(), path));
   std::mt19937 random(13);
-  for (int i = 0; i < 2; ++i) {
+  for (int i = 0; i < moments(2); ++i) {
     firmware_link::VirtualControllerOptions options;
     options.advanced_ok = true;
     Rig rig(coarse(), path, options);
@@ -247,6 +256,27 @@ TEST_CASE("nobody says where the nozzle is: nothing moves any more") {
       laid_by({rig.executed.begin(), rig.executed.begin() + static_cast<long>(before)}).size());
 }
 
+TEST_CASE("stopped while its port is back but not greeted yet: the heaters go off") {
+  const PartFolder folder;
+  Rig rig(coarse(), small_part(folder));
+  make_pluggable(rig);
+  bool back = false;
+  const auto reopen = rig.link.lost_port.reopen;
+  rig.link.lost_port.reopen = [&] {
+    back = true;
+    return reopen();
+  };
+  rig.stop_count = [&] { return back ? 1 : 0; };
+  rig.wire->on_read = [&] {
+    if (rig.executed.size() >= 200) rig.wire->unplug();
+  };
+  const host::PrintOutcome outcome = rig.print();
+  CAPTURE(outcome.message);
+  CHECK_EQ(outcome.exit_code, host::kExitStopped);
+  CHECK_EQ(rig.controller().nozzle_target_celsius, 0);
+  CHECK_EQ(rig.controller().bed_target_celsius, 0);
+}
+
 TEST_CASE("a print that ended goes on from its journal, in another program") {
   const PartFolder folder;
   const test::TemporaryFolder state;
@@ -254,7 +284,7 @@ TEST_CASE("a print that ended goes on from its journal, in another program") {
   const std::string journal_path = state.path("print.journal");
   const std::vector<LaidPiece> whole = laid_by(print_test::sliced_lines(coarse(), path));
   std::mt19937 random(14);
-  for (int i = 0; i < 2; ++i) {
+  for (int i = 0; i < moments(2); ++i) {
     const std::size_t at = 100 + random() % 380;
     CAPTURE(at);
     CAPTURE(i);
