@@ -13,8 +13,8 @@ namespace {
 
 // Forced mismatches without progress, while temperatures still come: each takes room in a busy
 // controller's receive ring.
-constexpr int kProbesMax = 3;
-constexpr int kQuickProbesMax = 2;
+constexpr int kProbesMax = 4;
+constexpr std::size_t kProbeBytes = 19;
 
 // What cannot come out of a damaged line, and stops at once any garbage before it.
 constexpr std::string_view kEmergencyStop = "\nM112\n";
@@ -225,8 +225,9 @@ void Session::tick_silence(Instant now) {
     // Something talks, and nothing goes on: temperatures that come by themselves hide a lost `ok`.
     // Asking does no harm, and is not held against a controller that has no time to answer.
     // And a nozzle that stands on the part for want of an `ok` leaves a blob.
-    const bool stands =
-        phase_ == Phase::kOpen && planner_.blocks() == 0 && !works_ && probes_ < kQuickProbesMax;
+    const std::size_t probe_bytes = kProbeBytes * static_cast<std::size_t>(probes_ + 1);
+    const bool stands = phase_ == Phase::kOpen && planner_.blocks() == 0 && !works_ &&
+                        window_.bytes_in_flight() + probe_bytes <= kWindowBytesMax;
     const bool hidden = rules_.numbered && !waiting_line_in_flight() && probes_ < kProbesMax &&
                         now - std::max(last_progress_, last_probe_) >
                             (stands ? rules_.silence_idle : rules_.silence_max);
