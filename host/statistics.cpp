@@ -177,10 +177,11 @@ std::string statistics_json(const GeometryStatistics& geometry, const LinkStatis
                {"filament_mm", filament_json(geometry.filament_mm)},
                {"time_s", geometry.time_s},
                {"defects", defects_json(geometry.defects)}};
+  json["first_road_s"] = or_null(link != nullptr ? link->first_road_s : geometry.first_road_s);
+  json["first_road_cpu_s"] =
+      or_null(link != nullptr ? link->first_road_cpu_s : geometry.first_road_cpu_s);
   if (link != nullptr) {
     json["first_command_s"] = or_null(link->first_command_s);
-    json["first_road_s"] = or_null(link->first_road_s);
-    json["first_road_cpu_s"] = or_null(link->first_road_cpu_s);
     json["slices_cut_at_first_road"] = or_null(link->slices_cut_at_first_road);
     json["commands"] = link->commands;
     json["stalls"] = link->stalls;

@@ -98,6 +98,9 @@ struct GeometryStatistics {
   FilamentUse filament_mm{};
   double time_s = 0;  // estimated, heating left out
   DefectLog defects;
+  // Of a file: when the first road was handed to it. LinkStatistics has a print's.
+  std::optional<double> first_road_s;      // since the program began
+  std::optional<double> first_road_cpu_s;  // of the whole program
 };
 
 // Filled by the link's side.

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "core/check.h"
@@ -16,6 +17,7 @@
 #include "host/gcode_writer.h"
 #include "host/output_file.h"
 #include "host/pipeline.h"
+#include "host/stage_clock.h"
 #include "host/stop_signals.h"
 
 namespace host {
@@ -59,8 +61,13 @@ std::string gcode_title(const Job& job) {
 class SliceFile {
  public:
   SliceFile(const Job& job, OutputFile file, std::unique_ptr<LayerWriter> layers,
-            Reporter& reporter)
-      : job_(job), file_(std::move(file)), layers_(std::move(layers)), reporter_(reporter) {
+            GeometryStatistics& statistics, double began_s, Reporter& reporter)
+      : job_(job),
+        file_(std::move(file)),
+        layers_(std::move(layers)),
+        statistics_(statistics),
+        began_s_(began_s),
+        reporter_(reporter) {
     if (layers_) {
       layers_->begin(text_);
     } else {
@@ -83,6 +90,7 @@ class SliceFile {
       outputs.on_motion = [this](const core::Motion& motion,
                                  const std::optional<firmware_link::Command>& command) {
         gcode_.write(motion, command, text_);
+        if (std::holds_alternative<core::Extrude>(motion)) note_road();
         return flush();
       };
     }
@@ -100,7 +108,14 @@ class SliceFile {
  private:
   bool take(const core::SplitLayer& layer, const std::vector<core::Road>& roads) {
     layers_->layer(layer, roads, text_);
+    if (!roads.empty()) note_road();
     return flush();
+  }
+
+  void note_road() {
+    if (statistics_.first_road_s) return;
+    statistics_.first_road_s = steady_seconds() - began_s_;
+    statistics_.first_road_cpu_s = process_cpu_seconds();
   }
 
   void report(const core::Slice& slice) {
@@ -122,11 +137,12 @@ class SliceFile {
   const Job& job_;
   OutputFile file_;
   std::unique_ptr<LayerWriter> layers_;
+  GeometryStatistics& statistics_;
+  double began_s_;
   Reporter& reporter_;
   GcodeWriter gcode_;
   std::string text_;
   core::Status status_;
-  double began_s_ = steady_seconds();
 };
 
 void report_done(const Options& options, const GeometryStatistics& statistics, Reporter& reporter) {
@@ -146,16 +162,18 @@ void report_done(const Options& options, const GeometryStatistics& statistics, R
 }  // namespace
 
 int slice_command(const Options& options, Reporter& reporter) {
+  const double began_s = steady_seconds();
   core::Result<Job> opened = open_job(options, reporter);
   if (!opened.ok()) return fail(opened.error(), reporter);
   Job& job = opened.value();
   core::Result<OutputFile> output = OutputFile::open(options.output);
   if (!output.ok()) return fail(output.error(), reporter);
 
-  SliceFile file(job, std::move(output).value(), layer_writer(options, job), reporter);
+  GeometryStatistics statistics;
+  SliceFile file(job, std::move(output).value(), layer_writer(options, job), statistics, began_s,
+                 reporter);
   PipelineSignals signals;
   signals.stop_asked = [] { return stop_signal_count() > 0; };
-  GeometryStatistics statistics;
   const core::Result<PipelineEnd> end = run_pipeline(job, file.outputs(), signals, statistics);
   report_warnings(signals, reporter);
 

@@ -1,4 +1,4 @@
-// Seeds: build/…/tests/format_samples, which host_formats_damage_test writes.
+// Seeds: build/…/tests/format_samples, which host_formats_damage_test writes. How: CMakeLists.txt.
 #include "tests/support/format_fuzz.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

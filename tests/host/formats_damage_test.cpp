@@ -5,8 +5,11 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <vector>
 
 #include "tests/support/format_samples.h"
+#include "tests/support/mesh_files.h"
+#include "tools/parts/part_maker.h"
 
 namespace {
 
@@ -38,10 +41,16 @@ TEST_CASE("they are the fuzzers' first inputs") {
   const std::filesystem::path folder =
       std::filesystem::path(RIND_BINARY_DIR) / "tests" / "format_samples";
   std::filesystem::create_directories(folder);
-  for (const test::FormatSample& sample : test::format_samples()) {
+  std::vector<test::FormatSample> seeds = test::format_samples();
+  seeds.push_back({"mesh.model", test::threemf_model(parts::box({0, 0, 0}, 4, 3, 2))});
+  seeds.push_back({"slices.model", test::sliced_threemf_model()});
+  std::string list;
+  for (const test::FormatSample& sample : seeds) {
     std::ofstream(folder / sample.name, std::ios::binary) << sample.bytes;
     CHECK_EQ(std::filesystem::file_size(folder / sample.name), sample.bytes.size());
+    list += (list.empty() ? "" : ",") + (folder / sample.name).string();
   }
+  std::ofstream(folder / "list") << list;
 }
 
 TEST_CASE("cut at every byte") {

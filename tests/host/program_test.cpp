@@ -225,6 +225,21 @@ TEST_CASE("standard input and standard output are parts and files like others") 
   CHECK_EQ(piped.output, content(out));
 }
 
+TEST_CASE("a file's statistics tell when its first road was there, if it has roads") {
+  const PartFolder folder;
+  const std::string box = folder.add("box.stl", small_box()), stats = folder.file("s.json");
+  const auto first_road = [&](const std::string& format) {
+    CHECK_EQ(rind("slice " + box + " -o /dev/null --quiet --format " + format + kCoarse +
+                  " --stats " + stats)
+                 .exit_code,
+             0);
+    return nlohmann::json::parse(content(stats))["first_road_cpu_s"];
+  };
+  CHECK_GT(first_road("gcode"), 0.0);
+  CHECK_GT(first_road("cli-roads"), 0.0);
+  CHECK(first_road("cli").is_null());
+}
+
 TEST_CASE("a port must be named, and must be there") {
   const PartFolder folder;
   const std::string box = folder.add("box.stl", small_box());

@@ -78,7 +78,13 @@ TEST_CASE("the statistics file has every key that was promised") {
   CHECK_EQ(with_link["first_road_s"], 1.5);
   CHECK(with_link["first_command_s"].is_null());
   CHECK_GT(with_link["peak_rss_bytes"], 100'000);
-  CHECK_FALSE(json::parse(host::statistics_json(geometry, nullptr)).contains("stalls"));
+  host::GeometryStatistics written;
+  written.first_road_s = 0.5;
+  written.first_road_cpu_s = 0.25;
+  const json without_link = json::parse(host::statistics_json(written, nullptr));
+  CHECK_FALSE(without_link.contains("stalls"));
+  CHECK_EQ(without_link["first_road_s"], 0.5);
+  CHECK_EQ(without_link["first_road_cpu_s"], 0.25);
 }
 
 TEST_CASE("processor time goes to the stage that spent it") {

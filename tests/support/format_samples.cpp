@@ -124,23 +124,6 @@ Result<ReadFile> read_from(host::TriangleSource& triangles, std::size_t most) {
   return read;
 }
 
-std::string threemf_slices() {
-  const auto slice = [](const std::string& ztop) {
-    return "<s:slice ztop=\"" + ztop +
-           "\"><s:vertices><s:vertex x=\"0\" y=\"0\"/><s:vertex x=\"8\" y=\"0\"/>"
-           "<s:vertex x=\"0\" y=\"8\"/></s:vertices><s:polygon startv=\"0\"><s:segment v2=\"1\"/>"
-           "<s:segment v2=\"2\"/><s:segment v2=\"0\"/></s:polygon></s:slice>";
-  };
-  return threemf_file(
-      "<model xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\" "
-      "xmlns:s=\"http://schemas.microsoft.com/3dmanufacturing/slice/2015/07\"><resources>"
-      "<s:slicestack id=\"5\">" +
-      slice("0.2") + slice("0.4") +
-      "</s:slicestack><object id=\"1\" "
-      "s:slicestackid=\"5\" s:meshresolution=\"lowres\"/></resources><build>"
-      "<item objectid=\"1\"/></build></model>");
-}
-
 }  // namespace
 
 void append_u16(unsigned number, std::string& into) {
@@ -169,7 +152,7 @@ const std::vector<FormatSample>& format_samples() {
       {"mesh.obj", obj_file(small_box())},
       {"mesh.amf", amf_file(small_box())},
       {"mesh.3mf", threemf_file(threemf_model(small_box()))},
-      {"slices.3mf", threemf_slices()},
+      {"slices.3mf", threemf_file(sliced_threemf_model())},
       {"new.sif", sif_file(small_box())},
       {"old.sif", old_sif_file(small_box())},
       {"ascii.stl", ascii_stl()},

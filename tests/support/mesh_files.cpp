@@ -119,6 +119,22 @@ std::string threemf_file(const std::string& model) {
        {"3D/part.model", model}});
 }
 
+std::string sliced_threemf_model() {
+  const auto slice = [](const std::string& ztop) {
+    return "<s:slice ztop=\"" + ztop +
+           "\"><s:vertices><s:vertex x=\"0\" y=\"0\"/><s:vertex x=\"8\" y=\"0\"/>"
+           "<s:vertex x=\"0\" y=\"8\"/></s:vertices><s:polygon startv=\"0\"><s:segment v2=\"1\"/>"
+           "<s:segment v2=\"2\"/><s:segment v2=\"0\"/></s:polygon></s:slice>";
+  };
+  return "<model xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\" "
+         "xmlns:s=\"http://schemas.microsoft.com/3dmanufacturing/slice/2015/07\"><resources>"
+         "<s:slicestack id=\"5\">" +
+         slice("0.2") + slice("0.4") +
+         "</s:slicestack><object id=\"1\" "
+         "s:slicestackid=\"5\" s:meshresolution=\"lowres\"/></resources><build>"
+         "<item objectid=\"1\"/></build></model>";
+}
+
 std::string zip_file(const std::vector<std::pair<std::string, std::string>>& entries) {
   const TemporaryFolder folder;
   const std::string path = folder.path("a.zip");

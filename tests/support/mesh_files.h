@@ -20,6 +20,9 @@ std::string old_sif_file(const parts::Part& part);
 std::string threemf_model(const parts::Part& part);
 std::string threemf_file(const std::string& model);
 
+// The model part of another, whose object is two slices.
+std::string sliced_threemf_model();
+
 // name and content of each entry, packed.
 std::string zip_file(const std::vector<std::pair<std::string, std::string>>& entries);
 
