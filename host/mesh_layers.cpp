@@ -12,7 +12,7 @@
 #include "host/mesh_sorter.h"     // MeshSorter
 #include "host/mesh_survey.h"     // MeshSurvey
 #include "host/plane_check.h"     // check_planes
-#include "host/reorder_window.h"  // ReorderWindow
+#include "host/reorder_window.h"  // OrderGauge, ReorderWindow
 #include "host/stage_clock.h"     // CpuTimer
 
 namespace host {
@@ -28,6 +28,9 @@ using core::Triangle;
 // So many triangles are read, then sorted, between two looks at the clock.
 constexpr std::size_t kBatchTriangles = 1024;
 
+// Of the look-ahead: how far out of order a pipe's first triangles may be to be thought in order.
+constexpr std::size_t kGuessShare = 8;
+
 std::size_t window_of(const OpenOptions& options) {
   return std::min(options.reorder_triangles, options.sort_bytes / sizeof(Triangle));
 }
@@ -39,17 +42,20 @@ class MeshLayers : public LayerSource {
         settings_(settings),
         options_(options),
         window_(window_of(options)),
-        survey_(window_) {}
+        survey_(window_),
+        guess_(std::max<std::size_t>(2, window_ / kGuessShare)) {}
 
   [[nodiscard]] Status look_ahead() {
     ahead_.reserve(window_ + kBatchTriangles);
     while (ahead_.size() < window_ && !ended_) {
       if (Status read = read_batch(); !read.ok()) return read;
       ahead_.insert(ahead_.end(), batch_.begin(), batch_.end());
+      for (const Triangle& triangle : batch_) guess_.add(triangle);
     }
     if (ended_) return sort_all();
     if (Status plausible = check_so_far(); !plausible.ok()) return plausible;
-    if (mesh_.again || !options_.stream_pipes || !survey_.in_order()) return {};
+    const bool in_order = survey_.in_order() && (options_.order_is_sure || guess_.in_order());
+    if (mesh_.again || !options_.stream_pipes || !in_order) return {};
     streaming_ = true;
     shift_ = shift_to_bed(survey_.extent(), settings_);
     summarise();
@@ -308,6 +314,7 @@ class MeshLayers : public LayerSource {
   OpenOptions options_;
   std::size_t window_;
   MeshSurvey survey_;
+  OrderGauge guess_;  // of the look-ahead
   PartSummary summary_;
   PartCounters counters_;
   Shift shift_;

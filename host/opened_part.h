@@ -33,6 +33,9 @@ struct OpenOptions {
   // A mesh that comes through a pipe in order of height may be sliced as it comes. The begin of it
   // is looked at; if a facet comes too late all the same, layers->next() ends with an error.
   bool stream_pipes = false;
+  // Somebody says that it is in order; otherwise the look-ahead has to be so by far, since any few
+  // triangles are nearly in order.
+  bool order_is_sure = false;
   PlaneCheck plane_check = PlaneCheck::kNone;
 };
 

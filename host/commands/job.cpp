@@ -52,6 +52,7 @@ core::Result<Job> open_job(const Options& options, Reporter& reporter) {
   }
   open.stream_pipes =
       options.sorted == PipeSorted::kYes || (options.sorted == PipeSorted::kAuto && sliced);
+  open.order_is_sure = options.sorted == PipeSorted::kYes;
   OnBadLayer on_bad_layer = options.on_bad_layer;
   if (on_bad_layer == OnBadLayer::kPause && !prints) on_bad_layer = OnBadLayer::kStop;
   const bool ends = on_bad_layer == OnBadLayer::kStop;

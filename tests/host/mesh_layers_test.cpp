@@ -57,7 +57,7 @@ const std::vector<Way> kWays = {
 
 OpenedPart opened(const std::vector<Triangle>& triangles, const Settings& settings, const Way& way,
                   OpenOptions options) {
-  options.stream_pipes = way.stream;
+  options.stream_pipes = options.order_is_sure = way.stream;
   auto part = host::open_mesh(test::listed_mesh(triangles, way.pipe).input, settings, options);
   REQUIRE_MESSAGE(part.ok(), (part.ok() ? "" : part.error().message));
   if (part.value().read_rest) {
@@ -265,6 +265,38 @@ TEST_CASE("a part 100 km high, in a file and in a pipe") {
   host::MeshSurvey survey(8);
   for (const Triangle& t : apart) survey.add(t);
   CHECK_EQ(survey.empty_layers(settings.layer_height).count, 500'000'000 - 5);
+}
+
+TEST_CASE("whether a pipe is in order is guessed from its first triangles, unless somebody knows") {
+  test::Random random(3);
+  std::vector<Triangle> triangles = stacked_boxes(5'000);
+  const Settings settings = at_origin();
+  const auto streams = [&](const std::vector<Triangle>& all, bool sure) {
+    test::ListedMesh pipe = test::listed_mesh(all, true);
+    OpenOptions options{host::kSortBytesMin, 1'000, true};
+    options.order_is_sure = sure;
+    auto part = host::open_mesh(std::move(pipe.input), settings, options);
+    REQUIRE(part.ok());
+    return !part.value().read_rest;
+  };
+  CHECK(streams(triangles, false));
+  // 40 triangles, a twenty-fifth of the look-ahead.
+  for (std::size_t i = 0; i + 40 <= triangles.size(); i += 40) {
+    std::reverse(triangles.begin() + static_cast<std::ptrdiff_t>(i),
+                 triangles.begin() + static_cast<std::ptrdiff_t>(i) + 40);
+  }
+  CHECK(streams(triangles, false));
+  // 400: enough room to put them in order, but no sign of it; those who know are believed.
+  for (std::size_t i = 0; i + 400 <= triangles.size(); i += 400) {
+    std::reverse(triangles.begin() + static_cast<std::ptrdiff_t>(i),
+                 triangles.begin() + static_cast<std::ptrdiff_t>(i) + 400);
+  }
+  CHECK_FALSE(streams(triangles, false));
+  CHECK(streams(triangles, true));
+  test::shuffle(triangles, random);
+  CHECK_FALSE(streams(triangles, false));
+  check_same(reference(triangles, settings),
+             opened(triangles, settings, kWays[1], {host::kSortBytesMin, 1'000, false}));
 }
 
 TEST_CASE("a pipe that turns out not to be in order ends with an error, not with a wrong part") {
