@@ -57,6 +57,11 @@ std::string gcode_title(const Job& job) {
                      job.settings.road_width.mm(), job.settings.wall_thickness.mm());
 }
 
+bool lays_road(const core::Motion& motion) {
+  return std::holds_alternative<core::Extrude>(motion) ||
+         std::holds_alternative<core::ExtrudeArc>(motion);
+}
+
 // The pipeline's outputs as a file, with the first error that writing met.
 class SliceFile {
  public:
@@ -90,7 +95,7 @@ class SliceFile {
       outputs.on_motion = [this](const core::Motion& motion,
                                  const std::optional<firmware_link::Command>& command) {
         gcode_.write(motion, command, text_);
-        if (std::holds_alternative<core::Extrude>(motion)) note_road();
+        if (lays_road(motion)) note_road();
         return flush();
       };
     }
