@@ -45,6 +45,7 @@ int main(int argc, char** argv) {
     return refused->exit_code;
   }
   const auto& options = std::get<host::Options>(parsed);
+  host::share_heaps(options.jobs);
   host::watch_stop_signals();
   host::Reporter reporter({options.quiet, options.json,
                            options.output == "-" || options.subcommand == host::Subcommand::kPlan});

@@ -1,6 +1,7 @@
 #include "host/memory_budget.h"
 
 #include <fmt/format.h>
+#include <malloc.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -32,6 +33,14 @@ std::int64_t resident_bytes() {
 double megabytes(std::int64_t bytes) { return static_cast<double>(bytes) * 1e-6; }
 
 }  // namespace
+
+void share_heaps(int jobs) {
+#ifdef __GLIBC__
+  mallopt(M_ARENA_MAX, (jobs + 1) / 2);
+#else
+  static_cast<void>(jobs);
+#endif
+}
 
 void set_memory_limit(std::int64_t bytes) {
   g_base.store(std::max<std::int64_t>(0, resident_bytes() - g_used.load()));

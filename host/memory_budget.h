@@ -14,6 +14,11 @@
 
 namespace host {
 
+// The library's allocator keeps what is freed in a heap for each thread, of which every one grows
+// to its thread's worst layer. One for two threads is enough (tower: no processor time lost).
+// REQUIRES: called before any other thread runs; jobs >= 1
+void share_heaps(int jobs);
+
 // Counts from here on; 0: no limit.
 void set_memory_limit(std::int64_t bytes);
 
