@@ -5,8 +5,9 @@
 #include <numbers>
 #include <optional>
 
-#include "core/check.h"         // RIND_CHECK
-#include "core/segment_grid.h"  // SegmentGrid
+#include "core/check.h"           // RIND_CHECK
+#include "core/segment_grid.h"    // SegmentGrid
+#include "core/segment_merger.h"  // merge_short_pieces, sendable_speed
 
 namespace core {
 
@@ -114,10 +115,16 @@ void MotionBuilder::road(const Road& road, double slowdown, const Sink& sink) {
       bead_area_mm2(road.width, height_) / (std::numbers::pi * d * d / 4);
   sink(BeginRoad{road.kind, road.width});
   ++totals_.roads;
-  if (state_.arcs.value_or(false) && road.points.size() >= kArcSegmentsMin) {
-    for (const RoadPiece& piece : fitter_.pieces(road.points, road.closed)) {
-      lay(piece, road.kind, filament_per_mm, speed, sink);
+  if (takes_pieces(road)) {
+    ArcFitter& fitter = state_.arcs.value_or(false) ? fitter_ : segments_;
+    pieces_ = fitter.pieces(road.points, road.closed);
+    double sent = speed;
+    if (const double time_min_s = settings_.segment_time_min_ms / 1'000; time_min_s > 0) {
+      merge_short_pieces(road.points.front(), pieces_, speed * time_min_s,
+                         settings_.segment_tolerance.mm());
+      sent = sendable_speed(pieces_, speed, time_min_s);
     }
+    for (const RoadPiece& piece : pieces_) lay(piece, road.kind, filament_per_mm, sent, sink);
     return;
   }
   const auto to = [&](Point point) {
@@ -130,6 +137,12 @@ void MotionBuilder::road(const Road& road, double slowdown, const Sink& sink) {
   };
   for (std::size_t i = 1; i < road.points.size(); ++i) to(road.points[i]);
   if (road.closed) to(road.points.front());
+}
+
+// Straight lines and triangles are what they are.
+bool MotionBuilder::takes_pieces(const Road& road) const {
+  return road.points.size() > kArcSegmentsMin &&
+         (state_.arcs.value_or(false) || settings_.segment_time_min_ms > 0);
 }
 
 void MotionBuilder::lay(const RoadPiece& piece, RoadKind kind, double filament_per_mm, double speed,

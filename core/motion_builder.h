@@ -93,6 +93,7 @@ class MotionBuilder {
   void preamble(const Sink& sink);
   void begin_layer(const Slice& slice, const Sink& sink);
   void road(const Road& road, double slowdown, const Sink& sink);
+  [[nodiscard]] bool takes_pieces(const Road& road) const;
   void lay(const RoadPiece& piece, RoadKind kind, double filament_per_mm, double speed,
            const Sink& sink);
   void travel(Point to, Boundary& boundary, const Sink& sink);
@@ -105,6 +106,8 @@ class MotionBuilder {
 
   Settings settings_;
   ArcFitter fitter_;
+  ArcFitter segments_{Length()};   // none of them an arc
+  std::vector<RoadPiece> pieces_;  // of the road at hand
   MotionTotals totals_;
   MotionState state_;
   bool ended_ = false;

@@ -67,6 +67,13 @@ struct Settings {
   // Roads as motions.
   ArcUse arcs = ArcUse::kAuto;
   Length arc_fit_tolerance = Length::from_units(70);  // 7 µm, between a road and its arcs
+  // No stretch of a road has shorter segments than this, in the mean over what a planner holds
+  // (segment_merger.h).
+  double segment_time_min_ms = 0;                     // 0: as the port's baud says; in a file: none
+  Length segment_tolerance = Length::from_units(70);  // 7 µm, between a road and merged segments
+
+  // The link.
+  PackUse meatpack = PackUse::kOff;
 
   // Speeds, mm/s.
   double perimeter_speed_mm_s = 60;

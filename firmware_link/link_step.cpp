@@ -15,7 +15,12 @@ void step(Session& session, BytePort& port, Instant now, int timeout_ms) {
 }
 
 Halt halt(const Session& session, BytePort& port, int wait_ms, int attempts) {
-  std::span<const std::byte> bytes = emergency_stop_bytes();
+  // A controller that unpacks lines sees no M112 in plain characters.
+  std::array<char, 16> stop{};
+  std::size_t size = 0;
+  if (session.packs()) size += kMeatPackReset.copy(stop.data(), kMeatPackReset.size());
+  for (const std::byte byte : emergency_stop_bytes()) stop[size++] = static_cast<char>(byte);
+  auto bytes = std::as_bytes(std::span(stop).first(size));
   for (int i = 0; i < attempts && !bytes.empty() && port.state() == PortState::kOpen; ++i) {
     bytes = bytes.subspan(port.write(bytes));
     // Reading is what lets bytes that are on their way move on.

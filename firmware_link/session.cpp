@@ -95,8 +95,10 @@ void Session::tick(Instant now) {
   } else {
     if (recovering_ && output().empty() && now - quiet_since_ >= rules_.quiet_after_resend) {
       recovering_ = false;
+      if (packs()) stop_packing();
       last_life_ = last_progress_ = now;
     }
+    tick_packing(now);
     tick_silence(now);
     tick_watch(now);
   }
@@ -189,6 +191,7 @@ void Session::put(std::string_view bytes) {
 }
 
 void Session::put_safe_sequence() {
+  if (packs()) put(kMeatPackReset);
   put("\n");
   std::size_t bytes = 1;
   for (std::size_t i = 0; i < safe_count_; ++i) {
@@ -210,6 +213,7 @@ void Session::put_forced_mismatch() {
   resync_pending_ = true;
   if (output_end_ - output_begin_ + kLineBytesMax + 2 > output_.size()) return;
   LineBuffer buffer;
+  stop_packing();
   put("\n");
   put(number_line(kResyncLineNumber, "M105", buffer));
   put("\n");
@@ -316,16 +320,20 @@ bool Session::send_next(Instant now) {
   const std::string_view line = rules_.numbered || rules_.checksummed
                                     ? number_line(shown, window_.next_text(), buffer)
                                     : window_.next_text();
-  const std::size_t bytes = line.size() + 1;
   LINK_CHECK(line.size() <= kLineBytesMax);
   if (window_.lines_in_flight() >= window_lines() || waiting_line_in_flight()) return false;
+  if (output_end_ - output_begin_ + 2 * kLineBytesMax > output_.size()) return false;
+  if (!packing_settled(now)) return false;
+  PackedBuffer packed;
+  const std::string_view wire = on_the_wire(line, packed);
+  if (wire.empty()) return false;
+  const std::size_t bytes = wire.size();
   if (window_.bytes_in_flight() + bytes > rules_.window_bytes) return false;
-  if (output_end_ - output_begin_ + bytes > output_.size()) return false;
   if (window_.lines_in_flight() == 0) last_life_ = last_progress_ = now;
   if (sequence < window_.sent_end()) ++statistics_.lines_repeated;
-  put(line);
-  put("\n");
+  put(wire);
   ++statistics_.lines_sent;
+  statistics_.lines_packed += packing_ == Packing::kOn ? 1 : 0;
   window_.sent(bytes);
   confirmed_ = false;
   statistics_.lines_in_flight_max =

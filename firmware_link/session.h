@@ -32,6 +32,7 @@
 #include "firmware_link/dialects/dialect.h"  // Dialect
 #include "firmware_link/heater_watch.h"      // HeaterWatch
 #include "firmware_link/instant.h"           // Instant
+#include "firmware_link/meat_pack.h"         // PackedBuffer
 #include "firmware_link/planner_watch.h"     // PlannerWatch
 #include "firmware_link/position_watch.h"    // PositionWatch
 #include "firmware_link/reply.h"             // LineSplitter
@@ -90,6 +91,12 @@ class Session {
   // Moves that the planner is taken to hold still, at most kPlannerBlocks: told by ADVANCED_OK,
   // otherwise estimated from their lengths and feeds.
   [[nodiscard]] std::size_t planner_blocks() const { return planner_.blocks(); }
+
+  // Whether lines are packed at present (MeatPack), so that bytes past the session need
+  // kMeatPackReset before them.
+  [[nodiscard]] bool packs() const {
+    return packing_ == Packing::kOn || packing_ == Packing::kAsked;
+  }
 
   // The line number (N) of the last line that was accepted, and how many of the print's commands
   // have been accepted with any line number of the last 32. With the answer of a controller that
@@ -187,6 +194,15 @@ class Session {
   void end_confirming();
   void filament_differs(std::int64_t excess_10nm);
 
+  // session_packing.cpp: MeatPack.
+  [[nodiscard]] bool may_pack() const;
+  [[nodiscard]] bool packing_settled(Instant now);
+  void note_packing(std::string_view state);
+  void tick_packing(Instant now);
+  void ask_for_packing(Instant now);
+  void stop_packing();
+  [[nodiscard]] std::string_view on_the_wire(std::string_view line, PackedBuffer& into);
+
   // session.cpp: what goes out, and when.
   void fault(FaultKind kind, const std::string& why, bool controller_may_live);
   void tick_silence(Instant now);
@@ -203,6 +219,9 @@ class Session {
   [[nodiscard]] std::int64_t wire_number(std::int64_t sequence) const {
     return sequence - numbering_base_;
   }
+
+  // kAsked: its answer is waited for, nothing is sent. kGivenUp: it did not answer.
+  enum class Packing { kOff, kAsked, kOn, kGivenUp };
 
   // Marks in nominal_: nothing goes behind such a line until it is acknowledged.
   static constexpr Duration kWaitsForPlanner{-1};
@@ -285,6 +304,10 @@ class Session {
   Instant last_probe_{};
   int probes_ = 0;  // since the last progress
   int greetings_ = 0;
+  Packing packing_ = Packing::kOff;
+  Instant packing_asked_{};
+  int packing_tries_ = 0;
+  std::int64_t packing_from_ = 0;  // no line before this one is packed
   bool start_seen_ = false;
   bool greeting_refused_ = false;
   bool named_ = false;         // what asks for names has been answered, up to its `ok`
@@ -294,7 +317,7 @@ class Session {
   bool confirmed_ = false;  // a forced mismatch showed that the controller has all lines
   bool controller_may_live_ = true;
   bool asking_line_ = false;  // the greeting at hand asks for the line before us
-  bool line_asked_ = false;
+  int lines_asked_ = 0;
   bool settling_needed_ = false;
   bool holding_ = false;
   bool waits_for_user_ = false;

@@ -15,6 +15,8 @@ namespace {
 // A greeting begins only when the controller has said all that it says by itself.
 constexpr Duration kQuiet = std::chrono::milliseconds(200);
 
+constexpr int kAsksMax = 2;
+
 }  // namespace
 
 void Session::tick_greeting(Instant now) {
@@ -40,14 +42,18 @@ void Session::tick_greeting(Instant now) {
 }
 
 void Session::greet(Instant now) {
-  const bool ask_line =
-      phase_ == Phase::kBanner && options_.ask_found_line && !start_seen_ && !line_asked_;
+  const bool unanswered = phase_ == Phase::kGreeting && !greeting_refused_;
+  const bool ask_line = options_.ask_found_line && !start_seen_ && lines_asked_ < kAsksMax &&
+                        (phase_ == Phase::kBanner || (unanswered && asking_line_));
+  // The host before us may have left it with packed lines. Not each time: Klipper drops all that
+  // comes along with such bytes.
+  const bool maybe_packed = unanswered && (ask_line || greetings_ % 2 == 1);
   phase_ = Phase::kGreeting;
   phase_began_ = now;
   greeting_refused_ = false;
   skip_next_ok_ = false;
   asking_line_ = ask_line;
-  line_asked_ = line_asked_ || ask_line;
+  lines_asked_ += ask_line ? 1 : 0;
   if (!ask_line) ++greetings_;
   if (output_end_ - output_begin_ + 2 * kLineBytesMax > output_.size()) return;
   LineBuffer buffer;
@@ -55,6 +61,7 @@ void Session::greet(Instant now) {
   // of the line itself, which Marlin sets as it reads it; "M110 N0" would set it again when its
   // turn in the queue comes, behind lines that an `ok` too many has let in, which were then run
   // twice. It is numbered for all dialects: those that number nothing read over it.
+  if (maybe_packed && options_.pack) put(kMeatPackReset);
   put("\n");
   put(ask_line ? number_line(kResyncLineNumber, "M105", buffer) : number_line(0, "M110", buffer));
   put("\n");

@@ -40,6 +40,7 @@ void Session::reply(const Reply& reply, Instant now) {
     last_progress_ = now;
     probes_ = 0;
   }
+  if (reply.text.substr(0, kMeatPackAnswer.size()) == kMeatPackAnswer) note_packing(reply.text);
   note_temperatures(reply, now);
   if (ended()) return;
   note_names(reply);

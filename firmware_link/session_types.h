@@ -48,6 +48,7 @@ struct SessionStatistics {
   std::int64_t commands_acknowledged = 0;  // as Session::accepted()
   std::int64_t lines_sent = 0;             // with repeats, and with the link's own
   std::int64_t bytes_sent = 0;             // with repeats
+  std::int64_t lines_packed = 0;           // of the lines sent
   std::int64_t lines_repeated = 0;
   std::int64_t resends = 0;                 // `Resend:` lines obeyed
   std::int64_t resends_ignored = 0;         // outside of what can be repeated
@@ -100,6 +101,10 @@ struct SessionOptions {
   // Ask a controller that did not reset for its last line before the greeting forgets it
   // (Session::found_line()).
   bool ask_found_line = false;
+
+  // Pack lines (MeatPack) where the controller offers it.  DEFAULT: no, because a byte that is lost
+  // takes two characters along, and two that are alike leave the checksum as it was.
+  bool pack = false;
 
   // Numbering starts again from 1 (by M110) after this line. Lower only in tests.
   std::int32_t line_number_max = kLineNumberMax;

@@ -93,6 +93,14 @@ constexpr std::array kTable = {
             "round roads as G2, G3; auto: where the controller says that it draws them, in files"},
     Setting{"arc_fit_tolerance", &S::arc_fit_tolerance, "mm", 0, 0.5,
             "how far an arc may be off the road that it stands for; 0: no arcs"},
+    Setting{
+        "segment_time_min_ms", &S::segment_time_min_ms, "ms", 0, 1'000,
+        "shorter segments are merged, else slowed down; 0: as the port's baud says, in files none"},
+    Setting{"segment_tolerance", &S::segment_tolerance, "mm", 0, 0.5,
+            "how far a merged segment may be off the road"},
+    Setting{"meatpack", &S::meatpack, "", 0, 0,
+            "auto: lines packed where the controller offers MeatPack; only on a port that loses "
+            "nothing"},
     Setting{"perimeter_speed_mm_s", &S::perimeter_speed_mm_s, "mm/s", 0.1, 2'000,
             "inner perimeters"},
     Setting{"outer_perimeter_speed_mm_s", &S::outer_perimeter_speed_mm_s, "mm/s", 0.1, 2'000,

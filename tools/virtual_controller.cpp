@@ -321,6 +321,7 @@ int main(int argc, char** argv) {
   app.add_flag("--list-scenarios", options.list, "tell what can go wrong");
   VirtualControllerOptions controller_options;
   app.add_option("--baud", controller_options.baud, "bits a second on the wire; 0: no limit");
+  app.add_flag("--meatpack", controller_options.meatpack, "offer to unpack lines (MeatPack)");
   app.add_flag("--advanced-ok", controller_options.advanced_ok, "tell free slots in each ok");
   app.add_flag("--emergency-parser", controller_options.emergency_parser, "heed M112 at once");
   app.add_flag("--keep", options.keep, "not reset by a host that opens the port");
@@ -339,6 +340,7 @@ int main(int argc, char** argv) {
   Scenario scenario = *found;
   if (scenario.name == "clean") scenario.dialect = options.dialect;
   scenario.advanced_ok = scenario.advanced_ok || controller_options.advanced_ok;
+  scenario.meatpack = scenario.meatpack || controller_options.meatpack;
 
   struct sigaction action {};
   action.sa_handler = ask_to_stop;

@@ -14,6 +14,7 @@ constexpr std::size_t kGreetingLines = 8;
 VirtualControllerOptions adapted(const Scenario& scenario, VirtualControllerOptions options) {
   options.dialect = scenario.dialect;
   options.advanced_ok = scenario.advanced_ok;
+  options.meatpack = scenario.meatpack;
   return options;
 }
 

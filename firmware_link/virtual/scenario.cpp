@@ -54,6 +54,13 @@ WireDamage everything(std::size_t distance) {
   return damage;
 }
 
+struct Packed {
+  std::string_view name;
+  std::string_view what;
+  WireDamage down;
+  WireDamage up;
+};
+
 std::vector<Scenario> noises() {
   using D = WireDamage;
   const std::size_t near = 40;
@@ -81,6 +88,17 @@ std::vector<Scenario> noises() {
       noise("advanced-everything", "the same, with ADVANCED_OK", everything(100), everything(60));
   advanced.advanced_ok = true;
   all.push_back(advanced);
+  for (const auto& [name, what, down, up] :
+       {Packed{"packed", "packed lines, and nothing goes wrong", {}, {}},
+        Packed{"packed-flipped", "flipped bits in packed lines", with(&D::flip_byte, 3e-3), {}},
+        Packed{"packed-lost-ok",
+               "lost answers to packed lines",
+               {},
+               with(&D::lose_line, 0.05, near)}}) {
+    Scenario packed = noise(name, what, down, up);
+    packed.meatpack = true;
+    all.push_back(packed);
+  }
   Scenario prusa =
       noise("prusa-everything", "the same, to Prusa's firmware", everything(100), everything(60));
   prusa.dialect = VirtualDialect::kPrusa;

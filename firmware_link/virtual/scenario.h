@@ -38,6 +38,7 @@ struct Scenario {
   WireDamage down;  // host -> controller
   WireDamage up;
   Mishap mishap = Mishap::kNone;
+  bool meatpack = false;
   bool advanced_ok = false;
   bool may_finish = true;
   std::uint32_t faults = 0;  // bits of fault_bit()

@@ -147,6 +147,7 @@ void VirtualController::Firmware::reset(Instant now) {
   advance(now);
   wire_.clear();
   receive_.clear();
+  unpacker_ = {};
   assembling_.size = 0;
   in_comment_ = escaped_ = false;
   last_number_ = 0;

@@ -18,6 +18,7 @@
 
 #include "firmware_link/check.h"
 #include "firmware_link/line_codec.h"     // word
+#include "firmware_link/meat_pack.h"      // MeatUnpacker
 #include "firmware_link/planner_watch.h"  // kArcBlockUm
 #include "firmware_link/virtual/virtual_controller.h"
 #include "firmware_link/virtual/virtual_heater.h"   // VirtualHeater
@@ -114,6 +115,7 @@ class VirtualController::Firmware {
 
   // virtual_queue.cpp
   bool read_bytes();
+  bool read_character(char c);
   void take_slot(const Slot& slot);
   [[nodiscard]] bool plain_line_accepted(Slot& slot) const;
   void end_line();
@@ -158,6 +160,7 @@ class VirtualController::Firmware {
   ByteRing<kControllerReceiveBytes> receive_;
   ByteRing<kAnswerBytesMax> answers_;
 
+  MeatUnpacker unpacker_;
   Slot assembling_;
   bool in_comment_ = false;
   bool escaped_ = false;

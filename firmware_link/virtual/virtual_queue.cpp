@@ -25,30 +25,49 @@ bool VirtualController::Firmware::read_bytes() {
   bool any = false;
   while (receive_.size() > 0 && slot_count_ < slots_.size()) {
     any = true;
-    const char c = receive_.pop();
-    if (c == '\n' || c == '\r') {
-      in_comment_ = escaped_ = false;
-      end_line();
-      return true;
-    }
-    if (in_comment_) continue;
-    if (c == '\\' && !escaped_ && numbers_lines(options_.dialect)) {
-      escaped_ = true;
+    const char byte = receive_.pop();
+    if (!options_.meatpack) {
+      if (read_character(byte)) return true;
       continue;
     }
-    if (c == ';' && !escaped_) {
-      in_comment_ = true;
-      continue;
+    const MeatUnpacker::Result read = unpacker_.take(static_cast<std::uint8_t>(byte));
+    if (read.commanded) print("[MP] PV01 " + std::string(unpacker_.state()) + "\n");
+    if (read.refused) {
+      print("Error:Serial status mismatch\n");
+      receive_.clear();
     }
-    escaped_ = false;
-    if (c == '\b' && numbers_lines(options_.dialect)) {  // takes back what is before it
-      if (assembling_.size > 0) --assembling_.size;
-      continue;
-    }
-    // What is over 95 characters is dropped without a word, the checksum with it.
-    if (assembling_.size < assembling_.bytes.size()) assembling_.bytes[assembling_.size++] = c;
+    bool ended = false;
+    for (std::size_t i = 0; i < read.count; ++i)
+      ended = read_character(read.characters[i]) || ended;
+    if (ended) return true;
   }
   return any;
+}
+
+// True when it ends a line.
+bool VirtualController::Firmware::read_character(char c) {
+  if (c == '\n' || c == '\r') {
+    in_comment_ = escaped_ = false;
+    end_line();
+    return true;
+  }
+  if (in_comment_) return false;
+  if (c == '\\' && !escaped_ && numbers_lines(options_.dialect)) {
+    escaped_ = true;
+    return false;
+  }
+  if (c == ';' && !escaped_) {
+    in_comment_ = true;
+    return false;
+  }
+  escaped_ = false;
+  if (c == '\b' && numbers_lines(options_.dialect)) {  // takes back what is before it
+    if (assembling_.size > 0) --assembling_.size;
+    return false;
+  }
+  // What is over 95 characters is dropped without a word, the checksum with it.
+  if (assembling_.size < assembling_.bytes.size()) assembling_.bytes[assembling_.size++] = c;
+  return false;
 }
 
 void VirtualController::Firmware::end_line() {

@@ -95,6 +95,8 @@ int print_command(const Options& options, Reporter& reporter) {
   core::Result<Job> opened = open_job(options, reporter);
   if (!opened.ok()) return fail(opened.error(), reporter);
   Job& job = opened.value();
+  double& segment_time_min_ms = job.settings.segment_time_min_ms;
+  if (segment_time_min_ms == 0) segment_time_min_ms = line_time_ms(options.port, options.baud);
   const std::string usb = options.port == "virtual" ? "" : usb_of(options.port);
   JournalKeeper keeper;
   if (core::Status planned = plan_journal(options, job, usb, keeper, reporter); !planned.ok()) {

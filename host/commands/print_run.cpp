@@ -120,6 +120,17 @@ Journal* JournalKeeper::journal() {
   return journal_ ? &*journal_ : nullptr;
 }
 
+double line_time_ms(const std::string& port, int baud) {
+  constexpr double kLineBits = 360;  // a move in a circle's perimeter: 35 bytes and its end
+  constexpr double kUse = 0.9;       // of the line; the rest is for repeats and questions
+  std::error_code error;
+  const std::filesystem::path real = std::filesystem::weakly_canonical(port, error);
+  const std::string name = real.filename().string();
+  const auto begins = [&name](const char* with) { return name.rfind(with, 0) == 0; };
+  const bool paced = begins("ttyUSB") || begins("ttyS") || begins("ttyAMA") || begins("COM");
+  return paced && baud > 0 ? 1'000 * kLineBits / kUse / baud : 0;
+}
+
 std::string usb_of(const std::string& port) {
   std::error_code error;
   const std::filesystem::path real = std::filesystem::weakly_canonical(port, error);

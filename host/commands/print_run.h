@@ -50,6 +50,11 @@ class JournalKeeper {
 // Which USB device a port is, as `rind ports` tells; empty: none, or not known.
 [[nodiscard]] std::string usb_of(const std::string& port);
 
+// How long a usual move's line is on its way through a serial port at that baud, with a little to
+// spare; 0 where the baud does not say how fast it is: USB devices of their own kind (ttyACM),
+// pseudo-terminals, networks, the virtual controller.
+[[nodiscard]] double line_time_ms(const std::string& port, int baud);
+
 // REQUIRES: options.port is not empty.
 [[nodiscard]] int run_print(const Options& options, Job& job, JournalKeeper& keeper,
                             std::optional<Resumption> resumption, const std::string& usb,

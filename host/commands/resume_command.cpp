@@ -39,6 +39,9 @@ Status check_settings(const Options& options, const JournalHead& head, Reporter&
   const std::vector<SettingRow> rows = describe_settings(told.value());
   for (std::size_t i = 0; i < rows.size() && i < head.settings.size(); ++i) {
     if (rows[i].value == head.settings[i].second) continue;
+    // The print's came from the port's baud.
+    const bool by_baud = rows[i].key == "segment_time_min_ms" && rows[i].value == "0";
+    if (by_baud) continue;
     return Error{
         ErrorCode::kBadSetting,
         fmt::format("{} was {} when the print began and is {} now: the print can't be gone "

@@ -253,3 +253,37 @@ TEST_CASE("what was decided about arcs goes on with a print") {
   CHECK_FALSE(second.arcs_undecided());
   CHECK(second.state().arcs == true);
 }
+
+TEST_CASE("what a line can't carry is merged, then slowed down, and lays as much") {
+  Road rough{RoadKind::kSolid, Length::from_mm(0.45), false, {}};
+  for (int i = 0; i <= 400; ++i) rough.points.push_back(at_mm(5 + i * 0.05, 25 + i % 2 * 0.005));
+  Road zigzag{RoadKind::kSolid, Length::from_mm(0.45), false, {}};
+  for (int i = 0; i <= 400; ++i) zigzag.points.push_back(at_mm(5 + i * 0.05, 35 + i % 2 * 0.08));
+  const auto built = [&](double time_min_ms) {
+    Settings settings;
+    settings.segment_time_min_ms = time_min_ms;
+    settings.layer_time_min_s = 0;
+    MotionBuilder builder(settings);
+    Recorder recorder;
+    builder.layer(slice_of(1, kSquare), {rough, zigzag}, recorder.sink());
+    return recorder.all<Extrude>();
+  };
+  const std::vector<Extrude> all = built(0);
+  const std::vector<Extrude> fewer = built(4);
+  CHECK(all.size() == 800);
+  const double full_mm_s = Settings().solid_speed_mm_s;
+  double all_mm = 0, fewer_mm = 0;
+  std::size_t of_rough = 0;
+  for (const Extrude& piece : all) all_mm += piece.filament_mm;
+  for (const Extrude& piece : fewer) {
+    fewer_mm += piece.filament_mm;
+    const bool is_rough = piece.to.y < at_mm(0, 30).y;
+    of_rough += is_rough ? 1 : 0;
+    if (is_rough) CHECK(piece.speed_mm_s == full_mm_s);
+    if (!is_rough) CHECK(piece.speed_mm_s < full_mm_s / 2);
+  }
+  // 20 mm at 60 mm/s in pieces of 4 ms: 84 at most.
+  CHECK(of_rough <= 84);
+  CHECK(fewer.size() - of_rough == 400);
+  CHECK(fewer_mm == doctest::Approx(all_mm));
+}

@@ -26,7 +26,9 @@ class ScenarioRun {
     options.extrude_celsius_min = 0;
     options.executed = [this](const ExecutedCommand& command) { note(command); };
     controller = std::make_unique<HostileController>(scenario, seed, options, within_lines, now);
-    session = std::make_unique<Session>(std::make_unique<MarlinDialect>(), SessionOptions{}, now);
+    SessionOptions wanted;
+    wanted.pack = scenario.meatpack;
+    session = std::make_unique<Session>(std::make_unique<MarlinDialect>(), wanted, now);
   }
 
   // Streams all commands and finishes; true when it ended within so much simulated time.

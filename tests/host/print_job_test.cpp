@@ -165,6 +165,21 @@ TEST_CASE("arcs lie within their tolerance of the roads, and lay as much") {
   }
 }
 
+TEST_CASE("segments merged for a slow line are the same in a file and in print") {
+  const PartFolder folder;
+  const std::string path = folder.add("tube.stl", parts::tube(5, 3, 0.9, 180));
+  core::Settings settings = coarse();
+  settings.arcs = core::ArcUse::kOff;
+  const std::size_t all = print_test::sliced_lines(settings, path).size();
+  settings.segment_time_min_ms = 10;
+  const std::vector<std::string> sliced = print_test::sliced_lines(settings, path);
+  CHECK_LT(sliced.size() * 5, all * 4);
+  Rig rig(settings, path);
+  CHECK_EQ(rig.print().exit_code, host::kExitDone);
+  const auto first = std::find(rig.executed.begin(), rig.executed.end(), sliced.front());
+  CHECK((std::vector<std::string>(first, rig.executed.end()) == sliced));
+}
+
 TEST_CASE("a controller that does not say that it draws arcs gets none") {
   const PartFolder folder;
   const std::string path = folder.add("tube.stl", parts::tube(5, 3, 0.9, 180));
