@@ -85,8 +85,8 @@ class Curve {
 
   // Where to put points: both ends, the lowest spot, where the radius passes a limit, and between
   // these as often as the curve needs.
-  [[nodiscard]] std::vector<double> stops(double radius_min, double radius_max) const {
-    std::vector<double> result{first_, last_};
+  void find_stops(double radius_min, double radius_max, std::vector<double>& result) const {
+    result.assign({first_, last_});
     const double low = std::min(first_, last_), high = std::max(first_, last_);
     const auto add = [&](double u) {
       if (low < u && u < high) result.push_back(u);
@@ -111,7 +111,6 @@ class Curve {
     }
     std::sort(result.begin(), result.end());
     if (first_ > last_) std::reverse(result.begin(), result.end());
-    return result;
   }
 
  private:
@@ -139,21 +138,28 @@ constexpr std::uint32_t kFreeEnd = UINT32_MAX;
 
 // A stretch of an edge that is neither too narrow nor too wide.
 struct Run {
-  std::vector<Place> places;
+  std::size_t begin = 0;  // of its places, one after another
+  std::size_t end = 0;
   std::uint32_t from = kFreeEnd;  // vertices, where the run goes right up to them
   std::uint32_t to = kFreeEnd;
   bool used = false;
 };
 
-std::vector<Run> runs_of(const VoronoiDiagram& diagram, const Ridge& ridge, double radius_min,
-                         double radius_max) {
+struct Runs {
   std::vector<Run> runs;
+  std::vector<Place> places;
+};
+
+Runs runs_of(const VoronoiDiagram& diagram, const Ridge& ridge, double radius_min,
+             double radius_max) {
+  Runs all;
   const auto vertex_or_end = [&](std::uint32_t vertex) {
     return ridge.on_contour(vertex) ? kFreeEnd : vertex;
   };
+  std::vector<double> stops;
   for (const std::uint32_t edge : ridge.edges()) {
     const Curve curve(diagram, edge);
-    const std::vector<double> stops = curve.stops(radius_min, radius_max);
+    curve.find_stops(radius_min, radius_max, stops);
     bool open = false;
     for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
       const double middle = curve.at((stops[i] + stops[i + 1]) / 2).radius;
@@ -162,24 +168,27 @@ std::vector<Run> runs_of(const VoronoiDiagram& diagram, const Ridge& ridge, doub
         continue;
       }
       if (!open) {
-        runs.push_back({{curve.at(stops[i])}, kFreeEnd, kFreeEnd, false});
-        if (i == 0) runs.back().from = vertex_or_end(diagram.edges[edge].from);
+        all.runs.push_back({all.places.size(), 0, kFreeEnd, kFreeEnd, false});
+        all.places.push_back(curve.at(stops[i]));
+        if (i == 0) all.runs.back().from = vertex_or_end(diagram.edges[edge].from);
       }
       open = true;
-      runs.back().places.push_back(curve.at(stops[i + 1]));
-      if (i + 2 == stops.size()) runs.back().to = vertex_or_end(diagram.to(edge));
+      all.places.push_back(curve.at(stops[i + 1]));
+      all.runs.back().end = all.places.size();
+      if (i + 2 == stops.size()) all.runs.back().to = vertex_or_end(diagram.to(edge));
     }
   }
-  return runs;
+  return all;
 }
 
 // Joins runs where just two meet.
 class Chains {
  public:
-  Chains(std::vector<Run> runs, std::size_t vertices) : runs_(std::move(runs)), at_(vertices) {
+  Chains(Runs all, std::size_t vertices)
+      : runs_(std::move(all.runs)), places_(std::move(all.places)), at_(vertices) {
     for (std::uint32_t i = 0; i < runs_.size(); ++i) {
-      if (runs_[i].from != kFreeEnd) at_[runs_[i].from].push_back(i);
-      if (runs_[i].to != kFreeEnd) at_[runs_[i].to].push_back(i);
+      meet(runs_[i].from, i);
+      meet(runs_[i].to, i);
     }
   }
 
@@ -198,8 +207,22 @@ class Chains {
   }
 
  private:
+  // The runs that end at a vertex; the first two by name.
+  struct Meeting {
+    std::uint32_t count = 0;
+    std::uint32_t first = 0;
+    std::uint32_t second = 0;
+  };
+
+  void meet(std::uint32_t vertex, std::uint32_t run) {
+    if (vertex == kFreeEnd) return;
+    Meeting& meeting = at_[vertex];
+    (meeting.count == 0 ? meeting.first : meeting.second) = run;
+    ++meeting.count;
+  }
+
   [[nodiscard]] bool passes(std::uint32_t vertex) const {
-    return vertex != kFreeEnd && at_[vertex].size() == 2;
+    return vertex != kFreeEnd && at_[vertex].count == 2;
   }
 
   void add_line(std::uint32_t run, bool backwards, std::vector<ThickPolyline>& lines) {
@@ -209,11 +232,13 @@ class Chains {
     for (;;) {
       Run& current = runs_[run];
       current.used = true;
-      if (backwards) std::reverse(current.places.begin(), current.places.end());
-      places.insert(places.end(), current.places.begin(), current.places.end());
+      const auto first = places_.begin() + static_cast<std::ptrdiff_t>(current.begin);
+      const auto last = places_.begin() + static_cast<std::ptrdiff_t>(current.end);
+      if (backwards) std::reverse(first, last);
+      places.insert(places.end(), first, last);
       const std::uint32_t vertex = backwards ? current.from : current.to;
       if (!passes(vertex)) break;
-      const std::uint32_t next = at_[vertex][0] == run ? at_[vertex][1] : at_[vertex][0];
+      const std::uint32_t next = at_[vertex].first == run ? at_[vertex].second : at_[vertex].first;
       closed = runs_[next].used;
       if (closed) break;
       run = next;
@@ -242,7 +267,8 @@ class Chains {
   }
 
   std::vector<Run> runs_;
-  std::vector<std::vector<std::uint32_t>> at_;  // by vertex: runs that end there
+  std::vector<Place> places_;
+  std::vector<Meeting> at_;  // by vertex
 };
 
 }  // namespace

@@ -41,12 +41,18 @@ class Ridge {
   [[nodiscard]] double length(std::uint32_t edge) const;
   [[nodiscard]] Branch branch_from(std::uint32_t edge) const;
   [[nodiscard]] std::uint32_t only_other(std::uint32_t vertex, std::uint32_t edge) const;
+  template <typename Visit>
+  void for_leaving(std::uint32_t vertex, const Visit& visit) const;
+  void remove(std::uint32_t edge);
   void remove(const Branch& branch);
 
   const VoronoiDiagram& diagram_;
   double open_height_;
-  std::vector<std::vector<std::uint32_t>> leaving_;  // by vertex: halves that leave it
-  std::vector<double> reach_;                        // by vertex: how far discs ever reached
+  std::vector<std::uint32_t> starts_;   // by vertex, into leaving_
+  std::vector<std::uint32_t> leaving_;  // halves, those that are left and those that went
+  std::vector<std::uint8_t> left_;      // by half
+  std::vector<std::uint32_t> degree_;   // by vertex: halves left that leave it
+  std::vector<double> reach_;           // by vertex: how far discs ever reached
 };
 
 }  // namespace core

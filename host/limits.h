@@ -46,6 +46,10 @@ inline constexpr double kLogPeriod_s = 60;
 inline constexpr std::size_t kMemorySmallBytes = 1'024;
 inline constexpr std::int64_t kMemoryReserveBytes = std::int64_t{512} * 1'024;
 
+// What a thread has taken or given back without the others' knowing, at most.
+inline constexpr std::int64_t kMemoryUnsettledBytes = 8 * 1'024;
+static_assert(kJobsMax * kMemoryUnsettledBytes <= kMemoryReserveBytes);
+
 // Warnings that wait to be told; further ones are only counted.
 inline constexpr std::size_t kWarningsHeldMax = 16;
 

@@ -8,8 +8,9 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdio>
+#include <cstdlib>
 
-#include "host/limits.h"  // kMemoryReserveBytes
+#include "host/limits.h"  // kMemoryReserveBytes, kMemoryUnsettledBytes
 
 namespace host {
 namespace {
@@ -20,6 +21,7 @@ std::atomic<std::int64_t> g_base = 0;     // resident beside that
 std::atomic<std::int64_t> g_refused = 0;  // would have been in use with what was refused last
 
 thread_local std::int64_t t_allocations = 0;
+thread_local std::int64_t t_unsettled = 0;
 
 std::int64_t resident_bytes() {
   std::int64_t total_pages = 0, resident_pages = 0;
@@ -28,6 +30,14 @@ std::int64_t resident_bytes() {
   if (std::fscanf(file, "%ld %ld", &total_pages, &resident_pages) != 2) resident_pages = 0;
   std::fclose(file);
   return resident_pages * sysconf(_SC_PAGESIZE);
+}
+
+// Threads count by themselves at first, so that they don't wait for one another at every piece.
+void settle(std::int64_t bytes) noexcept {
+  t_unsettled += bytes;
+  if (std::abs(t_unsettled) < kMemoryUnsettledBytes) return;
+  g_used.fetch_add(t_unsettled, std::memory_order_relaxed);
+  t_unsettled = 0;
 }
 
 double megabytes(std::int64_t bytes) { return static_cast<double>(bytes) * 1e-6; }
@@ -61,14 +71,12 @@ bool memory_allowed(std::size_t bytes) noexcept {
 
 void memory_taken(std::size_t bytes) noexcept {
   ++t_allocations;
-  g_used.fetch_add(static_cast<std::int64_t>(bytes), std::memory_order_relaxed);
+  settle(static_cast<std::int64_t>(bytes));
 }
 
 std::int64_t thread_allocations() noexcept { return t_allocations; }
 
-void memory_given_back(std::size_t bytes) noexcept {
-  g_used.fetch_sub(static_cast<std::int64_t>(bytes), std::memory_order_relaxed);
-}
+void memory_given_back(std::size_t bytes) noexcept { settle(-static_cast<std::int64_t>(bytes)); }
 
 std::string memory_refusal() {
   const std::int64_t limit = g_limit.exchange(0), refused = g_refused.load();
