@@ -10,7 +10,7 @@ constexpr std::uint64_t kCellsPerEdge = 2;
 constexpr std::uint64_t kCellsMin = 16;
 // An edge of mean length enters no more than about this many cells.
 constexpr std::uint64_t kMeanEntriesMax = 8;
-// Of slices that aren't crowded an entry shares its cell with less than half as many.
+// So many entries to a cell, on the mean, mean that detail is crowded: cells are cut finer there.
 constexpr std::uint64_t kCrowdMax = 24;
 
 // Every point is at least two units away from the grid's rim.

@@ -156,6 +156,11 @@ void report_done(const Options& options, const GeometryStatistics& statistics, R
     message +=
         fmt::format(", {:.2f} m of filament, about {}", total_mm(statistics.filament_mm) / 1'000,
                     duration_text(statistics.time_s));
+    if (statistics.arcs > 0) {
+      message += fmt::format(
+          "; {} arcs (G2, G3), which Klipper draws with [gcode_arcs] only: --set arcs=off",
+          statistics.arcs);
+    }
   }
   reporter.note("done", message,
                 {{"layers", statistics.layers},
