@@ -9,8 +9,8 @@
 #include "host/exit_codes.h"
 #include "host/log_file.h"
 #include "host/memory_budget.h"
-#include "host/options.h"
-#include "host/stop_signals.h"
+#include "host/printing/stop_signals.h"
+#include "host/settings/options.h"
 
 namespace {
 

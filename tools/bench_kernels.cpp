@@ -24,12 +24,12 @@
 #include <utility>
 #include <vector>
 
-#include "core/boolean.h"
-#include "core/mountain_foot.h"
-#include "core/offset_contours.h"
-#include "core/reference_boolean.h"
+#include "core/booleans/boolean.h"
+#include "core/booleans/reference_boolean.h"
+#include "core/offsets/mountain_foot.h"
+#include "core/offsets/offset_contours.h"
+#include "core/offsets/voronoi_mountain.h"
 #include "core/units.h"
-#include "core/voronoi_mountain.h"
 #include "tools/samples/slice_samples.h"
 
 namespace {

@@ -30,10 +30,10 @@
 #include <vector>
 
 #include "core/settings.h"
-#include "host/part_file.h"
-#include "host/pipeline.h"
-#include "host/settings_table.h"
-#include "host/statistics.h"
+#include "host/part/part_file.h"
+#include "host/pipeline/pipeline.h"
+#include "host/pipeline/statistics.h"
+#include "host/settings/settings_table.h"
 #include "tools/parts/part_maker.h"
 
 namespace {

@@ -4,12 +4,12 @@
 
 #include <string>
 
-#include "core/result.h"    // Result
-#include "core/settings.h"  // Settings
-#include "host/options.h"   // Options
-#include "host/pipeline.h"  // Job
-#include "host/progress.h"  // Reporter
-#include "host/statistics.h"
+#include "core/result.h"             // Result
+#include "core/settings.h"           // Settings
+#include "host/pipeline/pipeline.h"  // Job
+#include "host/pipeline/statistics.h"
+#include "host/printing/progress.h"  // Reporter
+#include "host/settings/options.h"   // Options
 
 namespace host {
 

@@ -4,9 +4,9 @@
 
 #include "host/commands/commands.h"
 #include "host/exit_codes.h"
-#include "host/motion_encoder.h"
-#include "host/settings_file.h"
-#include "host/settings_table.h"
+#include "host/pipeline/motion_encoder.h"
+#include "host/settings/settings_file.h"
+#include "host/settings/settings_table.h"
 
 namespace host {
 namespace {

@@ -5,11 +5,11 @@
 #include <numbers>
 #include <string>
 
-#include "core/motion_clock.h"
+#include "core/motions/motion_clock.h"
 #include "host/commands/commands.h"
 #include "host/exit_codes.h"
-#include "host/pipeline.h"
-#include "host/stop_signals.h"
+#include "host/pipeline/pipeline.h"
+#include "host/printing/stop_signals.h"
 
 namespace host {
 namespace {

@@ -7,8 +7,8 @@
 #include "host/commands/commands.h"
 #include "host/commands/print_run.h"
 #include "host/exit_codes.h"
-#include "host/settings_table.h"
-#include "host/stage_clock.h"
+#include "host/pipeline/stage_clock.h"
+#include "host/settings/settings_table.h"
 #include "host/version.h"
 
 namespace host {

@@ -12,10 +12,10 @@
 #include "firmware_link/virtual/virtual_port.h"
 #include "host/commands/commands.h"
 #include "host/exit_codes.h"
-#include "host/port_clock.h"
-#include "host/print_job.h"
-#include "host/settings_text.h"  // read_number, trimmed
-#include "host/stop_signals.h"
+#include "host/printing/port_clock.h"
+#include "host/printing/print_job.h"
+#include "host/printing/stop_signals.h"
+#include "host/settings/settings_text.h"  // read_number, trimmed
 
 namespace host {
 namespace {

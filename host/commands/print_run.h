@@ -8,13 +8,13 @@
 #include <string>
 
 #include "firmware_link/byte_port.h"  // BytePort
-#include "host/content_hash.h"        // FileContent
-#include "host/controls.h"            // Controls
-#include "host/journal.h"             // Journal, JournalHead
-#include "host/monitor.h"             // Resumption
-#include "host/options.h"             // Options
-#include "host/pipeline.h"            // Job
-#include "host/progress.h"            // Reporter
+#include "host/part/content_hash.h"   // FileContent
+#include "host/pipeline/pipeline.h"   // Job
+#include "host/printing/controls.h"   // Controls
+#include "host/printing/journal.h"    // Journal, JournalHead
+#include "host/printing/monitor.h"    // Resumption
+#include "host/printing/progress.h"   // Reporter
+#include "host/settings/options.h"    // Options
 
 namespace host {
 

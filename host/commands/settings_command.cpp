@@ -6,7 +6,7 @@
 
 #include "host/commands/commands.h"
 #include "host/exit_codes.h"
-#include "host/settings_table.h"
+#include "host/settings/settings_table.h"
 
 namespace host {
 namespace {

@@ -7,16 +7,16 @@
 #include <utility>
 #include <vector>
 
-#include "core/layer_window.h"
-#include "core/wall_style.h"
+#include "core/walls/layer_window.h"
+#include "core/walls/wall_style.h"
 #include "host/commands/commands.h"
 #include "host/exit_codes.h"
-#include "host/layer_picture.h"
-#include "host/output_file.h"
-#include "host/picture_style.h"
-#include "host/pipeline.h"
-#include "host/section_picture.h"
-#include "host/stop_signals.h"
+#include "host/output/layer_picture.h"
+#include "host/output/output_file.h"
+#include "host/output/picture_style.h"
+#include "host/output/section_picture.h"
+#include "host/pipeline/pipeline.h"
+#include "host/printing/stop_signals.h"
 
 namespace host {
 namespace {

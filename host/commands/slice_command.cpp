@@ -14,11 +14,11 @@
 #include "host/formats/lsif_writer.h"
 #include "host/formats/slice_v0_writer.h"
 #include "host/formats/svg_writer.h"
-#include "host/gcode_writer.h"
-#include "host/output_file.h"
-#include "host/pipeline.h"
-#include "host/stage_clock.h"
-#include "host/stop_signals.h"
+#include "host/output/gcode_writer.h"
+#include "host/output/output_file.h"
+#include "host/pipeline/pipeline.h"
+#include "host/pipeline/stage_clock.h"
+#include "host/printing/stop_signals.h"
 
 namespace host {
 namespace {

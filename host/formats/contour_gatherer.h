@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "core/boolean.h"   // FillRule
-#include "core/geometry.h"  // Ring
-#include "core/region.h"    // Region
+#include "core/booleans/boolean.h"  // FillRule
+#include "core/geometry.h"          // Ring
+#include "core/regions/region.h"    // Region
 
 namespace host {
 

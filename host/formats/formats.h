@@ -12,8 +12,8 @@
 #include "host/formats/layer_reader.h"    // LayerReader
 #include "host/formats/layer_writer.h"    // LayerWriter, LayerFileHead
 #include "host/formats/threemf_reader.h"  // MeshOrLayers
-#include "host/input_file.h"              // InputFile
-#include "host/triangle_source.h"         // TriangleSource
+#include "host/part/input_file.h"         // InputFile
+#include "host/part/triangle_source.h"    // TriangleSource
 
 namespace host {
 

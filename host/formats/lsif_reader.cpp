@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "core/boolean.h"                // subtract
+#include "core/booleans/boolean.h"       // subtract
 #include "core/units.h"                  // Length
 #include "host/formats/format_limits.h"  // kNestingMax
 #include "host/formats/lsif_sets.h"      // LsifSets

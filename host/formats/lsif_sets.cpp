@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "core/boolean.h"                // intersect, subtract
+#include "core/booleans/boolean.h"       // intersect, subtract
 #include "core/units.h"                  // kUnitsPerMm
 #include "host/formats/format_limits.h"  // kNestingMax, kLayerPointsMax
 #include "host/formats/number_text.h"    // parse_integer

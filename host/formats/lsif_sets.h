@@ -7,7 +7,7 @@
 #include <unordered_map>
 
 #include "core/geometry.h"                  // Point
-#include "core/region.h"                    // Region
+#include "core/regions/region.h"            // Region
 #include "core/result.h"                    // Result, Status
 #include "host/formats/contour_gatherer.h"  // ContourGatherer
 #include "host/formats/sif_scanner.h"       // SifScanner

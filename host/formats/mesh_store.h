@@ -21,7 +21,7 @@
 #include "core/geometry.h"             // Triangle
 #include "core/result.h"               // Result, Status
 #include "host/formats/vertex_snap.h"  // PointMm
-#include "host/mapped_array.h"         // MappedArray
+#include "host/part/mapped_array.h"    // MappedArray
 
 namespace host {
 

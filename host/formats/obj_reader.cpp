@@ -8,7 +8,7 @@
 #include "host/formats/number_text.h"   // parse_real
 #include "host/formats/text_scanner.h"  // TextScanner
 #include "host/formats/vertex_snap.h"   // snapped_vertex
-#include "host/mapped_array.h"          // MappedArray
+#include "host/part/mapped_array.h"     // MappedArray
 
 namespace host {
 namespace {

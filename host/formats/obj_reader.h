@@ -7,9 +7,9 @@
 
 #include <memory>
 
-#include "core/result.h"           // Result
-#include "host/input_file.h"       // InputFile
-#include "host/triangle_source.h"  // TriangleSource
+#include "core/result.h"                // Result
+#include "host/part/input_file.h"       // InputFile
+#include "host/part/triangle_source.h"  // TriangleSource
 
 namespace host {
 

@@ -9,7 +9,7 @@
 
 #include "core/result.h"                // Result, Status
 #include "host/formats/text_scanner.h"  // TextScanner
-#include "host/input_file.h"            // InputFile
+#include "host/part/input_file.h"       // InputFile
 
 namespace host {
 

@@ -15,7 +15,7 @@
 
 #include "core/result.h"                // Result
 #include "host/formats/layer_reader.h"  // LayerReader
-#include "host/input_file.h"            // InputFile
+#include "host/part/input_file.h"       // InputFile
 
 namespace host {
 

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "core/region.h"                    // Region
+#include "core/regions/region.h"            // Region
 #include "core/result.h"                    // Result, Status
 #include "host/formats/contour_gatherer.h"  // ContourGatherer
 #include "host/formats/mesh_store.h"        // Transform

@@ -17,7 +17,7 @@
 #include "core/result.h"                // Result
 #include "host/formats/layer_reader.h"  // LayerReader
 #include "host/formats/zip_archive.h"   // ZipArchive
-#include "host/triangle_source.h"       // TriangleSource
+#include "host/part/triangle_source.h"  // TriangleSource
 
 namespace host {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "host/formats/xml_scanner.h"  // XmlScanner
-#include "host/input_file.h"           // InputFile
+#include "host/part/input_file.h"      // InputFile
 
 namespace host {
 

@@ -12,7 +12,7 @@
 
 #include "core/result.h"               // Result
 #include "host/formats/xml_scanner.h"  // XmlScanner::ByteSource
-#include "host/input_file.h"           // InputFile
+#include "host/part/input_file.h"      // InputFile
 
 namespace host {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/mountain_foot.h"
+#include "core/offsets/mountain_foot.h"
 #include "tests/support/boolean_case.h"
 #include "tests/support/grid_regions.h"
 #include "tests/support/offset_checks.h"

@@ -12,11 +12,11 @@
 #include <string>
 #include <vector>
 
-#include "core/boolean.h"
-#include "core/contact_check.h"
-#include "core/mountain_foot.h"
-#include "core/offset_contours.h"
-#include "core/reference_boolean.h"
+#include "core/booleans/boolean.h"
+#include "core/booleans/reference_boolean.h"
+#include "core/offsets/mountain_foot.h"
+#include "core/offsets/offset_contours.h"
+#include "core/regions/contact_check.h"
 #include "core/units.h"
 #include "tests/support/offset_checks.h"
 #include "tests/support/part_folder.h"

@@ -14,11 +14,11 @@
 #include <vector>
 
 #include "firmware_link/virtual/virtual_port.h"
-#include "host/gcode_writer.h"
-#include "host/part_file.h"
-#include "host/pipeline.h"
-#include "host/port_clock.h"
-#include "host/print_job.h"
+#include "host/output/gcode_writer.h"
+#include "host/part/part_file.h"
+#include "host/pipeline/pipeline.h"
+#include "host/printing/port_clock.h"
+#include "host/printing/print_job.h"
 #include "tests/support/own_lines.h"
 #include "tests/support/part_folder.h"
 

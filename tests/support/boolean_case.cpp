@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <functional>
 
-#include "core/reference_boolean.h"
+#include "core/booleans/reference_boolean.h"
 #include "core/units.h"
 #include "tests/support/region_checks.h"
 

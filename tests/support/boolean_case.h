@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "core/boolean.h"   // FillRule
-#include "core/geometry.h"  // Ring
+#include "core/booleans/boolean.h"  // FillRule
+#include "core/geometry.h"          // Ring
 
 namespace test {
 

@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/geometry.h"  // Triangle
-#include "core/result.h"    // Result
-#include "core/slice.h"     // Slice
+#include "core/geometry.h"      // Triangle
+#include "core/result.h"        // Result
+#include "core/slices/slice.h"  // Slice
 
 namespace test {
 

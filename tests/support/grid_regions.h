@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "core/region.h"                   // Region
+#include "core/regions/region.h"           // Region
 #include "tests/support/random_regions.h"  // Random
 
 namespace test {

@@ -5,11 +5,11 @@
 #include <numbers>
 #include <utility>
 
-#include "core/boolean.h"
+#include "core/booleans/boolean.h"
 #include "core/geometry.h"
-#include "core/plane_sweep.h"
+#include "core/offsets/voronoi_mountain.h"
+#include "core/slices/plane_sweep.h"
 #include "core/units.h"
-#include "core/voronoi_mountain.h"
 #include "tests/support/mesh.h"
 #include "tests/support/random_regions.h"
 

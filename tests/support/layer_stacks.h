@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "core/region.h"             // Region
-#include "core/slice.h"              // Layer
+#include "core/regions/region.h"     // Region
+#include "core/slices/slice.h"       // Layer
 #include "tools/parts/part_maker.h"  // Part
 
 namespace test {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "core/geometry.h"                 // Triangle
-#include "core/plane_sweep.h"              // PlaneSweep
-#include "core/slice.h"                    // Slice
+#include "core/slices/plane_sweep.h"       // PlaneSweep
+#include "core/slices/slice.h"             // Slice
 #include "tests/support/random_regions.h"  // Random
 #include "tools/parts/part_maker.h"        // Part
 

@@ -5,11 +5,11 @@
 #include <utility>
 #include <vector>
 
-#include "core/boolean.h"
-#include "core/contact_check.h"
+#include "core/booleans/boolean.h"
 #include "core/limits.h"
-#include "core/segment_grid.h"
-#include "core/voronoi_mountain.h"
+#include "core/offsets/voronoi_mountain.h"
+#include "core/regions/contact_check.h"
+#include "core/regions/segment_grid.h"
 #include "tests/support/boolean_case.h"
 #include "tests/support/region_checks.h"
 

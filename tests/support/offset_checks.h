@@ -5,9 +5,9 @@
 #include <span>
 #include <string>
 
-#include "core/mountain_foot.h"            // MountainFoot
-#include "core/offset_contours.h"          // OffsetContours
-#include "core/region.h"                   // Region
+#include "core/offsets/mountain_foot.h"    // MountainFoot
+#include "core/offsets/offset_contours.h"  // OffsetContours
+#include "core/regions/region.h"           // Region
 #include "core/units.h"                    // Length
 #include "tests/support/random_regions.h"  // Random
 

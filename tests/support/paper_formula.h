@@ -1,5 +1,5 @@
 // The solid region of layer n, word for word as the paper has it (DETC2000/DAC-14285, after
-// figure 10). The oracle for core/wall_splitter.h, which computes it another way.
+// figure 10). The oracle for core/walls/wall_splitter.h, which computes it another way.
 //
 //     Offset(S_n) ∪ S_n ∩ ⋃_{i=1..T} [(S_{n+i-1} − S_{n+i}) ∪ (S_{n-i+1} − S_{n-i})
 //                                      ∪ Offset(S_{n+i}) ∪ Offset(S_{n-i})],   Offset(S) = S − I(S)

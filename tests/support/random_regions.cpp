@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/boolean.h"
+#include "core/booleans/boolean.h"
 #include "core/units.h"
 
 namespace test {

@@ -5,8 +5,8 @@
 #include <random>
 #include <vector>
 
-#include "core/geometry.h"  // Ring
-#include "core/region.h"    // Region
+#include "core/geometry.h"        // Ring
+#include "core/regions/region.h"  // Region
 
 namespace test {
 

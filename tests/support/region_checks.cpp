@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/boolean.h"
+#include "core/booleans/boolean.h"
 #include "core/units.h"
 
 namespace test {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "core/geometry.h"  // Point, Ring
-#include "core/region.h"    // Region
+#include "core/geometry.h"        // Point, Ring
+#include "core/regions/region.h"  // Region
 
 namespace test {
 

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/geometry.h"  // Ring
-#include "core/region.h"    // Region
+#include "core/geometry.h"        // Ring
+#include "core/regions/region.h"  // Region
 
 namespace test {
 

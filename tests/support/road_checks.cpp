@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/segment_grid.h"            // distance_units
+#include "core/regions/segment_grid.h"    // distance_units
 #include "tests/support/region_checks.h"  // signed_distance
 
 namespace test {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "core/region.h"                   // Region
-#include "core/road.h"                     // Road
+#include "core/regions/region.h"           // Region
+#include "core/roads/road.h"               // Road
 #include "core/units.h"                    // Length
 #include "tests/support/random_regions.h"  // Random
 

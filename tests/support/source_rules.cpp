@@ -32,11 +32,11 @@ struct Library {
 
 // A library's name occurs in one source, or in few; never in a header. Tests may use any.
 constexpr std::array kLibraries = {
-    Library{"boost/polygon/polygon.hpp", {"core/reference_boolean.cpp"}},
-    Library{"boost/polygon/voronoi", {"core/voronoi_diagram.cpp"}},
+    Library{"boost/polygon/polygon.hpp", {"core/booleans/reference_boolean.cpp"}},
+    Library{"boost/polygon/voronoi", {"core/offsets/voronoi_diagram.cpp"}},
     Library{"libserialport.h", {"firmware_link/serial_port.cpp", "firmware_link/ports.cpp"}},
-    Library{"ini.h", {"host/settings_file.cpp"}},
-    Library{"CLI/", {"host/options.cpp", "tools/"}},
+    Library{"ini.h", {"host/settings/settings_file.cpp"}},
+    Library{"CLI/", {"host/settings/options.cpp", "tools/"}},
     Library{"fast_float/", {"host/formats/"}},
     Library{"expat.h", {"host/formats/xml_scanner.cpp"}},
     Library{"zip.h", {"host/formats/zip_archive.cpp"}},

@@ -12,10 +12,10 @@
 #include <random>
 #include <utility>
 
-#include "core/boolean.h"
+#include "core/booleans/boolean.h"
 #include "core/settings.h"
 #include "core/units.h"
-#include "host/part_file.h"
+#include "host/part/part_file.h"
 
 namespace samples {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/region.h"             // Region
+#include "core/regions/region.h"     // Region
 #include "core/result.h"             // Result, Status
 #include "tools/parts/part_maker.h"  // Part
 

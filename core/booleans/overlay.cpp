@@ -1,0 +1,117 @@
+#include "core/booleans/overlay.h"
+
+#include <iterator>
+
+#include "core/check.h"  // RIND_CHECK
+
+namespace core {
+
+// Results of booleans stand in the order of their first points, so that equal rings are found like
+// equal words in two sorted lists. Where operands are in another order some are not found, and are
+// then treated like any others.
+void Overlay::add_in_common(const Region& a, const Region& b) {
+  common_a_.assign(a.rings().size(), 0);
+  common_b_.assign(b.rings().size(), 0);
+  for (std::size_t i = 0, j = 0; i < common_a_.size() && j < common_b_.size();) {
+    const Ring &ring = a.rings()[i], &other = b.rings()[j];
+    if (ring == other) {
+      common_a_[i++] = 1;
+      common_b_[j++] = 1;
+    } else if (ring_before(other, ring)) {
+      ++j;
+    } else {
+      ++i;
+    }
+  }
+}
+
+Region Overlay::combine(const Region& a, std::int32_t weight_a, const Region& b,
+                        std::int32_t weight_b, const WindingRule& rule) {
+  add_in_common(a, b);
+  edges_.clear();
+  for (std::size_t i = 0; i < common_a_.size(); ++i) {
+    if (common_a_[i] == 0) edges_.add(a.rings()[i], weight_a, 0);
+  }
+  for (std::size_t i = 0; i < common_b_.size(); ++i) {
+    if (common_b_[i] == 0) edges_.add(b.rings()[i], weight_b, 1);
+  }
+  weights_.by_operand = {weight_a, weight_b, weight_a + weight_b};
+  for (std::size_t i = 0; i < common_a_.size(); ++i) {
+    if (common_a_[i] != 0) edges_.add(a.rings()[i], weight_a + weight_b, kOperandInCommon);
+  }
+  weights_.third_in_common = true;
+  weights_.clean = true;
+  return run(rule);
+}
+
+// All that any operand covers outside the box that their boxes have in common is not in the result;
+// nor does a ring out there change what is inside.
+Region Overlay::intersect(std::span<const Region* const> operands) {
+  Box common = operands[0]->box();
+  for (const Region* operand : operands) {
+    const Box box = operand->box();
+    common.min = {std::max(common.min.x, box.min.x), std::max(common.min.y, box.min.y)};
+    common.max = {std::min(common.max.x, box.max.x), std::min(common.max.y, box.max.y)};
+  }
+  if (common.min.x > common.max.x || common.min.y > common.max.y) return {};
+  edges_.clear();
+  weights_.by_operand.assign(operands.size(), 1);
+  weights_.third_in_common = false;
+  weights_.clean = true;
+  for (std::uint32_t i = 0; i < operands.size(); ++i) {
+    for (const Ring& ring : operands[i]->rings()) {
+      Box box;
+      for (const Point p : ring) box.add(p);
+      if (box.overlaps(common)) edges_.add(ring, 1, i);
+    }
+  }
+  return run({WindingRule::Kind::kAtLeast, static_cast<std::int32_t>(operands.size())});
+}
+
+Region Overlay::combine(const std::vector<Ring>& rings, const WindingRule& rule) {
+  edges_.clear();
+  weights_.by_operand.assign(1, 1);
+  weights_.third_in_common = false;
+  weights_.clean = false;
+  for (const Ring& ring : rings) edges_.add_mended(ring, 1, 0);
+  return run(rule);
+}
+
+Region Overlay::run(const WindingRule& rule) {
+  if (edges_.rings().empty()) return {};
+  grid_.build(edges_);
+  if (!find_boundary(rule)) {
+    ++retries_;
+    weights_.clean = false;
+    RIND_CHECK(find_boundary(rule));
+  }
+  found_.clear();
+  tracer_.trace(edges_, snapped_, graph_, walk_, found_);
+  if (weights_.clean) copy_free_rings(rule, found_);
+  sort_rings(found_);
+  return Region::from_clean_rings(std::vector<Ring>(std::make_move_iterator(found_.begin()),
+                                                    std::make_move_iterator(found_.end())));
+}
+
+bool Overlay::find_boundary(const WindingRule& rule) {
+  snapped_.run(edges_, grid_, weights_.clean ? Meetings::kAcrossOperands : Meetings::kAll);
+  if (!weights_.clean) snapped_.add_node_to_rings_without(edges_);
+  graph_.build(edges_, snapped_);
+  ray_.reset(edges_, grid_, snapped_, weights_);
+  return walk_.run(edges_, snapped_, graph_, ray_, rule, weights_.clean);
+}
+
+// A ring without nodes meets no other operand, but may touch other rings of its own.
+void Overlay::copy_free_rings(const WindingRule& rule, std::vector<Ring>& rings) {
+  for (std::uint32_t i = 0; i < edges_.rings().size(); ++i) {
+    if (graph_.has_chains(i)) continue;
+    const ContourRing& ring = edges_.rings()[i];
+    const std::int32_t right = ray_.winding_right_of(ring.operand, edges_.from(ring.first));
+    const bool left_inside = rule.inside(right + ring.weight);
+    if (left_inside == rule.inside(right)) continue;
+    rings.push_back(canonical_ring(edges_.points() + ring.first, edges_.points() + ring.end,
+                                   left_inside ? Turned::kNo : Turned::kYes));
+  }
+}
+
+}  // namespace core

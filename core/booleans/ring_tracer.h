@@ -1,0 +1,45 @@
+// Links boundary pieces to rings, and copies the rings that no node lies on.
+//
+// A ring that comes back to a node is cut there into two, so that none touches itself at a node.
+// A node at which the boundary goes exactly straight on is left out.
+// Every ring starts at its least point (by x, then y); rings stand in the order of their first
+// points: the result doesn't depend on where the operands' rings started, nor on their order.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/booleans/boundary_walk.h"  // BoundaryWalk
+#include "core/booleans/chain_graph.h"    // ChainGraph
+
+namespace core {
+
+class RingTracer {
+ public:
+  // Appends to rings. COSTS: O(points written). Memory is kept for the next operation.
+  void trace(const ContourEdges& edges, const SnapRounding& snapped, const ChainGraph& graph,
+             const BoundaryWalk& walk, std::vector<Ring>& rings);
+
+ private:
+  void add_corners(const ContourEdges& edges, const ChainGraph& graph, BoundaryPiece piece);
+  void cut_loop(NodeIndex node, std::vector<Ring>& rings);
+  void drop_straight_nodes(std::size_t begin);
+
+  std::vector<Point> points_;  // of the ring that is being traced
+  std::vector<NodeIndex> path_;
+  std::vector<std::uint32_t> place_;   // by node: its place in points_ + 1 while it is on the path
+  std::vector<std::uint8_t> traced_;   // by piece
+  std::vector<std::uint32_t> simple_;  // ascending: places in points_ of nodes passed only once
+};
+
+enum class Turned { kNo, kYes };
+
+// The ring with its least point first, turned round if asked.
+[[nodiscard]] Ring canonical_ring(const Point* first, const Point* end, Turned turned);
+
+// The order of rings: by their first points, then by their second ones. No two rings of a clean
+// region have both in common.
+[[nodiscard]] bool ring_before(const Ring& a, const Ring& b);
+void sort_rings(std::vector<Ring>& rings);
+
+}  // namespace core

@@ -1,0 +1,136 @@
+#include "core/booleans/winding_ray.h"
+
+#include <algorithm>
+
+namespace core {
+namespace {
+
+__extension__ using Int128 = __int128;
+
+// 1 for a straight piece that leads south across the ray, -1 for one that leads north.
+int turn(Point a, Point b, Point p) {
+  if (b.y <= p.y && p.y < a.y) return cross(a, b, p) > 0 ? 1 : 0;
+  if (a.y <= p.y && p.y < b.y) return cross(a, b, p) < 0 ? -1 : 0;
+  return 0;
+}
+
+// For two pieces that lead across the ray at height y: below 0 if the first does so further west,
+// 0 if both do at the same point.
+int compare_crossings(const Segment& e, const Segment& f, std::int32_t y) {
+  const auto crossing = [y](const Segment& s) {
+    const std::int64_t sign = s.from.y < s.to.y ? 1 : -1;
+    const std::int64_t dx = sign * (std::int64_t{s.to.x} - s.from.x);
+    const std::int64_t dy = sign * (std::int64_t{s.to.y} - s.from.y);
+    return std::pair(s.from.x * dy + dx * (std::int64_t{y} - s.from.y), dy);
+  };
+  const auto [e_part, e_whole] = crossing(e);
+  const auto [f_part, f_whole] = crossing(f);
+  const Int128 difference = Int128{e_part} * f_whole - Int128{f_part} * e_whole;
+  return difference < 0 ? -1 : difference > 0 ? 1 : 0;
+}
+
+}  // namespace
+
+// As rounding has left the edge.
+template <typename Visit>
+void WindingRay::for_pieces(EdgeIndex edge, Visit visit) const {
+  Point from = edges_->from(edge);
+  if (snapped_->bent(edge)) {
+    for (const Passage& passage : snapped_->passages_of(edge)) {
+      const Point to = snapped_->nodes()[passage.node];
+      visit(from, to);
+      from = to;
+    }
+  }
+  visit(from, edges_->to(edge));
+}
+
+void WindingRay::reset(const ContourEdges& edges, const EdgeGrid& grid, const SnapRounding& snapped,
+                       const OperandWeights& weights) {
+  edges_ = &edges;
+  grid_ = &grid;
+  snapped_ = &snapped;
+  weights_ = &weights;
+  seen_.assign(edges.index_end(), 0);
+  ray_ = 0;
+}
+
+std::int32_t WindingRay::winding_at(Point p) { return sum_west_of(p, weights_->by_operand); }
+
+std::int32_t WindingRay::sum_west_of(Point p, std::span<const std::int32_t> weights) {
+  ++ray_;
+  std::int32_t winding = 0;
+  const std::uint32_t here = grid_->cell_of(p);
+  const std::uint32_t row = here - here % grid_->columns();
+  for (std::uint32_t cell = row; cell <= here; ++cell) {
+    for (const EdgeIndex e : grid_->edges_in(cell)) {
+      if (seen_[e] == ray_) continue;
+      seen_[e] = ray_;
+      const int count = turns(e, p);
+      if (count != 0) winding += count * weights[edges_->ring(e).operand];
+    }
+  }
+  return winding;
+}
+
+std::int32_t WindingRay::winding_right_of(std::uint32_t operand, Point corner) {
+  const std::vector<std::int32_t>& weights = weights_->by_operand;
+  const bool two = weights.size() == 2 || weights_->third_in_common;
+  if (two && operand == kOperandInCommon) return 0;
+  if (two) {
+    const std::optional<bool> covered = covered_by_other(operand, corner);
+    if (covered.has_value()) return *covered ? weights[1 - operand] : 0;
+  }
+  others_ = weights;
+  others_[operand] = 0;
+  if (weights_->third_in_common) others_[kOperandInCommon] -= weights[operand];
+  return sum_west_of(corner, others_);
+}
+
+// Two clean operands: the nearest edge of the other one tells by its direction. Nothing where two
+// are equally near: rounding may have laid them on one another.
+std::optional<bool> WindingRay::covered_by_other(std::uint32_t operand, Point p) const {
+  const std::uint32_t here = grid_->cell_of(p);
+  std::optional<EdgeIndex> nearest;
+  Segment nearest_edge;
+  for (std::uint32_t column = here % grid_->columns() + 1, cell = here; column-- > 0; --cell) {
+    for (const EdgeIndex e : grid_->edges_in(cell)) {
+      const Point a = edges_->from(e), b = edges_->to(e);
+      const bool beside = p.y < std::min(a.y, b.y) - 1 || p.y > std::max(a.y, b.y) + 1;
+      if (beside || edges_->ring(e).operand == operand) continue;
+      if (e == nearest) continue;
+      Segment edge;
+      const int count = crossings(e, p, edge);
+      if (count == 0) continue;
+      if (count > 1) return std::nullopt;
+      const int order = nearest.has_value() ? compare_crossings(edge, nearest_edge, p.y) : 1;
+      if (order == 0) return std::nullopt;
+      if (order < 0) continue;
+      nearest = e;
+      nearest_edge = edge;
+    }
+    // Is it within this cell or east of it? Then nothing nearer can come.
+    const Point cell_west{grid_->column_west(column), p.y};
+    if (nearest.has_value() && turn(nearest_edge.from, nearest_edge.to, cell_west) == 0) break;
+  }
+  return nearest.has_value() && nearest_edge.to.y < nearest_edge.from.y;
+}
+
+int WindingRay::turns(EdgeIndex edge, Point p) const {
+  int count = 0;
+  for_pieces(edge, [&](Point from, Point to) { count += turn(from, to, p); });
+  return count;
+}
+
+// How often the edge crosses the ray, and the last piece of it that does.
+int WindingRay::crossings(EdgeIndex edge, Point p, Segment& piece) const {
+  int count = 0;
+  for_pieces(edge, [&](Point from, Point to) {
+    if (turn(from, to, p) == 0) return;
+    ++count;
+    piece = {from, to};
+  });
+  return count;
+}
+
+}  // namespace core

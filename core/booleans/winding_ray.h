@@ -1,0 +1,64 @@
+// The winding number beside a point, by a ray.
+//
+//     ────────────────────────•     west from the point, a hair north of it, so that it passes no
+//                                    corner; every edge that it meets adds or takes its weight
+//
+// The edges are those that snap rounding leaves: bent ones count as they are bent. Edges through
+// the point itself don't count.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/booleans/contour_edges.h"  // ContourEdges
+#include "core/booleans/edge_grid.h"      // EdgeGrid
+#include "core/booleans/snap_rounding.h"  // SnapRounding
+
+namespace core {
+
+// How the operands' windings add up.
+struct OperandWeights {
+  std::vector<std::int32_t> by_operand;
+  // Two operands, and as a third the rings that stand alike in both.
+  bool third_in_common = false;
+  // Each operand is clean: a ring has its own inside on its left and its own outside on its right.
+  bool clean = true;
+};
+
+inline constexpr std::uint32_t kOperandInCommon = 2;
+
+class WindingRay {
+ public:
+  // What is passed is kept by reference until the next reset. Memory is kept.
+  void reset(const ContourEdges& edges, const EdgeGrid& grid, const SnapRounding& snapped,
+             const OperandWeights& weights);
+
+  // Of the sector at the point that holds the direction a hair north of west.
+  // COSTS: O(cells and edges in the grid's row west of the point).
+  [[nodiscard]] std::int32_t winding_at(Point p);
+
+  // On the right of a ring at one of its corners.
+  // REQUIRES: operands are clean; the ring is of this operand, and no edge of another lies there.
+  // COSTS: as winding_at(); with two operands it ends at the nearest edge of the other.
+  [[nodiscard]] std::int32_t winding_right_of(std::uint32_t operand, Point corner);
+
+ private:
+  [[nodiscard]] std::int32_t sum_west_of(Point p, std::span<const std::int32_t> weights);
+  [[nodiscard]] std::optional<bool> covered_by_other(std::uint32_t operand, Point p) const;
+  template <typename Visit>
+  void for_pieces(EdgeIndex edge, Visit visit) const;
+  [[nodiscard]] int turns(EdgeIndex edge, Point p) const;
+  [[nodiscard]] int crossings(EdgeIndex edge, Point p, Segment& piece) const;
+
+  const ContourEdges* edges_ = nullptr;
+  const EdgeGrid* grid_ = nullptr;
+  const SnapRounding* snapped_ = nullptr;
+  const OperandWeights* weights_ = nullptr;
+  std::vector<std::int32_t> others_;  // the weights without one operand's share
+  std::vector<std::uint32_t> seen_;   // by edge: the last ray that met it
+  std::uint32_t ray_ = 0;
+};
+
+}  // namespace core

@@ -1,0 +1,83 @@
+// What the machine is to do, in typed lengths; how a controller is told is not known here.
+#pragma once
+
+#include <string>
+#include <variant>
+
+#include "core/geometry.h"    // Point
+#include "core/roads/road.h"  // RoadKind
+#include "core/units.h"       // LayerIndex, Length
+
+namespace core {
+
+// Marks a layer's begin; nothing moves.
+struct BeginLayer {
+  LayerIndex index = 0;
+  Length top;
+  Length height;
+};
+
+// Marks a road's begin; nothing moves.
+struct BeginRoad {
+  RoadKind kind = RoadKind::kSolid;
+  Length width;
+};
+
+// Without material, at constant height.
+struct Travel {
+  Point to;
+  double speed_mm_s = 0;
+};
+
+// Straight up or down to a height above the bed.
+struct Lift {
+  Length to;
+  double speed_mm_s = 0;
+};
+
+// Lays material in a straight line from where the nozzle is.
+struct Extrude {
+  Point to;
+  double filament_mm = 0;
+  double speed_mm_s = 0;
+};
+
+// Lays material along an arc of a circle, at constant height, from where the nozzle is.
+struct ExtrudeArc {
+  Point to;
+  Point centre;
+  bool clockwise = false;  // seen from above
+  double length_mm = 0;    // of the way
+  double filament_mm = 0;
+  double speed_mm_s = 0;
+};
+
+// Moves the filament alone: negative draws it back, positive returns it or primes.
+struct MoveFilament {
+  double filament_mm = 0;
+  double speed_mm_s = 0;
+};
+
+struct SetFan {
+  double share = 0;  // 0 … 1
+};
+
+struct SetNozzleTemperature {
+  double celsius = 0;
+  bool wait = false;
+};
+
+struct SetBedTemperature {
+  double celsius = 0;
+  bool wait = false;
+};
+
+// One line of the user's start or end G-code, passed on as it is.
+struct Verbatim {
+  std::string line;
+};
+
+using Motion = std::variant<BeginLayer, BeginRoad, Travel, Lift, Extrude, ExtrudeArc, MoveFilament,
+                            SetFan, SetNozzleTemperature, SetBedTemperature, Verbatim>;
+
+}  // namespace core

@@ -1,0 +1,265 @@
+#include "core/motions/motion_builder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "core/check.h"                   // RIND_CHECK
+#include "core/motions/segment_merger.h"  // merge_short_pieces, sendable_speed
+#include "core/regions/segment_grid.h"    // SegmentGrid
+
+namespace core {
+
+namespace {
+
+// A turn sharper than this (60°) brings the nozzle to rest in the estimate of time.
+
+double distance_mm(Point a, Point b) {
+  const double dx = static_cast<double>(b.x) - a.x;
+  const double dy = static_cast<double>(b.y) - a.y;
+  return std::hypot(dx, dy) / kUnitsPerMm;
+}
+
+double length_mm(const Road& road) {
+  double sum = road.closed ? distance_mm(road.points.back(), road.points.front()) : 0;
+  for (std::size_t i = 1; i < road.points.size(); ++i) {
+    sum += distance_mm(road.points[i - 1], road.points[i]);
+  }
+  return sum;
+}
+
+}  // namespace
+
+// The slice's contour, entered in a grid only when a travel asks for it.
+class MotionBuilder::Boundary {
+ public:
+  explicit Boundary(const Region& region) : region_(region) {}
+
+  [[nodiscard]] bool crossed_by(const Segment& line) {
+    if (!grid_) grid_.emplace(Length::from_mm(2), region_);
+    return grid_->crosses(line);
+  }
+
+ private:
+  const Region& region_;
+  std::optional<SegmentGrid> grid_;
+};
+
+MotionBuilder::MotionBuilder(const Settings& settings)
+    : settings_(settings), fitter_(settings.arc_fit_tolerance) {
+  if (settings.arcs != ArcUse::kAuto) state_.arcs = settings.arcs == ArcUse::kOn;
+}
+
+void MotionBuilder::decide_arcs(bool drawn) {
+  RIND_CHECK(!state_.arcs && !state_.begun);
+  state_.arcs = drawn;
+}
+
+void MotionBuilder::go_on_from(const MotionState& state) {
+  RIND_CHECK(!state_.preheated && !state_.begun);
+  state_ = state;
+}
+
+void MotionBuilder::preheat(const Sink& sink) {
+  RIND_CHECK(!state_.preheated && !state_.begun);
+  state_.preheated = true;
+  sink(SetBedTemperature{settings_.bed_celsius, false});
+  sink(SetNozzleTemperature{settings_.nozzle_first_layer_celsius, false});
+}
+
+void MotionBuilder::preamble(const Sink& sink) {
+  if (!state_.preheated) preheat(sink);
+  state_.begun = true;
+  state_.nozzle_celsius = settings_.nozzle_first_layer_celsius;
+  for (const std::string& line : settings_.start_gcode) sink(Verbatim{line});
+  sink(SetBedTemperature{settings_.bed_celsius, true});
+  sink(SetNozzleTemperature{state_.nozzle_celsius, true});
+  sink(SetFan{0});
+}
+
+void MotionBuilder::begin_layer(const Slice& slice, const Sink& sink) {
+  index_ = slice.index;
+  top_ = slice.top();
+  height_ = slice.height;
+  ++totals_.layers;
+  sink(BeginLayer{index_, top_, height_});
+  const double fan = index_ + 1 >= settings_.fan_from_layer ? settings_.fan_share : 0;
+  if (fan != state_.fan) sink(SetFan{fan});
+  state_.fan = fan;
+  const double celsius =
+      index_ == 0 ? settings_.nozzle_first_layer_celsius : settings_.nozzle_celsius;
+  if (celsius != state_.nozzle_celsius) sink(SetNozzleTemperature{celsius, false});
+  state_.nozzle_celsius = celsius;
+}
+
+void MotionBuilder::layer(const Slice& slice, const std::vector<Road>& roads, const Sink& sink) {
+  RIND_CHECK(!ended_);
+  if (roads.empty()) return;
+  if (!state_.begun) preamble(sink);
+  begin_layer(slice, sink);
+  const double factor = slowdown(roads);
+  Boundary boundary(slice.region);
+  for (const Road& each : roads) {
+    RIND_CHECK(each.points.size() >= 2);
+    travel(each.points.front(), boundary, sink);
+    road(each, factor, sink);
+  }
+}
+
+void MotionBuilder::road(const Road& road, double slowdown, const Sink& sink) {
+  const double full = speed_mm_s(road.kind);
+  const double speed = std::max(full * slowdown, std::min(full, settings_.slowed_speed_min_mm_s));
+  const double d = settings_.filament_diameter.mm();
+  const double filament_per_mm =
+      bead_area_mm2(road.width, height_) / (std::numbers::pi * d * d / 4);
+  sink(BeginRoad{road.kind, road.width});
+  ++totals_.roads;
+  if (takes_pieces(road)) {
+    ArcFitter& fitter = state_.arcs.value_or(false) ? fitter_ : segments_;
+    pieces_ = fitter.pieces(road.points, road.closed);
+    double sent = speed;
+    if (const double time_min_s = settings_.segment_time_min_ms / 1'000; time_min_s > 0) {
+      merge_short_pieces(road.points.front(), pieces_, speed * time_min_s,
+                         settings_.segment_tolerance.mm());
+      sent = sendable_speed(pieces_, speed, time_min_s);
+    }
+    for (const RoadPiece& piece : pieces_) lay(piece, road.kind, filament_per_mm, sent, sink);
+    return;
+  }
+  const auto to = [&](Point point) {
+    const double mm = distance_mm(state_.position, point);
+    if (mm == 0) return;
+    RoadPiece piece;
+    piece.to = point;
+    piece.length_mm = piece.laid_over_mm = mm;
+    lay(piece, road.kind, filament_per_mm, speed, sink);
+  };
+  for (std::size_t i = 1; i < road.points.size(); ++i) to(road.points[i]);
+  if (road.closed) to(road.points.front());
+}
+
+// Straight lines and triangles are what they are.
+bool MotionBuilder::takes_pieces(const Road& road) const {
+  return road.points.size() > kArcSegmentsMin &&
+         (state_.arcs.value_or(false) || settings_.segment_time_min_ms > 0);
+}
+
+void MotionBuilder::lay(const RoadPiece& piece, RoadKind kind, double filament_per_mm, double speed,
+                        const Sink& sink) {
+  const double filament = piece.laid_over_mm * filament_per_mm;
+  totals_.filament_mm[static_cast<std::size_t>(kind)] += filament;
+  if (piece.is_arc) {
+    ++totals_.arcs;
+    sink(ExtrudeArc{piece.to, piece.centre, piece.clockwise, piece.length_mm, filament, speed});
+  } else {
+    sink(Extrude{piece.to, filament, speed});
+  }
+  state_.position = piece.to;
+}
+
+void MotionBuilder::travel(Point to, Boundary& boundary, const Sink& sink) {
+  const bool same = state_.position_known && state_.position == to;
+  const bool short_inside =
+      state_.position_known &&
+      distance_mm(state_.position, to) <= settings_.retraction_travel_min.mm() &&
+      !boundary.crossed_by({state_.position, to});
+  if (!same && !short_inside) {
+    retract(sink);
+    lift(top_ + settings_.retraction_lift, sink);
+  } else {
+    lift(top_, sink);
+  }
+  if (!same) {
+    const double mm = state_.position_known ? distance_mm(state_.position, to) : 0;
+    sink(Travel{to, settings_.travel_speed_mm_s});
+    ++totals_.travels;
+    totals_.travel_mm += mm;
+  }
+  state_.position = to;
+  state_.position_known = true;
+  lift(top_, sink);
+  unretract(sink);
+}
+
+void MotionBuilder::lift(Length to, const Sink& sink) {
+  if (state_.nozzle_z == to) return;
+  sink(Lift{to, settings_.lift_speed_mm_s});
+  state_.nozzle_z = to;
+}
+
+void MotionBuilder::retract(const Sink& sink) {
+  if (state_.retracted || settings_.retraction_mm <= 0) return;
+  sink(MoveFilament{-settings_.retraction_mm, settings_.retraction_speed_mm_s});
+  ++totals_.retractions;
+  state_.retracted = true;
+}
+
+void MotionBuilder::unretract(const Sink& sink) {
+  if (!state_.retracted) return;
+  sink(MoveFilament{settings_.retraction_mm, settings_.retraction_speed_mm_s});
+  state_.retracted = false;
+}
+
+void MotionBuilder::leave(const Sink& sink) {
+  ended_ = true;
+  retract(sink);
+  const Length here = state_.nozzle_z.value_or(top_);
+  Length away = top_ + settings_.park_lift;
+  if (settings_.axis_z > Length()) away = std::min(away, settings_.axis_z);
+  away = std::max(away, here);
+  lift(away, sink);
+  sink(SetNozzleTemperature{0, false});
+  sink(SetBedTemperature{0, false});
+  sink(SetFan{0});
+}
+
+void MotionBuilder::finish(const Sink& sink) {
+  if (!state_.begun || ended_) return;
+  leave(sink);
+  for (const std::string& line : settings_.end_gcode) sink(Verbatim{line});
+}
+
+void MotionBuilder::park(const Sink& sink) {
+  if (!state_.begun || ended_) return;
+  leave(sink);
+}
+
+double MotionBuilder::speed_mm_s(RoadKind kind) const {
+  double speed = settings_.solid_speed_mm_s;
+  switch (kind) {
+    case RoadKind::kSkirt:
+    case RoadKind::kPerimeter:
+      speed = settings_.perimeter_speed_mm_s;
+      break;
+    case RoadKind::kOuterPerimeter:
+      speed = settings_.outer_perimeter_speed_mm_s;
+      break;
+    case RoadKind::kSolid:
+      break;
+    case RoadKind::kRest:
+      speed = settings_.rest_speed_mm_s;
+      break;
+    case RoadKind::kLoose:
+      speed = settings_.loose_speed_mm_s;
+      break;
+  }
+  return index_ == 0 ? std::min(speed, settings_.first_layer_speed_mm_s) : speed;
+}
+
+// By length over speed alone: acceleration only makes the layer longer than asked for.
+double MotionBuilder::slowdown(const std::vector<Road>& roads) const {
+  double laying_s = 0;
+  double travelling_s = 0;
+  for (std::size_t i = 0; i < roads.size(); ++i) {
+    laying_s += length_mm(roads[i]) / speed_mm_s(roads[i].kind);
+    if (i == 0) continue;
+    const Road& before = roads[i - 1];
+    const Point from = before.closed ? before.points.front() : before.points.back();
+    travelling_s += distance_mm(from, roads[i].points.front()) / settings_.travel_speed_mm_s;
+  }
+  const double left_s = settings_.layer_time_min_s - travelling_s;
+  return left_s > laying_s ? laying_s / left_s : 1;
+}
+
+}  // namespace core

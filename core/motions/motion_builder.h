@@ -1,0 +1,119 @@
+// Turns roads into motions: material, speed, travel, retraction, temperatures.
+//
+//     preheat    heaters on, and nothing else: as soon as a print is likely
+//     preamble   once, before the first layer that has roads: heaters, start G-code
+//     layer      BeginLayer, (retract) Lift Travel (return), then BeginRoad Extrude … for each road
+//     finish     retract, lift, heaters and fan off, end G-code
+//
+// Filament laid by a piece of road:  length · bead area / (π d² / 4),  relative. An arc lays as
+// much as the segments that it stands for. Holds one layer's roads at a time, never the print.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "core/motions/arc_fit.h"  // ArcFitter
+#include "core/motions/motion.h"   // Motion
+#include "core/roads/road.h"       // Road, RoadKind
+#include "core/settings.h"         // Settings
+#include "core/slices/slice.h"     // Slice
+
+namespace core {
+
+// What was asked for since the begin of the print.
+struct MotionTotals {
+  std::array<double, kRoadKindCount> filament_mm{};  // by RoadKind; retractions don't count
+  double travel_mm = 0;
+  std::int64_t roads = 0;
+  std::int64_t arcs = 0;
+  std::int64_t travels = 0;
+  std::int64_t retractions = 0;
+  std::int64_t layers = 0;  // with roads
+};
+
+// Where a print stands between two layers: all that the next layer's motions depend on besides its
+// roads.
+struct MotionState {
+  bool preheated = false;
+  bool begun = false;
+  bool retracted = false;
+  bool position_known = false;
+  Point position;                  // where the nozzle is, once known
+  std::optional<Length> nozzle_z;  // likewise
+  double fan = 0;
+  double nozzle_celsius = 0;
+  std::optional<bool> arcs;  // whether round roads become arcs; nothing: not decided
+};
+
+class MotionBuilder {
+ public:
+  using Sink = std::function<void(const Motion&)>;
+
+  // REQUIRES: settings in their ranges.
+  explicit MotionBuilder(const Settings& settings);
+
+  // Decides what ArcUse::kAuto leaves open: whether the controller draws arcs. Without it, there
+  // are none. REQUIRES: no layer had roads so far.
+  [[nodiscard]] bool arcs_undecided() const { return !state_.arcs; }
+  void decide_arcs(bool drawn);
+
+  // Turns the heaters on before the first layer is known, so that they are warm by then; the first
+  // layer's preamble leaves that out then. At most once, before any layer(). What comes out in all
+  // is the same with it and without it.
+  void preheat(const Sink& sink);
+
+  // The roads of the next layer up, in this order. A layer without roads gives no motion, and a
+  // print without any never heats, but for preheat().
+  // REQUIRES: slices come from the bed up; every road has two points or more.
+  void layer(const Slice& slice, const std::vector<Road>& roads, const Sink& sink);
+
+  // Ends the print: retracts, lifts the nozzle off the part, heaters and fan off, end G-code.
+  // Nothing when it never began.
+  void finish(const Sink& sink);
+
+  // For a stop in between: as finish(), without the user's end G-code.
+  void park(const Sink& sink);
+
+  // True from the first layer with roads on.
+  [[nodiscard]] bool begun() const { return state_.begun; }
+  [[nodiscard]] const MotionTotals& totals() const { return totals_; }
+
+  // Between two layers. A builder of the same settings that gets this state goes on with the very
+  // motions that this one would; its totals begin anew.
+  [[nodiscard]] const MotionState& state() const { return state_; }
+  // REQUIRES: nothing was built yet.
+  void go_on_from(const MotionState& state);
+
+ private:
+  class Boundary;
+
+  void preamble(const Sink& sink);
+  void begin_layer(const Slice& slice, const Sink& sink);
+  void road(const Road& road, double slowdown, const Sink& sink);
+  [[nodiscard]] bool takes_pieces(const Road& road) const;
+  void lay(const RoadPiece& piece, RoadKind kind, double filament_per_mm, double speed,
+           const Sink& sink);
+  void travel(Point to, Boundary& boundary, const Sink& sink);
+  void retract(const Sink& sink);
+  void unretract(const Sink& sink);
+  void lift(Length to, const Sink& sink);
+  void leave(const Sink& sink);
+  [[nodiscard]] double speed_mm_s(RoadKind kind) const;
+  [[nodiscard]] double slowdown(const std::vector<Road>& roads) const;
+
+  Settings settings_;
+  ArcFitter fitter_;
+  ArcFitter segments_{Length()};   // none of them an arc
+  std::vector<RoadPiece> pieces_;  // of the road at hand
+  MotionTotals totals_;
+  MotionState state_;
+  bool ended_ = false;
+  Length top_;  // of the layer
+  Length height_;
+  LayerIndex index_ = 0;
+};
+
+}  // namespace core

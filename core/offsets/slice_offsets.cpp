@@ -1,0 +1,83 @@
+#include "core/offsets/slice_offsets.h"
+
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "core/offsets/mountain_foot.h"    // MountainFoot
+#include "core/offsets/offset_contours.h"  // flatten
+#include "core/walls/wall_depths.h"        // wall_depths
+
+namespace core {
+
+Length perimeter_spacing(const Settings& settings, Length layer_height) {
+  const double void_mm = layer_height.mm() * (1 - std::numbers::pi / 4);
+  return Length::from_mm(settings.road_width.mm() - settings.road_overlap * void_mm);
+}
+
+Length perimeter_depth(const Settings& settings, Length layer_height, int number) {
+  const Length s = perimeter_spacing(settings, layer_height);
+  return Length::from_units(settings.road_width.units() / 2) + s * (number - 1);
+}
+
+Length narrow_half(const Settings& settings, Length layer_height) {
+  return Length::from_mm(kNarrowShare / 2 * perimeter_spacing(settings, layer_height).mm());
+}
+
+std::int64_t OffsetCutter::fill(const Slice& slice, SliceOffsets& cut) const {
+  if (slice.region.empty()) return 0;
+  thread_local MountainFoot foot;
+  const Length half_spacing =
+      Length::from_units(perimeter_spacing(settings_, slice.height).units() / 2);
+  const Length half_narrow = narrow_half(settings_, slice.height);
+  const std::vector<Length> walls = wall_depths(settings_, slice.height);
+  // The wall's depths; centre line and core of each perimeter; the interior's.
+  std::vector<Length> depths = walls;
+  // Without perimeters, rows that end kRowEndShare below the interior's edge stay within the part.
+  Length inner_edge =
+      Length::from_mm(settings_.road_width.mm() / 2 -
+                      kRowEndShare * perimeter_spacing(settings_, slice.height).mm());
+  for (int number = 1; number <= settings_.perimeters; ++number) {
+    const Length depth = perimeter_depth(settings_, slice.height, number);
+    depths.push_back(depth);
+    depths.push_back(depth + half_narrow);
+    inner_edge = depth + half_spacing;
+  }
+  depths.push_back(inner_edge);
+  thread_local std::vector<OffsetContours> contours;
+  contours.resize(depths.size());
+  const std::int64_t tries_before = foot.retries() + foot.fallbacks();
+  foot.offset(slice.region, depths, contours);
+
+  const auto flat = [&](const OffsetContours& at) { return flatten(at, settings_.arc_tolerance); };
+  for (std::size_t i = 0; i < walls.size(); ++i) {
+    cut.wall_inners.push_back({walls[i], flat(contours[i])});
+  }
+  for (std::size_t i = walls.size(); i + 1 < contours.size(); i += 2) {
+    cut.perimeters.push_back(std::move(contours[i]));
+    cut.perimeter_cores.push_back(flat(contours[i + 1]));
+  }
+  cut.interior = flat(contours.back());
+  return foot.retries() + foot.fallbacks() - tries_before;
+}
+
+OffsetCutter::Place OffsetCutter::place(const Slice& slice) {
+  if (last_ && slice.height == last_height_ && slice.region == last_region_) {
+    ++reused_;
+    return {last_, false};
+  }
+  auto offsets = std::make_shared<SliceOffsets>();
+  offsets->content = last_ ? last_->content + 1 : 0;
+  last_region_ = slice.region;
+  last_height_ = slice.height;
+  last_ = std::move(offsets);
+  return {last_, true};
+}
+
+std::shared_ptr<const SliceOffsets> OffsetCutter::cut(const Slice& slice) {
+  Place at = place(slice);
+  if (at.to_fill) static_cast<void>(fill(slice, *at.offsets));
+  return at.offsets;
+}
+
+}  // namespace core

@@ -1,0 +1,78 @@
+// Cuts from a slice's mountain, once, all that later stages need.
+//
+// With w the road's width and s the distance of neighbouring roads,
+//
+//     s = w − overlap · h (1 − π/4)       overlap 1: beads fill the layer without a void
+//                                         overlap 0: beads touch, s = w
+//     perimeter k (from 1): its centre line at depth  w/2 + (k − 1) s
+//     interior: what is deeper than  w/2 + (P − ½) s,  left to be filled
+//
+//     slice's edge │←w/2→┆←── s ──→┆← s/2→│ interior
+//                       1st       2nd
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "core/regions/region.h"  // Region
+#include "core/settings.h"        // Settings
+#include "core/slices/slice.h"    // Slice, SliceOffsets
+#include "core/units.h"           // Length
+
+namespace core {
+
+// Distance of neighbouring roads of the user's width. The formula is above.
+[[nodiscard]] Length perimeter_spacing(const Settings& settings, Length layer_height);
+
+// Depth of the centre line of perimeter `number`, counted from 1.
+[[nodiscard]] Length perimeter_depth(const Settings& settings, Length layer_height, int number);
+
+// Two neighbouring centre lines of perimeter roads are never nearer than this share of their
+// spacing; where the part is too narrow for that, one road of its own width takes their place.
+inline constexpr double kNarrowShare = 0.6;
+
+// Half of that distance: how much deeper than its centre line a perimeter's core lies.
+[[nodiscard]] Length narrow_half(const Settings& settings, Length layer_height);
+
+// Depth below the wall's edge at which its rows end, as a share of their distance (wall_fill.h);
+// half would lay exactly what joined rows need, and leave notches between two joins.
+inline constexpr double kRowEndShare = 0.05;
+
+// Cuts slice after slice. One that equals the slice before it, point by point, shares its offsets,
+// so that a prismatic part costs one mountain.
+//
+//     slices in order ──> place() ──┬── a new place ──> fill() in any thread ──┐
+//                                   └── the last one's place ──────────────────┴──> offsets
+class OffsetCutter {
+ public:
+  struct Place {
+    std::shared_ptr<SliceOffsets> offsets;  // never null; shared with an equal slice
+    bool to_fill = false;                   // nobody has been told so before
+  };
+
+  // REQUIRES: settings in their ranges.
+  explicit OffsetCutter(const Settings& settings) : settings_(settings) {}
+
+  // COSTS: a comparison.
+  [[nodiscard]] Place place(const Slice& slice);
+
+  // Returns how many depths needed more than one try. Each thread keeps its scratch memory.
+  // COSTS: one cut of the mountain's foot at all depths: the wall's (wall_depths.h), two a
+  // perimeter, the interior's. REQUIRES: a place of this slice.
+  [[nodiscard]] std::int64_t fill(const Slice& slice, SliceOffsets& offsets) const;
+
+  // Both at once.
+  [[nodiscard]] std::shared_ptr<const SliceOffsets> cut(const Slice& slice);
+
+  // Slices that equalled the one before.
+  [[nodiscard]] std::int64_t reused() const { return reused_; }
+
+ private:
+  Settings settings_;
+  Region last_region_;
+  Length last_height_;
+  std::shared_ptr<SliceOffsets> last_;
+  std::int64_t reused_ = 0;
+};
+
+}  // namespace core

@@ -1,0 +1,37 @@
+// Small measures on points and polylines, in mm.
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "core/geometry.h"    // Point
+#include "core/roads/road.h"  // Road
+#include "core/units.h"       // kUnitsPerMm
+
+namespace core {
+
+[[nodiscard]] inline double distance_mm(Point a, Point b) {
+  const double dx = static_cast<double>(b.x) - a.x;
+  const double dy = static_cast<double>(b.y) - a.y;
+  return std::sqrt(dx * dx + dy * dy) / kUnitsPerMm;
+}
+
+// The way back to the start included where closed.
+[[nodiscard]] inline double length_mm(const std::vector<Point>& points, bool closed) {
+  double sum = closed ? distance_mm(points.back(), points.front()) : 0;
+  for (std::size_t i = 1; i < points.size(); ++i) sum += distance_mm(points[i - 1], points[i]);
+  return sum;
+}
+
+[[nodiscard]] inline double length_mm(const Road& road) {
+  return length_mm(road.points, road.closed);
+}
+
+// Between a and b, at share t of the way.
+[[nodiscard]] inline Point between(Point a, Point b, double t) {
+  const double x = a.x + t * (static_cast<double>(b.x) - a.x);
+  const double y = a.y + t * (static_cast<double>(b.y) - a.y);
+  return {static_cast<std::int32_t>(std::lround(x)), static_cast<std::int32_t>(std::lround(y))};
+}
+
+}  // namespace core

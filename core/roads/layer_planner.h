@@ -1,0 +1,56 @@
+// What becomes of a layer that is split: its style applied, its roads planned. Once only for layers
+// that are alike, so that a prismatic part is planned twice in all:
+//
+//     layers in order ──> place() ──┬── a new place ──> fill() in any thread ──┐
+//                                   └── the place of the one two below ────────┴──> plan
+//
+// Two below, because the fill of the one below is turned.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/roads/road.h"          // Road
+#include "core/roads/road_planner.h"  // RoadPlanner
+#include "core/settings.h"            // Settings
+#include "core/slices/slice.h"        // SplitLayer
+#include "core/walls/wall_style.h"    // WallStyle
+
+namespace core {
+
+struct LayerPlan {
+  SplitLayer split;            // as the window says
+  SplitLayer layer;            // as the style wants it
+  std::vector<Road> roads;     // in printing order
+  double regularised_mm3 = 0;  // moved from loose to solid, to be printable (regularise.h)
+};
+
+class LayerPlanner {
+ public:
+  struct Place {
+    std::shared_ptr<LayerPlan> plan;  // never null; its layer's index is that of who came first
+    bool to_fill = false;             // nobody has been told so before
+  };
+
+  // REQUIRES: with_style() was applied.
+  explicit LayerPlanner(const Settings& settings) : style_(settings), roads_(settings) {}
+
+  // COSTS: a comparison.
+  [[nodiscard]] Place place(SplitLayer split);
+
+  // COSTS: as WallStyle and, where roads are wanted, RoadPlanner.
+  void fill(LayerPlan& plan, bool with_roads) const;
+
+  // Layers that got the plan of an equal one.
+  [[nodiscard]] std::int64_t reused() const { return reused_; }
+
+ private:
+  WallStyle style_;
+  RoadPlanner roads_;
+  std::array<std::shared_ptr<LayerPlan>, 2> last_;  // of even and odd layers
+  std::int64_t reused_ = 0;
+};
+
+}  // namespace core

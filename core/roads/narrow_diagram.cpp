@@ -1,0 +1,343 @@
+#include "core/roads/narrow_diagram.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "core/regions/contact_check.h"  // surely_clean
+#include "core/regions/segment_grid.h"   // SegmentGrid
+#include "core/roads/cell_curves.h"      // EdgeCurve, CornerCurve
+#include "core/roads/lower_envelope.h"   // LowerEnvelope
+
+namespace core {
+namespace {
+
+// Ends nearer than this are one vertex. Units.
+constexpr double kSameVertex = 4;
+
+// A vertex lower than this may end a line: a corner of the contour.
+constexpr double kCornerHeight = 4;
+
+struct Vector {
+  double x = 0;
+  double y = 0;
+};
+
+double dot(Vector a, Vector b) { return a.x * b.x + a.y * b.y; }
+Vector minus(Vector a, Vector b) { return {a.x - b.x, a.y - b.y}; }
+Vector left_of(Vector d) { return {-d.y, d.x}; }
+Vector vector(Point p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
+
+struct Edge {
+  Vector from;
+  Vector along;  // of length 1; the region lies on its left
+  double length = 0;
+  std::uint32_t before = 0;  // edges on the same ring
+  std::uint32_t after = 0;
+  std::uint32_t corner = UINT32_MAX;  // site of the reflex corner that it begins at, if it does
+};
+
+class NarrowDiagram {
+ public:
+  NarrowDiagram(const std::vector<Ring>& rings, double clearance_max)
+      : clearance_max_(clearance_max), grid_(grid_cell(clearance_max), segments_of(rings)) {
+    add_sites(rings);
+  }
+
+  [[nodiscard]] std::optional<VoronoiDiagram> make() {
+    for (std::uint32_t i = 0; i < edges_.size(); ++i) add_edge_cell(i);
+    for (std::uint32_t i = 0; i < edges_.size(); ++i) {
+      if (edges_[i].corner != UINT32_MAX) add_corner_cell(i);
+    }
+    merge_vertices();
+    if (!ends_are_sound()) return std::nullopt;
+    return std::move(diagram_);
+  }
+
+ private:
+  static Length grid_cell(double clearance_max) {
+    return Length::from_units(std::max<std::int64_t>(1, std::llround(clearance_max)));
+  }
+
+  static std::vector<Segment> segments_of(const std::vector<Ring>& rings) {
+    std::vector<Segment> segments;
+    for (const Ring& ring : rings) {
+      for (std::size_t i = 0; i < ring.size(); ++i) {
+        segments.push_back({ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]});
+      }
+    }
+    return segments;
+  }
+
+  // Edges have the first numbers, in the order of the grid's segments; reflex corners follow.
+  void add_sites(const std::vector<Ring>& rings) {
+    for (const Ring& ring : rings) {
+      const auto first = static_cast<std::uint32_t>(edges_.size());
+      const auto count = static_cast<std::uint32_t>(ring.size());
+      for (std::uint32_t i = 0; i < count; ++i) {
+        const Point a = ring[i], b = ring[i + 1 < count ? i + 1 : 0];
+        const Vector along = minus(vector(b), vector(a));
+        const double length = std::sqrt(dot(along, along));
+        edges_.push_back({vector(a),
+                          {along.x / length, along.y / length},
+                          length,
+                          first + (i > 0 ? i : count) - 1,
+                          first + (i + 1 < count ? i + 1 : 0)});
+        diagram_.sites.push_back({a, b});
+      }
+    }
+    std::uint32_t first = 0;
+    for (const Ring& ring : rings) {
+      const std::size_t count = ring.size();
+      for (std::size_t i = 0; i < count; ++i) {
+        if (cross(ring[i > 0 ? i - 1 : count - 1], ring[i], ring[i + 1 < count ? i + 1 : 0]) >= 0)
+          continue;
+        edges_[first + i].corner = static_cast<std::uint32_t>(diagram_.sites.size());
+        diagram_.sites.push_back({ring[i], ring[i]});
+      }
+      first += static_cast<std::uint32_t>(count);
+    }
+  }
+
+  void find_near(Vector a, Vector b) {
+    const double reach = 2 * clearance_max_ + 1;
+    Box box;
+    for (const Vector p : {a, b}) {
+      box.add(Point{low(p.x - reach), low(p.y - reach)});
+      box.add(Point{low(p.x + reach) + 1, low(p.y + reach) + 1});
+    }
+    near_.clear();
+    grid_.collect(box, near_);
+  }
+
+  static std::int32_t low(double value) {
+    return static_cast<std::int32_t>(std::clamp(std::floor(value), -2e9, 2e9));
+  }
+
+  void add_edge_cell(std::uint32_t site) {
+    const Edge& edge = edges_[site];
+    find_near(edge.from,
+              {edge.from.x + edge.length * edge.along.x, edge.from.y + edge.length * edge.along.y});
+    edge_curves_.assign(1, {0, 0, clearance_max_});
+    edge_curves_.back().site = UINT32_MAX;
+    for (const std::uint32_t other : near_) {
+      if (other != site) add_edge_curves(site, other);
+    }
+    const Vector normal = left_of(edge.along);
+    double from = 0;
+    for (const EnvelopePiece& piece : edge_envelope_.find(edge_curves_, 0, edge.length)) {
+      const EdgeCurve& curve = edge_curves_[piece.curve];
+      const auto centre = [&](double u) {
+        const double r = std::max(0.0, curve.value(u));
+        return VoronoiVertex{edge.from.x + u * edge.along.x + r * normal.x,
+                             edge.from.y + u * edge.along.y + r * normal.y, r};
+      };
+      // The cell's border runs with the region on the other side: from the piece's end to its
+      // begin.
+      add_border(site, curve.site, centre(piece.to), centre(from));
+      from = piece.to;
+    }
+  }
+
+  // What the inner side of another edge, and the reflex corner that it begins at, allow.
+  void add_edge_curves(std::uint32_t site, std::uint32_t other) {
+    const Edge& edge = edges_[site];
+    const Edge& to = edges_[other];
+    const Vector normal = left_of(edge.along), to_normal = left_of(to.along);
+    const Vector away = minus(to.from, edge.from);
+    const double u = dot(away, edge.along), h = dot(away, normal);
+    const double turn = dot(edge.along, to.along);
+    const bool own_corner = other == edge.after || other == site;
+    if (to.corner != UINT32_MAX && !own_corner && h > 0 && h < 2 * clearance_max_) {
+      edge_curves_.push_back({1 / (2 * h), -u / h, (u * u + h * h) / (2 * h)});
+      edge_curves_.back().site = to.corner;
+    }
+    const double h_end = h + to.length * dot(to.along, normal);
+    if (1 - turn < 1e-12 || std::max(h, h_end) <= 0) return;
+    if ((other == edge.after && to.corner != UINT32_MAX) ||
+        (other == edge.before && edge.corner != UINT32_MAX)) {
+      return;
+    }
+    EdgeCurve curve;
+    curve.b = dot(edge.along, to_normal) / (1 - turn);
+    curve.c = -dot(away, to_normal) / (1 - turn);
+    curve.site = other;
+    // It is touched at v(u) = v0 + v1 u, which has to lie on it, where the disc is one.
+    const double v0 = -dot(away, to.along) + curve.c * dot(normal, to.along);
+    const double v1 = turn + curve.b * dot(normal, to.along);
+    limit(v1, v0, curve);
+    limit(-v1, to.length - v0, curve);
+    limit(curve.b, curve.c, curve);
+    // Neighbours are touched up to the corner they share, whatever rounding says.
+    if (other == edge.before) curve.low = std::numeric_limits<double>::lowest();
+    if (other == edge.after) curve.high = std::numeric_limits<double>::max();
+    if (curve.low < curve.high) edge_curves_.push_back(curve);
+  }
+
+  // Counts only where slope · u + start >= 0.
+  static void limit(double slope, double start, EdgeCurve& curve) {
+    if (slope > 0) {
+      curve.low = std::max(curve.low, -start / slope);
+    } else if (slope < 0) {
+      curve.high = std::min(curve.high, -start / slope);
+    } else if (start < 0) {
+      curve.high = std::numeric_limits<double>::lowest();
+    }
+  }
+
+  // The discs about a reflex corner, from the normal of the edge before it to that of its own edge.
+  void add_corner_cell(std::uint32_t own) {
+    const Edge& edge = edges_[own];
+    const Vector first = left_of(edges_[edge.before].along), last = left_of(edge.along);
+    // Directions are told by their angle from the one in the middle, so that none is near ±π.
+    Vector middle{first.x + last.x, first.y + last.y};
+    const double length = std::sqrt(dot(middle, middle));
+    if (length < 1e-9) return;
+    middle = {middle.x / length, middle.y / length};
+    const Vector across = left_of(middle);
+    const double half = std::atan2(std::abs(dot(first, across)), dot(first, middle));
+    find_near(edge.from, edge.from);
+    corner_curves_.assign(1, {1 / clearance_max_, 0, 0});
+    corner_curves_.back().site = UINT32_MAX;
+    for (const std::uint32_t other : near_) {
+      if (other != edge.before) add_corner_curves(own, other, middle, across);
+    }
+    double from = -half;
+    for (const EnvelopePiece& piece : corner_envelope_.find(corner_curves_, -half, half)) {
+      const CornerCurve& curve = corner_curves_[piece.curve];
+      const auto centre = [&](double angle) {
+        const double r = -1 / curve.value(angle), x = std::cos(angle), y = std::sin(angle);
+        return VoronoiVertex{edge.from.x + r * (x * middle.x + y * across.x),
+                             edge.from.y + r * (x * middle.y + y * across.y), r};
+      };
+      add_border(edge.corner, curve.site, centre(piece.to), centre(from));
+      from = piece.to;
+    }
+  }
+
+  void add_corner_curves(std::uint32_t own, std::uint32_t other, Vector middle, Vector across) {
+    const Edge& to = edges_[other];
+    const Vector away = minus(to.from, edges_[own].from);
+    if (to.corner != UINT32_MAX && other != own) {
+      const double share = 2 / dot(away, away);
+      corner_curves_.push_back({0, share * dot(away, middle), share * dot(away, across)});
+      corner_curves_.back().site = to.corner;
+    }
+    const Vector normal = left_of(to.along);
+    const double h = -dot(away, normal);
+    if (other == own || h <= 0 || h >= 2 * clearance_max_) return;
+    CornerCurve curve{1 / h, -dot(normal, middle) / h, -dot(normal, across) / h};
+    curve.site = other;
+    // Touched at v = v0 + r n·along: v / r is of the same form as 1 / r, and so is (length − v) /
+    // r.
+    const double v0 = -dot(away, to.along);
+    const double x = dot(to.along, middle), y = dot(to.along, across);
+    add_where(v0 * curve.k, v0 * curve.x + x, v0 * curve.y + y, (to.length - v0) * curve.k,
+              (to.length - v0) * curve.x - x, (to.length - v0) * curve.y - y, curve);
+  }
+
+  // Adds the curve for the angles at which both k + x cos φ + y sin φ are at least 0.
+  void add_where(double k0, double x0, double y0, double k1, double x1, double y1,
+                 CornerCurve curve) {
+    double stops[6] = {-M_PI / 2, M_PI / 2};
+    int count = 2;
+    for (const auto& [first, second] :
+         {CornerCurve::angles_where(x0, y0, -k0), CornerCurve::angles_where(x1, y1, -k1)}) {
+      for (const double angle : {first, second}) {
+        if (angle > -M_PI / 2 && angle < M_PI / 2) stops[count++] = angle;
+      }
+    }
+    std::sort(stops, stops + count);
+    for (int i = 0; i + 1 < count; ++i) {
+      const double middle = (stops[i] + stops[i + 1]) / 2;
+      const double x = std::cos(middle), y = std::sin(middle);
+      if (k0 + x0 * x + y0 * y < 0 || k1 + x1 * x + y1 * y < 0) continue;
+      curve.low = stops[i];
+      curve.high = stops[i + 1];
+      corner_curves_.push_back(curve);
+    }
+  }
+
+  // The border between two cells, with `site` on its left.
+  void add_border(std::uint32_t site, std::uint32_t other, VoronoiVertex from, VoronoiVertex to) {
+    if (other == UINT32_MAX || other < site || same(from, to)) return;
+    const auto vertex = static_cast<std::uint32_t>(diagram_.vertices.size());
+    const auto half = static_cast<std::uint32_t>(diagram_.edges.size());
+    diagram_.vertices.push_back(from);
+    diagram_.vertices.push_back(to);
+    diagram_.edges.push_back({vertex, half + 1, half + 1, half + 1, site});
+    diagram_.edges.push_back({vertex + 1, half, half, half, other});
+  }
+
+  static bool same(const VoronoiVertex& a, const VoronoiVertex& b) {
+    return std::abs(a.x - b.x) <= kSameVertex && std::abs(a.y - b.y) <= kSameVertex;
+  }
+
+  // Ends that meet become one vertex; edges shorter than that go.
+  void merge_vertices() {
+    std::vector<VoronoiVertex>& vertices = diagram_.vertices;
+    std::vector<std::uint32_t> order(vertices.size()), merged(vertices.size(), UINT32_MAX);
+    for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return vertices[a].x != vertices[b].x ? vertices[a].x < vertices[b].x : a < b;
+    });
+    std::vector<VoronoiVertex> kept;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      if (merged[order[i]] != UINT32_MAX) continue;
+      const VoronoiVertex& first = vertices[order[i]];
+      for (std::size_t j = i; j < order.size(); ++j) {
+        const VoronoiVertex& other = vertices[order[j]];
+        if (other.x - first.x > kSameVertex) break;
+        if (merged[order[j]] == UINT32_MAX && same(first, other))
+          merged[order[j]] = static_cast<std::uint32_t>(kept.size());
+      }
+      kept.push_back(first);
+    }
+    vertices = std::move(kept);
+    std::vector<VoronoiEdge> edges;
+    for (std::size_t i = 0; i < diagram_.edges.size(); i += 2) {
+      VoronoiEdge there = diagram_.edges[i], back = diagram_.edges[i + 1];
+      there.from = merged[there.from];
+      back.from = merged[back.from];
+      if (there.from == back.from) continue;
+      const auto half = static_cast<std::uint32_t>(edges.size());
+      there.twin = there.next = there.previous = half + 1;
+      back.twin = back.next = back.previous = half;
+      edges.push_back(there);
+      edges.push_back(back);
+    }
+    diagram_.edges = std::move(edges);
+  }
+
+  [[nodiscard]] bool ends_are_sound() const {
+    std::vector<std::uint32_t> edges_at(diagram_.vertices.size(), 0);
+    for (const VoronoiEdge& edge : diagram_.edges) ++edges_at[edge.from];
+    for (std::size_t i = 0; i < edges_at.size(); ++i) {
+      const double height = diagram_.vertices[i].height;
+      const bool may_end = height <= kCornerHeight || height >= clearance_max_ - kSameVertex;
+      if (edges_at[i] == 1 && !may_end) return false;
+    }
+    return true;
+  }
+
+  double clearance_max_;
+  SegmentGrid grid_;
+  std::vector<Edge> edges_;
+  VoronoiDiagram diagram_;
+  std::vector<std::uint32_t> near_;
+  std::vector<EdgeCurve> edge_curves_;
+  std::vector<CornerCurve> corner_curves_;
+  LowerEnvelope<EdgeCurve> edge_envelope_;
+  LowerEnvelope<CornerCurve> corner_envelope_;
+};
+
+}  // namespace
+
+std::optional<VoronoiDiagram> make_narrow_diagram(const std::vector<Ring>& rings,
+                                                  double clearance_max) {
+  if (!surely_clean(rings)) return std::nullopt;
+  return NarrowDiagram(rings, clearance_max).make();
+}
+
+}  // namespace core

@@ -1,0 +1,168 @@
+#include "core/roads/perimeters.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/booleans/boolean.h"         // intersect, subtract
+#include "core/offsets/offset_contours.h"  // flatten
+#include "core/offsets/slice_offsets.h"    // perimeter_depth
+#include "core/regions/leash.h"            // leashed
+#include "core/regions/polyline.h"         // between, distance_mm
+#include "core/regions/segment_grid.h"     // SegmentGrid
+#include "core/regions/simplify.h"         // simplify
+#include "core/roads/bead_cover.h"         // add_bead_outlines, uncovered
+
+namespace core {
+
+namespace {
+
+// A point on a ring and whether the core is near it.
+struct Sample {
+  Point point;
+  bool near = false;
+  bool corner = false;  // of the ring; the others lie between two corners
+};
+
+// The ring's vertices, and points between them at most `step` apart.
+std::vector<Sample> samples(const Ring& ring, const SegmentGrid& core, Length reach, Length step) {
+  std::vector<Sample> all;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point a = ring[i], b = ring[(i + 1) % ring.size()];
+    const auto parts =
+        std::max<std::int64_t>(1, std::llround(std::ceil(distance_mm(a, b) / step.mm())));
+    for (std::int64_t part = 0; part < parts; ++part) {
+      const Point p = between(a, b, static_cast<double>(part) / static_cast<double>(parts));
+      all.push_back({p, core.any_within(p, reach), part == 0});
+    }
+  }
+  return all;
+}
+
+// Runs of equal `near` shorter than `shortest` take their neighbours' value: first the gaps in
+// what is kept, then the crumbs.
+void smooth(std::vector<Sample>& ring, Length shortest) {
+  for (const bool value : {false, true}) {
+    const std::size_t count = ring.size();
+    std::size_t start = 0;
+    while (start < count && ring[start].near == value) ++start;
+    if (start == count) return;
+    for (std::size_t i = 0; i < count;) {
+      const std::size_t first = (start + i) % count;
+      if (ring[first].near != value) {
+        ++i;
+        continue;
+      }
+      std::size_t run = 0;
+      double mm = 0;
+      while (ring[(first + run) % count].near == value) {
+        mm += distance_mm(ring[(first + run) % count].point, ring[(first + run + 1) % count].point);
+        ++run;
+      }
+      if (mm < shortest.mm()) {
+        for (std::size_t k = 0; k < run; ++k) ring[(first + k) % count].near = !value;
+      }
+      i += run;
+    }
+  }
+}
+
+// The runs of samples with `near` as asked, each as an open road.
+void add_runs(const std::vector<Sample>& ring, bool near, Length width, RoadKind kind,
+              std::vector<Road>& roads) {
+  const std::size_t count = ring.size();
+  std::size_t start = 0;
+  while (ring[start].near == near) ++start;
+  for (std::size_t i = 0; i < count;) {
+    Road road{kind, width, false, {}};
+    while (i < count && ring[(start + i) % count].near == near) {
+      const Sample& sample = ring[(start + i) % count];
+      ++i;
+      const bool last = i == count || ring[(start + i) % count].near != near;
+      if (road.points.empty() || last || sample.corner) road.points.push_back(sample.point);
+    }
+    if (road.points.empty()) ++i;
+    if (road.points.size() >= 2) roads.push_back(std::move(road));
+  }
+}
+
+bool all_near(const std::vector<Sample>& ring, bool near) {
+  return std::all_of(ring.begin(), ring.end(), [&](const Sample& s) { return s.near == near; });
+}
+
+// Where the next core is too far from `line` for a next perimeter to fit.
+std::vector<Road> narrow_places(const Region& line, const Region& next_core, Length reach) {
+  std::vector<Road> places;
+  if (leashed(line, next_core, reach)) return places;
+  const SegmentGrid grid(reach, next_core);
+  for (const Ring& ring : line.rings()) {
+    const std::vector<Sample> ring_samples = samples(ring, grid, reach, reach);
+    if (all_near(ring_samples, true)) continue;
+    if (all_near(ring_samples, false)) {
+      places.push_back({RoadKind::kRest, reach, true, ring});
+    } else {
+      add_runs(ring_samples, false, reach, RoadKind::kRest, places);
+    }
+  }
+  return places;
+}
+
+}  // namespace
+
+std::vector<Road> roads_near_core(const Region& line, const Region& core, Length reach,
+                                  Length width, RoadKind kind, Length tolerance) {
+  std::vector<Road> roads;
+  if (core.empty()) return roads;
+  // The simplified rings stray from the line by the tolerance at most.
+  const bool whole = reach > tolerance && leashed(line, core, reach - tolerance);
+  const SegmentGrid grid(reach, whole ? Region() : core);
+  for (const Ring& exact : line.rings()) {
+    const Ring ring = simplify(exact, tolerance);
+    if (ring.size() < 3) continue;
+    if (whole || all_near(samples(ring, grid, reach, reach), true)) {
+      roads.push_back({kind, width, true, ring});
+      continue;
+    }
+    std::vector<Sample> fine = samples(
+        ring, grid, reach, Length::from_units(std::max<std::int64_t>(1, reach.units() / 4)));
+    smooth(fine, width);
+    if (all_near(fine, true)) {
+      roads.push_back({kind, width, true, ring});
+    } else if (!all_near(fine, false)) {
+      add_runs(fine, true, width, kind, roads);
+    }
+  }
+  return roads;
+}
+
+Perimeters perimeters(const Slice& slice, const SliceOffsets& offsets, const Settings& settings) {
+  Perimeters result;
+  const Length height = slice.height;
+  const Length half_narrow = narrow_half(settings, height);
+  std::vector<Road> places;
+  Region line = slice.region;
+  Length depth;
+  for (std::size_t i = 0; i < offsets.perimeters.size(); ++i) {
+    const Region& core = offsets.perimeter_cores[i];
+    const Length next = perimeter_depth(settings, height, static_cast<int>(i) + 1);
+    const Length reach = (next + half_narrow - depth) * 2;
+    std::vector<Road> narrow = narrow_places(line, core, reach);
+    places.insert(places.end(), narrow.begin(), narrow.end());
+    line = flatten(offsets.perimeters[i], settings.arc_tolerance);
+    depth = next;
+    const RoadKind kind = i == 0 ? RoadKind::kOuterPerimeter : RoadKind::kPerimeter;
+    std::vector<Road> roads = roads_near_core(line, core, half_narrow * 2, settings.road_width,
+                                              kind, settings.arc_tolerance);
+    result.roads.insert(result.roads.end(), roads.begin(), roads.end());
+  }
+  if (places.empty()) return result;
+  // Only around the narrow places: their bands reach from one side of the part to the other.
+  std::vector<Ring> band_outlines;
+  for (const Road& place : places) add_bead_outlines(place, place.width * 2, band_outlines);
+  const Region band = clean(band_outlines, FillRule::kNonZero);
+  const Region shell = subtract(slice.region, offsets.interior);
+  const Length covered = perimeter_spacing(settings, height) + kBeadSeam;
+  result.rest = uncovered(intersect(shell, band), result.roads, covered);
+  return result;
+}
+
+}  // namespace core

@@ -1,0 +1,19 @@
+#include "core/roads/road.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace core {
+
+double bead_area_mm2(Length width, Length height) {
+  const double w = width.mm();
+  const double h = height.mm();
+  if (w < h) return std::numbers::pi * w * h / 4;
+  return h * (w - h) + std::numbers::pi * h * h / 4;
+}
+
+Length road_spacing(Length width, Length height) {
+  return Length::from_mm(bead_area_mm2(width, height) / height.mm());
+}
+
+}  // namespace core

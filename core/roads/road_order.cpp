@@ -1,0 +1,155 @@
+#include "core/roads/road_order.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "core/check.h"                // RIND_CHECK
+#include "core/roads/nearest_point.h"  // NearestPoint
+
+namespace core {
+
+namespace {
+
+// A turn sharper than this (about 30°) is a corner that hides a seam.
+constexpr double kCornerCosine = 0.87;
+
+// Island parts are printed in this order.
+constexpr int kStages = 4;
+
+int stage(RoadKind kind) {
+  switch (kind) {
+    case RoadKind::kSkirt:
+    case RoadKind::kPerimeter:
+      return 0;
+    case RoadKind::kOuterPerimeter:
+      return 1;
+    case RoadKind::kSolid:
+    case RoadKind::kRest:
+      return 2;
+    case RoadKind::kLoose:
+      break;
+  }
+  return 3;
+}
+
+bool corner(Point a, Point b, Point c) {
+  const double ux = static_cast<double>(b.x) - a.x, uy = static_cast<double>(b.y) - a.y;
+  const double vx = static_cast<double>(c.x) - b.x, vy = static_cast<double>(c.y) - b.y;
+  return ux * vx + uy * vy < kCornerCosine * std::hypot(ux, uy) * std::hypot(vx, vy);
+}
+
+void add_begins(const Road& road, std::size_t owner, std::vector<NearestPoint::Entry>& entries) {
+  const std::vector<Point>& points = road.points;
+  if (!road.closed) {
+    entries.push_back({points.front(), owner, 0});
+    entries.push_back({points.back(), owner, points.size() - 1});
+    return;
+  }
+  const std::size_t before = entries.size();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Point a = points[(i + points.size() - 1) % points.size()];
+    if (corner(a, points[i], points[(i + 1) % points.size()])) {
+      entries.push_back({points[i], owner, i});
+    }
+  }
+  if (entries.size() != before) return;
+  for (std::size_t i = 0; i < points.size(); ++i) entries.push_back({points[i], owner, i});
+}
+
+// Turns the road so that it begins at its point `place`; returns where it ends.
+Point begin_at(Road& road, std::size_t place) {
+  if (road.closed) {
+    std::rotate(road.points.begin(), road.points.begin() + static_cast<std::ptrdiff_t>(place),
+                road.points.end());
+    return road.points.front();
+  }
+  if (place != 0) std::reverse(road.points.begin(), road.points.end());
+  return road.points.back();
+}
+
+struct IslandRoads {
+  std::vector<Road> stages[kStages];
+};
+
+struct Outline {
+  Ring ring;
+  Box box;
+  double area = 0;
+};
+
+// The smallest island round the point; island 0 when rounding put it outside all.
+std::size_t island_at(Point point, const std::vector<Outline>& outlines) {
+  std::size_t best = 0;
+  bool found = false;
+  for (std::size_t i = 0; i < outlines.size(); ++i) {
+    const Outline& outline = outlines[i];
+    if (!outline.box.overlaps({point, point})) continue;
+    if (found && outline.area >= outlines[best].area) continue;
+    if (!Region::from_clean_rings({outline.ring}).contains(point)) continue;
+    best = i;
+    found = true;
+  }
+  return best;
+}
+
+}  // namespace
+
+std::vector<Road> nearest_order(std::vector<Road> roads, Point& at) {
+  std::vector<NearestPoint::Entry> entries;
+  for (std::size_t i = 0; i < roads.size(); ++i) add_begins(roads[i], i, entries);
+  NearestPoint begins(std::move(entries));
+  std::vector<Road> ordered;
+  ordered.reserve(roads.size());
+  for (std::size_t count = 0; count < roads.size(); ++count) {
+    const auto next = begins.nearest(at);
+    RIND_CHECK(next.has_value());
+    begins.remove_owner(next->owner);
+    at = begin_at(roads[next->owner], next->place);
+    ordered.push_back(std::move(roads[next->owner]));
+  }
+  return ordered;
+}
+
+static void append_in_stages(IslandRoads& island, Point& at, std::vector<Road>& ordered) {
+  for (std::vector<Road>& stage_roads : island.stages) {
+    std::vector<Road> part = nearest_order(std::move(stage_roads), at);
+    std::move(part.begin(), part.end(), std::back_inserter(ordered));
+  }
+}
+
+std::vector<Road> printing_order(std::vector<Road> roads, const Region& slice, Point at) {
+  std::vector<Outline> outlines;
+  for (Island& island : islands(slice)) {
+    Outline outline{std::move(island.outer), {}, 0};
+    for (const Point p : outline.ring) outline.box.add(p);
+    outline.area = doubled_area_units(outline.ring);
+    outlines.push_back(std::move(outline));
+  }
+  std::vector<IslandRoads> all(std::max<std::size_t>(1, outlines.size()));
+  std::vector<NearestPoint::Entry> entries;
+  for (Road& road : roads) {
+    std::size_t island = 0;
+    if (all.size() > 1) {
+      island = island_at(road.points.front(), outlines);
+      for (std::size_t i = 0; i < road.points.size(); ++i) {
+        entries.push_back({road.points[i], island, i});
+      }
+    }
+    all[island].stages[stage(road.kind)].push_back(std::move(road));
+  }
+  std::vector<Road> ordered;
+  if (all.size() == 1) {
+    append_in_stages(all.front(), at, ordered);
+    return ordered;
+  }
+  NearestPoint islands_left(std::move(entries));
+  while (const auto next = islands_left.nearest(at)) {
+    islands_left.remove_owner(next->owner);
+    append_in_stages(all[next->owner], at, ordered);
+  }
+  return ordered;
+}
+
+}  // namespace core

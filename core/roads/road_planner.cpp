@@ -1,0 +1,75 @@
+#include "core/roads/road_planner.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "core/booleans/boolean.h"          // clean, intersect, subtract
+#include "core/offsets/slice_offsets.h"     // perimeter_spacing
+#include "core/offsets/voronoi_mountain.h"  // offset
+#include "core/regions/simplified.h"        // simplified
+#include "core/roads/line_fill.h"           // LineFill
+#include "core/roads/perimeters.h"          // perimeters
+#include "core/roads/rest_fill.h"           // rest_roads
+#include "core/roads/road_order.h"          // printing_order
+#include "core/roads/skirt.h"               // skirt_roads
+#include "core/roads/wall_fill.h"           // wall_roads
+
+namespace core {
+
+namespace {
+
+void append(std::vector<Road> more, std::vector<Road>& roads) {
+  std::move(more.begin(), more.end(), std::back_inserter(roads));
+}
+
+// Where the centre lines of loose roads may run: no deeper than half a road from the contour.
+Region road_room(const SplitLayer& layer, const Settings& settings) {
+  const SliceOffsets& offsets = *layer.layer.offsets;
+  if (offsets.perimeters.empty()) return layer.loose;
+  return flatten(offsets.perimeters.front(), settings.arc_tolerance);
+}
+
+// What of the interior is wall, and kWallGrace more where there is any.
+Region wall_to_fill(const Region& interior, const Region& loose, const Settings& settings) {
+  Region wall = subtract(interior, loose);
+  if (wall.empty() || loose.empty()) return wall;
+  const Length outwards = Length() - kWallGrace;
+  return simplified(intersect(offset(wall, outwards, settings.arc_tolerance), interior),
+                    kWallSimplify);
+}
+
+}  // namespace
+
+RoadPlanner::RoadPlanner(const Settings& settings) : settings_(settings) {}
+
+std::vector<Road> RoadPlanner::plan(const SplitLayer& layer) const {
+  const Slice& slice = layer.layer.slice;
+  const SliceOffsets& offsets = *layer.layer.offsets;
+  const Length height = slice.height;
+  Perimeters around = perimeters(slice, offsets, settings_);
+  std::vector<Road> roads = std::move(around.roads);
+  append(rest_roads(around.rest, RestEdges::kPart, height, settings_), roads);
+  const Region loose = simplified(layer.loose, settings_.simplify_tolerance);
+  append(
+      wall_roads(wall_to_fill(offsets.interior, loose, settings_), slice.index, height, settings_),
+      roads);
+  if (settings_.loose_density > 0 && !loose.empty()) {
+    const Region inside = intersect(loose, offsets.interior);
+    const Length spacing = perimeter_spacing(settings_, height);
+    const LineFill pattern(settings_.fill_angle_degrees, LineFill::Joins::kNone);
+    append(
+        pattern.fill({inside, road_room(layer, settings_), slice.index, RoadKind::kLoose,
+                      settings_.road_width, Length::from_mm(spacing.mm() / settings_.loose_density),
+                      Length(), settings_.loose_anchor}),
+        roads);
+  }
+  if (roads.empty()) return roads;
+  std::vector<Road> ordered;
+  if (slice.index == 0) ordered = skirt_roads(slice.region, height, settings_);
+  const Point at = ordered.empty() ? slice.region.box().min : ordered.back().points.front();
+  append(printing_order(std::move(roads), slice.region, at), ordered);
+  return ordered;
+}
+
+}  // namespace core

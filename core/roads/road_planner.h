@@ -1,0 +1,46 @@
+// Turns a layer, split into wall and inside, into roads in printing order:
+//
+//     skirt (first layer) → island by island: perimeters from the inside out, the wall, the inside
+//
+//     ┌───────────────┐   perimeters    closed roads along the contour, cut open where the part is
+//     │ ┌───────────┐ │                 too narrow for them (perimeters.h)
+//     │ │╱╱╱╱╱╱╱╱╱╱╱│ │   the wall      parallel roads, joined at their ends (line_fill.h)
+//     │ │╱╱╱     ╱╱╱│ │   its rests     roads of their own width where whole ones don't fit, so
+//     │ │╱╱╱  ╱  ╱╱╱│ │                 that the wall is dense (rest_fill.h)
+//     │ │╱╱╱ ╱   ╱╱╱│ │   the inside    straight roads farther apart, anchored in the wall
+//
+// Islands and roads follow one another by nearest end (road_order.h).
+#pragma once
+
+#include <vector>
+
+#include "core/roads/road.h"    // Road
+#include "core/settings.h"      // Settings
+#include "core/slices/slice.h"  // SplitLayer
+#include "core/units.h"         // Length
+
+namespace core {
+
+// The wall is filled so far beyond its inner edge: what rounding, notches between rows and slivers
+// too thin for a road would leave open there, is dense as well.
+inline constexpr Length kWallGrace = Length::from_units(500);
+
+// Half a bead's seam (bead_cover.h): the wall's outline needs no point that moves it by less.
+inline constexpr Length kWallSimplify = Length::from_units(150);
+
+class RoadPlanner {
+ public:
+  // REQUIRES: settings in their ranges.
+  explicit RoadPlanner(const Settings& settings);
+
+  // ENSURES: no bead leaves the slice but for rounding, every road has two points or more; the
+  // same layer always gives the same roads. No roads where none fits: all narrower than
+  // road_width_min.
+  // REQUIRES: layer.layer.offsets as OffsetCutter makes them with the same settings.
+  [[nodiscard]] std::vector<Road> plan(const SplitLayer& layer) const;
+
+ private:
+  Settings settings_;
+};
+
+}  // namespace core

@@ -1,0 +1,210 @@
+#include "core/roads/wall_fill.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+#include <utility>
+
+#include "core/booleans/boolean.h"       // subtract
+#include "core/offsets/mountain_foot.h"  // MountainFoot
+#include "core/offsets/slice_offsets.h"  // narrow_half, perimeter_spacing
+#include "core/regions/leash.h"          // leashed
+#include "core/regions/polyline.h"       // length_mm
+#include "core/regions/segment_grid.h"   // SegmentGrid
+#include "core/regions/simplified.h"     // simplified
+#include "core/roads/bead_cover.h"       // uncovered
+#include "core/roads/line_fill.h"        // LineFill
+#include "core/roads/perimeters.h"       // roads_near_core
+#include "core/roads/rest_fill.h"        // rest_roads
+
+namespace core {
+
+namespace {
+
+// Up to this many roads side by side make a band.
+constexpr double kBandRoads = 5;
+
+// Rows are at most this share of a bead's width apart.
+constexpr double kRowDistanceMaxWidths = 0.95;
+
+// Beads of neighbouring rows overlap by this at least.
+constexpr double kTouchMm = 0.005;
+
+// What the width may change to make what is laid equal to what the piece holds.
+constexpr double kWidthChangeMax = 0.12;
+
+// Pieces thinner than this share of the narrowest road are hairs that beads at either side cover.
+constexpr double kHairShare = 0.25;
+
+// What the opening leaves is a band from this many squares of a road on.
+constexpr double kBandSquaresMin = 4;
+
+Length scaled(Length length, double factor) { return Length::from_mm(length.mm() * factor); }
+
+Region region_of(Island island) {
+  std::vector<Ring> rings = {std::move(island.outer)};
+  rings.insert(rings.end(), std::make_move_iterator(island.holes.begin()),
+               std::make_move_iterator(island.holes.end()));
+  return Region::from_clean_rings(std::move(rings));
+}
+
+double breadth_mm(const Region& region) { return 2 * region.area_mm2() / region.perimeter_mm(); }
+
+Length width_of_area(double area_mm2, Length height) {
+  const double h = height.mm();
+  return Length::from_mm(area_mm2 / h + h * (1 - std::numbers::pi / 4));
+}
+
+class WallFill {
+ public:
+  WallFill(LayerIndex layer, Length height, const Settings& settings)
+      : layer_(layer),
+        height_(height),
+        settings_(settings),
+        spacing_(perimeter_spacing(settings, height)) {}
+
+  [[nodiscard]] std::vector<Road> fill(const Region& wall) {
+    for (Island& island : islands(wall)) {
+      const Region piece = region_of(std::move(island));
+      if (breadth_mm(piece) < kHairShare * settings_.road_width_min.mm()) continue;
+      fill_piece(piece);
+    }
+    return std::move(roads_);
+  }
+
+ private:
+  // The piece's opening is wide; what is left over and worth it are bands.
+  void fill_piece(const Region& piece) {
+    const Length half = scaled(spacing_, kBandRoads / 2);
+    const Region middle = inner(piece, half);
+    if (middle.empty()) return fill_band(piece);
+    if (!narrow_somewhere(piece, middle, half)) return fill_rows(piece);
+    // Grown by a hair more than it was shrunk, so that equal edges cancel.
+    const Length back = half + settings_.arc_tolerance * 2 + settings_.simplify_tolerance * 2;
+    const Region opening = inner(simplified(middle, settings_.simplify_tolerance), -back);
+    std::vector<Ring> bands;
+    for (Island& island : islands(subtract(piece, opening))) {
+      const Region band = region_of(std::move(island));
+      if (band.area_mm2() < kBandSquaresMin * spacing_.mm() * spacing_.mm()) continue;
+      if (breadth_mm(band) < settings_.road_width_min.mm() / 2) continue;
+      bands.insert(bands.end(), band.rings().begin(), band.rings().end());
+      fill_band(band);
+    }
+    if (bands.empty()) return fill_rows(piece);
+    const Region rows = subtract(piece, Region::from_clean_rings(std::move(bands)));
+    for (Island& island : islands(rows)) fill_rows(region_of(std::move(island)));
+  }
+
+  // A cheap look at whether the opening leaves more than corners: a corner of more than 60° has
+  // the middle within twice its depth.
+  [[nodiscard]] static bool narrow_somewhere(const Region& piece, const Region& middle,
+                                             Length depth) {
+    const Length reach = depth * 2;
+    if (leashed(piece, middle, reach)) return false;
+    const SegmentGrid grid(reach, middle);
+    for (const Ring& ring : piece.rings()) {
+      for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Point a = ring[i], b = ring[(i + 1) % ring.size()];
+        const int parts = 1 + static_cast<int>(distance_mm(a, b) / reach.mm());
+        for (int part = 0; part < parts; ++part) {
+          if (!grid.any_within(between(a, b, part / static_cast<double>(parts)), reach))
+            return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  // Outwards for negative depths.
+  [[nodiscard]] Region inner(const Region& region, Length depth) {
+    return flatten(foot_.offset(region, depth), settings_.arc_tolerance);
+  }
+
+  // Roads along the edges for as long as there is room for two, and one of its own width in the
+  // middle. That rest tapers off into hairs that get no road: the innermost rings, a hair wider,
+  // close them from both sides.
+  void fill_band(const Region& band) {
+    const Length distance = ring_distance(band);
+    const Length width = settings_.road_width + distance - spacing_;
+    const Length half_narrow = narrow_half(settings_, height_);
+    std::vector<Road> rings;
+    std::size_t innermost = 0;
+    for (Length depth = scaled(distance, 0.5); true; depth += distance) {
+      std::vector<Road> ring =
+          roads_near_core(inner(band, depth), inner(band, depth + half_narrow), half_narrow * 2,
+                          width, RoadKind::kSolid, settings_.simplify_tolerance);
+      if (ring.empty()) break;
+      innermost = rings.size();
+      std::move(ring.begin(), ring.end(), std::back_inserter(rings));
+    }
+    const Region rest = rings.empty() ? band : uncovered(band, rings, distance + kBeadSeam);
+    // Rings that share a narrow band overlap already.
+    if (!rest.empty() && breadth_mm(band) >= 2 * distance.mm()) {
+      const Length hair = rest_room_min(settings_, RestEdges::kRoads);
+      for (std::size_t i = innermost; i < rings.size(); ++i) rings[i].width += hair;
+    }
+    add(std::move(rings));
+    add(rest_roads(rest, RestEdges::kRoads, height_, settings_));
+  }
+
+  // Where the innermost rings leave too little for one more road, all rings share it.
+  [[nodiscard]] Length ring_distance(const Region& band) const {
+    const double s = spacing_.mm(), half = breadth_mm(band) / 2;
+    const double rings = std::floor(half / s);
+    const bool shared = rings >= 1 && half - rings * s < settings_.road_width_min.mm() / 2;
+    return shared ? Length::from_mm(half / rings) : spacing_;
+  }
+
+  // The piece's own row distance; the formula is in the header, p on both sides.
+  [[nodiscard]] Length row_distance(const Region& piece) const {
+    const double s = spacing_.mm(), b = breadth_mm(piece);
+    const double share = s / b * (1 - 2 * kRowEndShare);
+    const double p = share < 0.5 ? s / (1 - share) : 2 * s;
+    const double most = std::max(s, kRowDistanceMaxWidths * settings_.road_width.mm());
+    return Length::from_mm(std::min(p, most));
+  }
+
+  void fill_rows(const Region& piece) {
+    const Length distance = row_distance(piece);
+    const LineFill pattern(settings_.fill_angle_degrees, LineFill::Joins::kNearEnds);
+    std::vector<Road> rows =
+        pattern.fill({piece, piece, layer_, RoadKind::kSolid, settings_.road_width, distance,
+                      scaled(distance, kRowEndShare), Length()});
+    const Region rest = uncovered(piece, rows, distance + kBeadSeam);
+    double laid_mm = 0;
+    for (const Road& row : rows) laid_mm += length_mm(row);
+    if (laid_mm > 0) {
+      const double holds_mm2 = piece.area_mm2() - rest.area_mm2();
+      const double w = settings_.road_width.mm();
+      const double least = std::max(w * (1 - kWidthChangeMax), distance.mm() + kTouchMm);
+      const double width = width_of_area(holds_mm2 * height_.mm() / laid_mm, height_).mm();
+      const Length fitted = Length::from_mm(std::clamp(width, least, w * (1 + kWidthChangeMax)));
+      for (Road& row : rows) row.width = fitted;
+    }
+    add(std::move(rows));
+    add(rest_roads(rest, RestEdges::kRoads, height_, settings_));
+  }
+
+  void add(std::vector<Road> roads) {
+    roads_.insert(roads_.end(), std::make_move_iterator(roads.begin()),
+                  std::make_move_iterator(roads.end()));
+  }
+
+  LayerIndex layer_;
+  Length height_;
+  const Settings& settings_;
+  Length spacing_;
+  MountainFoot foot_;
+  std::vector<Road> roads_;
+};
+
+}  // namespace
+
+std::vector<Road> wall_roads(const Region& wall, LayerIndex layer, Length height,
+                             const Settings& settings) {
+  if (wall.empty()) return {};
+  return WallFill(layer, height, settings).fill(wall);
+}
+
+}  // namespace core

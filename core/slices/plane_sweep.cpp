@@ -1,0 +1,167 @@
+#include "core/slices/plane_sweep.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "core/booleans/boolean.h"       // clean
+#include "core/check.h"                  // RIND_CHECK
+#include "core/regions/simplify.h"       // simplify
+#include "core/slices/segment_chains.h"  // rings_of, OnOneLine
+
+namespace core {
+namespace {
+
+// Planes are halfway up a layer: heights are doubled here to be whole numbers.
+bool above(const Vertex& vertex, std::int64_t doubled_z) { return 2 * vertex.z >= doubled_z; }
+
+// a + (b − a) · part / whole, rounded to nearest, halves up. REQUIRES: 0 <= part <= whole.
+std::int32_t between(std::int32_t a, std::int32_t b, std::int64_t part, std::int64_t whole) {
+  const std::int64_t way = std::int64_t{b} - a;
+  if (way == 0) return a;
+  const auto rounded = [](auto product, auto divisor) {
+    const auto doubled = 2 * product + divisor;
+    const auto quotient = doubled / (2 * divisor);
+    return quotient - (doubled % (2 * divisor) < 0 ? 1 : 0);
+  };
+  // |way| < 2^31: below this the doubled product, the sum and the divisor fit 64 bits.
+  constexpr std::int64_t kNarrow = std::int64_t{1} << 30;
+  if (whole < kNarrow) return static_cast<std::int32_t>(a + rounded(way * part, whole));
+  __extension__ using Wide = __int128;
+  return static_cast<std::int32_t>(a + rounded(Wide{way} * part, Wide{whole}));
+}
+
+Point crossing(Vertex lower, Vertex upper, std::int64_t doubled_z) {
+  if (upper.z < lower.z) std::swap(lower, upper);
+  const std::int64_t part = doubled_z - 2 * lower.z, whole = 2 * (upper.z - lower.z);
+  return {between(lower.x, upper.x, part, whole), between(lower.y, upper.y, part, whole)};
+}
+
+// REQUIRES: the triangle has corners on both sides.
+Segment cut_triangle(const Triangle& triangle, std::int64_t doubled_z) {
+  Segment segment;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vertex& a = triangle.corners[i];
+    const Vertex& b = triangle.corners[(i + 1) % 3];
+    if (above(a, doubled_z) == above(b, doubled_z)) continue;
+    // Seen from outside, the part is behind, and left of one who walks from left to right.
+    (above(a, doubled_z) ? segment.from : segment.to) = crossing(a, b, doubled_z);
+  }
+  return segment;
+}
+
+// Whether both facets stand upright on one line, as on a wall that goes straight up.
+bool on_one_wall(const Triangle& a, const Triangle& b) {
+  const auto flat = [](const Vertex& v) { return Point{v.x, v.y}; };
+  const auto& [p, q, r] = a.corners;
+  if (cross(flat(p), flat(q), flat(r)) != 0) return false;
+  const Point begin = flat(p), end = flat(q) == begin ? flat(r) : flat(q);
+  return std::all_of(b.corners.begin(), b.corners.end(),
+                     [&](const Vertex& corner) { return cross(begin, end, flat(corner)) == 0; });
+}
+
+// A mesh that is inside out gives the same part, and the same rings.
+void turn_outwards(std::vector<Ring>& rings) {
+  double doubled_area = 0;
+  for (const Ring& ring : rings) doubled_area += doubled_area_units(ring);
+  if (doubled_area >= 0) return;
+  for (Ring& ring : rings) std::reverse(ring.begin() + 1, ring.end());
+}
+
+// Equal slices are to be equal in memory: each ring from its lowest point on, rings in order.
+std::vector<Ring> in_one_order(std::vector<Ring> rings) {
+  for (Ring& ring : rings) {
+    std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
+  }
+  std::sort(rings.begin(), rings.end());
+  return rings;
+}
+
+}  // namespace
+
+LayerIndex layer_count(Length height, Length layer_height) {
+  const std::int64_t h = layer_height.units();
+  RIND_CHECK(h > 0);
+  return std::max<LayerIndex>(0, (2 * height.units() + h) / (2 * h));
+}
+
+PlaneSweep::PlaneSweep(const Options& options, TriangleSource source)
+    : options_(options), source_(std::move(source)) {
+  RIND_CHECK(options.layer_height.units() > 0);
+  RIND_CHECK(options.simplify_tolerance.units() >= 0);
+  RIND_CHECK(options.chain_gap_max.units() >= 0);
+}
+
+Status PlaneSweep::take_triangles_below(std::int64_t doubled_z) {
+  std::erase_if(held_, [&](const Triangle& t) { return 2 * t.highest_z() < doubled_z; });
+  while (true) {
+    if (!waiting_ && !source_ended_) {
+      Result<std::optional<Triangle>> next = source_();
+      if (!next.ok()) return next.error();
+      source_ended_ = !next.value().has_value();
+      waiting_ = next.value();
+    }
+    if (!waiting_ || 2 * waiting_->lowest_z() >= doubled_z) break;
+    if (2 * waiting_->highest_z() >= doubled_z) held_.push_back(*waiting_);
+    waiting_.reset();
+  }
+  peak_triangles_held_ = std::max(peak_triangles_held_, static_cast<std::int64_t>(held_.size()));
+  return {};
+}
+
+std::vector<Segment> PlaneSweep::cut(std::int64_t doubled_z) const {
+  std::vector<Segment> segments;
+  segments.reserve(held_.size());
+  for (const Triangle& triangle : held_) segments.push_back(cut_triangle(triangle, doubled_z));
+  return segments;
+}
+
+Result<bool> PlaneSweep::advance() {
+  if (options_.layers && next_index_ == *options_.layers) return false;
+  doubled_z_ = (2 * next_index_ + 1) * options_.layer_height.units();
+  if (Status taken = take_triangles_below(doubled_z_); !taken.ok()) return taken.error();
+  const bool over = held_.empty() && !waiting_ && source_ended_;
+  if (!options_.layers && over) return false;
+  ++next_index_;
+  return true;
+}
+
+std::vector<Ring> PlaneSweep::rings(SliceDefects& defects) const {
+  const OnOneLine on_one_line = [this](SegmentIndex a, SegmentIndex b) {
+    return on_one_wall(held_[a], held_[b]);
+  };
+  return rings_of(cut(doubled_z_), options_.chain_gap_max, on_one_line, defects);
+}
+
+Result<std::optional<SliceDefects>> PlaneSweep::next_defects() {
+  const Result<bool> more = advance();
+  if (!more.ok()) return more.error();
+  if (!more.value()) return std::optional<SliceDefects>();
+  SliceDefects defects;
+  (void)rings(defects);
+  return std::optional<SliceDefects>(defects);
+}
+
+Result<std::optional<Slice>> PlaneSweep::next() {
+  const Result<bool> more = advance();
+  if (!more.ok()) return more.error();
+  if (!more.value()) return std::optional<Slice>();
+  Slice slice;
+  slice.index = next_index_ - 1;
+  slice.bottom = options_.layer_height * slice.index;
+  slice.height = options_.layer_height;
+  std::vector<Ring> contours = rings(slice.defects);
+  for (Ring& ring : contours) ring = simplify(ring, options_.simplify_tolerance);
+  std::erase_if(contours, [](const Ring& ring) { return ring.empty(); });
+  turn_outwards(contours);
+  contours = in_one_order(std::move(contours));
+  if (contours != last_rings_) {
+    last_region_ =
+        Region::from_clean_rings(in_one_order(clean(contours, FillRule::kNonZero).rings()));
+    last_rings_ = std::move(contours);
+  }
+  slice.region = last_region_;
+  return std::optional<Slice>(std::move(slice));
+}
+
+}  // namespace core

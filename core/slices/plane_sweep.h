@@ -1,0 +1,82 @@
+// Cuts a mesh into slices, plane by plane from the bed up, with only the triangles that cross the
+// plane in memory.
+//
+//     layer i spans i·h … (i + 1)·h and is cut halfway, at (i + ½)·h
+//
+//        a corner on the plane counts as above it, so every triangle that is cut has exactly two
+//     ──/──\──  edges that cross, and leaves one segment, with the part on its left;
+//      /____\   where an edge crosses is computed from its lower to its upper end, so that both
+//               triangles on it get the same point, bit for bit:
+//                   x = x0 + (x1 − x0) (z − z0) / (z1 − z0), rounded once, in integers
+//
+// The segments are chained (segment_chains.h; points between two facets of one upright wall are
+// left out, exactly, so that walls that go straight up give equal slices), simplified, and cleaned
+// by winding number other than 0: what several bodies share is inside, and a mesh that is inside
+// out is a part all the same.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "core/geometry.h"      // Triangle, Segment
+#include "core/result.h"        // Result
+#include "core/slices/slice.h"  // Slice
+#include "core/units.h"         // LayerIndex, Length
+
+namespace core {
+
+// Layers of a part that reaches from 0 up to `height`: those whose plane is not above it.
+[[nodiscard]] LayerIndex layer_count(Length height, Length layer_height);
+
+class PlaneSweep {
+ public:
+  struct Options {
+    Length layer_height;  // REQUIRES: > 0
+    // How many slices there are to be; nothing: until no triangle reaches the plane.
+    std::optional<LayerIndex> layers;
+    Length simplify_tolerance;  // REQUIRES: >= 0
+    Length chain_gap_max;       // REQUIRES: >= 0
+  };
+
+  // Gives the next triangle in order of lowest z, or nothing at the end. REQUIRES: x and y within
+  // ±kCoordinateMax.
+  using TriangleSource = std::function<Result<std::optional<Triangle>>()>;
+
+  PlaneSweep(const Options& options, TriangleSource source);
+
+  // The next slice up, empty where the plane cuts nothing; nothing after the last one. An error is
+  // the source's, and final.
+  // COSTS: memory for the triangles that cross the plane.
+  [[nodiscard]] Result<std::optional<Slice>> next();
+
+  // The same way up, but only what is wrong with each slice: chains are made, and no region.
+  [[nodiscard]] Result<std::optional<SliceDefects>> next_defects();
+
+  // The most triangles that were in memory at once, crossing one plane.
+  [[nodiscard]] std::int64_t peak_triangles_held() const { return peak_triangles_held_; }
+
+ private:
+  // To the next plane; false after the last one.
+  [[nodiscard]] Result<bool> advance();
+  [[nodiscard]] Status take_triangles_below(std::int64_t doubled_z);
+  [[nodiscard]] std::vector<Ring> rings(SliceDefects& defects) const;
+  // One for each triangle held, in the same order.
+  [[nodiscard]] std::vector<Segment> cut(std::int64_t doubled_z) const;
+
+  Options options_;
+  TriangleSource source_;
+  LayerIndex next_index_ = 0;
+  std::int64_t doubled_z_ = 0;  // of the plane that was reached last
+  std::vector<Triangle> held_;
+  std::optional<Triangle> waiting_;  // above the plane that was cut last
+  bool source_ended_ = false;
+  std::int64_t peak_triangles_held_ = 0;
+
+  // The last slice's, before and after it was cleaned: an equal one costs a comparison.
+  std::vector<Ring> last_rings_;
+  Region last_region_;
+};
+
+}  // namespace core

@@ -1,0 +1,86 @@
+// The window of a ball-shaped wall: which layers matter for which, and how deep.
+//
+//     loose(n) = ⋂ over the layers j near n of I_{d(n,j)}(S_j)       d(n,j): wall_depths.h
+//
+//     ┄┄┄┄┄┄┄┄┄┄┄┄┄┄┄ j      near: less than w from n's mid-plane, so layers of different heights
+//        ╭─────╮  ↕z         are counted by their millimetres; the bed and the part's end count as
+//     ───│──n──│─────        outside, so that layers nearer than w to them are all solid
+//        ╰─────╯ w
+//
+// Unlike the cylinder's (wall_fold.h), these intersections share no partial results, since every
+// layer wants its neighbours at depths of its own: 2T of them at most. What cannot matter is left
+// out first: a slice that equals a nearer one adds nothing, for its offset is no deeper; and a
+// layer whose operands are those of the layer before costs nothing at all. (All operands in one
+// sweep, by Boost.Polygon with winding numbers counted, took ten times as long: every contour runs
+// along all the others.)
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "core/limits.h"             // kWindowLayersMax
+#include "core/regions/region.h"     // Region
+#include "core/slices/slice.h"       // Layer, SplitLayer
+#include "core/units.h"              // Length
+#include "core/walls/ring_buffer.h"  // RingBuffer
+
+namespace core {
+
+class BallWall {
+ public:
+  // REQUIRES: wall_thickness > 0, arc_tolerance > 0.
+  BallWall(Length wall_thickness, Length arc_tolerance);
+
+  // REQUIRES: room: layers are not lower than w / kWallLayersMax; the layer lies on the last one;
+  // next() has returned nothing since the last push().
+  void push(Layer layer);
+
+  // No layer follows.
+  void finish() { finished_ = true; }
+
+  // The next layer up that is settled, or nothing.
+  // COSTS: at most kBallOperationsMax region operations.
+  [[nodiscard]] std::optional<SplitLayer> next();
+
+  [[nodiscard]] std::size_t layers_held() const { return window_.size(); }
+  [[nodiscard]] std::size_t layers_held_peak() const { return layers_held_peak_; }
+  // Region operations of the last next().
+  [[nodiscard]] int operations() const { return operations_; }
+  // Inner offsets that had to be cut anew, because neighbours differ in height.
+  [[nodiscard]] std::int64_t offsets_cut() const { return offsets_cut_; }
+  // Layers that were split as the one before, for nothing.
+  [[nodiscard]] std::int64_t layers_reused() const { return layers_reused_; }
+
+ private:
+  // What an operand is: the same numbers mean the same region.
+  struct Operand {
+    std::int64_t content = 0;
+    Length depth;
+    std::size_t place = 0;  // in the window
+  };
+
+  [[nodiscard]] bool reaches_out(const Slice& slice) const;
+  [[nodiscard]] std::vector<Operand> operands() const;
+  [[nodiscard]] Region intersection(const std::vector<Operand>& operands);
+  void forget();
+
+  Length wall_thickness_;
+  Length arc_tolerance_;
+  RingBuffer<Layer> window_{kWindowLayersMax};
+  std::size_t pending_ = 0;  // place in the window of the layer that is settled next
+  bool finished_ = false;
+  std::size_t layers_held_peak_ = 0;
+  int operations_ = 0;
+  std::int64_t offsets_cut_ = 0;
+  std::int64_t layers_reused_ = 0;
+
+  // The last split, for a layer that has the same operands.
+  std::vector<std::pair<std::int64_t, Length>> last_operands_;
+  Region last_solid_;
+  Region last_loose_;
+};
+
+}  // namespace core

@@ -1,0 +1,84 @@
+// Folds the last w values with an idempotent associative operation, in bounded work a step.
+//
+//     push(v_n) -> v_{n-w+1} ∘ … ∘ v_n       (nothing before w values have come)
+//
+// Doubling: the fold of the last 2, 4, 8 … values is made of two folds of half that width, the
+// older of which was kept; the last two overlap, which an idempotent operation does not mind:
+//
+//     w = 7    1 │             ■     v_n
+//              2 │           □ ■     □: the fold that was kept, ■: the one just made
+//              4 │       □ □ ■ ■
+//              7 │ □ □ □ □
+//                │       ■ ■ ■ ■
+//
+// Every step costs the same. A queue of two stacks needs fewer operations on average, but now and
+// then a whole window at once; whoever waits for the result, a printer, would feel exactly that.
+// Method: sparse table turned into a stream (Bender and Farach-Colton 2000 use the overlap for
+// range minima).
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "core/check.h"              // RIND_CHECK
+#include "core/walls/ring_buffer.h"  // RingBuffer
+
+namespace core {
+
+// REQUIRES: `combine(older, newer) -> Value` is associative, and combine(v, v) = v. It need not
+// commute: older values always stand on the left.
+template <typename Value, typename Combine>
+class SlidingFold {
+ public:
+  // ⌈log2(window)⌉: the operations that a push costs at most.
+  static constexpr int operations_max(std::size_t window) {
+    return static_cast<int>(std::bit_width(window - 1));
+  }
+  // Partial folds held between pushes at most, single values included.
+  static constexpr std::size_t partials_max(std::size_t window) { return window - 1; }
+
+  // REQUIRES: window >= 1
+  explicit SlidingFold(std::size_t window, Combine combine = Combine())
+      : combine_(std::move(combine)) {
+    RIND_CHECK(window >= 1);
+    std::size_t width = 1;
+    for (; 2 * width <= window; width *= 2) kept_.emplace_back(width);
+    if (window > width) kept_.emplace_back(window - width);
+  }
+
+  // COSTS: at most operations_max(window) operations, on any call.
+  [[nodiscard]] std::optional<Value> push(Value value) {
+    operations_ = 0;
+    for (RingBuffer<Value>& ring : kept_) {
+      if (!ring.full()) {
+        ring.push(std::move(value));
+        ++partials_held_;
+        return std::nullopt;
+      }
+      const std::optional<Value> older = ring.pop();
+      Value wider = combine_(*older, std::as_const(value));
+      ++operations_;
+      ring.push(std::move(value));
+      value = std::move(wider);
+    }
+    return value;
+  }
+
+  // Operations that the last push took.
+  [[nodiscard]] int operations() const { return operations_; }
+  // ENSURES: partials_held() <= partials_max(window)
+  [[nodiscard]] std::size_t partials_held() const { return partials_held_; }
+
+ private:
+  Combine combine_;
+  // kept_[k] holds the folds of 2^k values that ended 1 … size steps ago. Its oldest ends where the
+  // newest begins; in the last ring it reaches as much further down as the window asks.
+  std::vector<RingBuffer<Value>> kept_;
+  int operations_ = 0;
+  std::size_t partials_held_ = 0;
+};
+
+}  // namespace core

@@ -1,0 +1,52 @@
+#include "core/walls/wall_style.h"
+
+#include <utility>
+
+#include "core/booleans/boolean.h"          // subtract, subtract_within
+#include "core/offsets/voronoi_mountain.h"  // offset
+#include "core/walls/regularise.h"          // regularise_loose
+
+namespace core {
+
+Settings with_style(Settings settings) {
+  if (settings.style == BuildStyle::kFast) settings.perimeters = kFastPerimeters;
+  return settings;
+}
+
+SplitLayer WallStyle::apply(SplitLayer layer) const {
+  switch (settings_.style) {
+    case BuildStyle::kThinWall:
+      return regularised(std::move(layer));
+    case BuildStyle::kRegular:
+      layer.solid = layer.layer.slice.region;
+      layer.loose = {};
+      return layer;
+    case BuildStyle::kFast:
+      return fast(std::move(layer));
+  }
+  return layer;
+}
+
+SplitLayer WallStyle::regularised(SplitLayer layer) const {
+  if (layer.loose.empty()) return layer;
+  Region regular = regularise_loose(layer.loose, {.width_min = settings_.loose_width_min,
+                                                  .area_min_mm2 = settings_.loose_area_min_mm2,
+                                                  .arc_tolerance = settings_.arc_tolerance});
+  if (regular == layer.loose) return layer;
+  layer.loose = std::move(regular);
+  layer.solid = subtract_within(layer.layer.slice.region, layer.loose);
+  return layer;
+}
+
+// The window's depth is 0 here: its solid region is what some slice of the window does not cover.
+SplitLayer WallStyle::fast(SplitLayer layer) const {
+  const Length half = Length::from_units(kHiddenSliverMax.units() / 2);
+  const bool hidden =
+      !layer.loose.empty() && offset(layer.solid, half, settings_.arc_tolerance).empty();
+  const Region& slice = layer.layer.slice.region;
+  layer.loose = hidden ? layer.layer.offsets->interior : Region();
+  layer.solid = hidden ? subtract(slice, layer.loose) : slice;
+  return layer;
+}
+
+}  // namespace core

@@ -1,0 +1,48 @@
+#include "host/output/gcode_writer.h"
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <variant>
+
+#include "firmware_link/line_codec.h"
+
+namespace host {
+
+const char* prusa_type_name(core::RoadKind kind) {
+  switch (kind) {
+    case core::RoadKind::kSkirt:
+      return "Skirt";
+    case core::RoadKind::kOuterPerimeter:
+      return "External perimeter";
+    case core::RoadKind::kPerimeter:
+      return "Perimeter";
+    case core::RoadKind::kSolid:
+      return "Solid infill";
+    case core::RoadKind::kRest:
+      return "Gap fill";
+    case core::RoadKind::kLoose:
+      return "Internal infill";
+  }
+  return "Custom";
+}
+
+void GcodeWriter::write(const core::Motion& motion,
+                        const std::optional<firmware_link::Command>& command, std::string& into) {
+  const auto out = std::back_inserter(into);
+  if (const auto* layer = std::get_if<core::BeginLayer>(&motion)) {
+    fmt::format_to(out, ";LAYER_CHANGE\n;Z:{}\n;HEIGHT:{}\n", layer->top.mm(), layer->height.mm());
+    kind_.reset();
+  } else if (const auto* road = std::get_if<core::BeginRoad>(&motion)) {
+    if (kind_ != road->kind) fmt::format_to(out, ";TYPE:{}\n", prusa_type_name(road->kind));
+    if (!kind_ || width_ != road->width) fmt::format_to(out, ";WIDTH:{}\n", road->width.mm());
+    kind_ = road->kind;
+    width_ = road->width;
+  }
+  if (!command) return;
+  firmware_link::TextBuffer text;
+  into += firmware_link::encode(*command, text);
+  into += '\n';
+}
+
+}  // namespace host

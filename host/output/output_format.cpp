@@ -1,0 +1,57 @@
+#include "host/output/output_format.h"
+
+#include <array>
+#include <filesystem>
+
+namespace host {
+namespace {
+
+struct NamedFormat {
+  const char* name;
+  OutputFormat format;
+};
+
+constexpr std::array kOutputFormats = {
+    NamedFormat{"gcode", OutputFormat::kGcode},
+    NamedFormat{"gco", OutputFormat::kGcode},
+    NamedFormat{"g", OutputFormat::kGcode},
+    NamedFormat{"cli", OutputFormat::kCli},
+    NamedFormat{"cli-binary", OutputFormat::kCliBinary},
+    NamedFormat{"cli-roads", OutputFormat::kCliRoads},
+    NamedFormat{"lsif", OutputFormat::kLsif},
+    NamedFormat{"ssl", OutputFormat::kSliceV0},
+    NamedFormat{"svg", OutputFormat::kSvg},
+};
+
+}  // namespace
+
+std::vector<std::string> output_format_names() {
+  std::vector<std::string> names;
+  for (const NamedFormat& named : kOutputFormats) names.emplace_back(named.name);
+  return names;
+}
+
+std::optional<OutputFormat> output_format_of(const std::string& output, const std::string& word) {
+  std::string name = word;
+  const bool nameless = output == "-" || output.rfind("/dev/", 0) == 0;
+  if (name.empty() && nameless) return OutputFormat::kGcode;
+  if (name.empty()) {
+    name = std::filesystem::path(output).extension().string();
+    if (!name.empty()) name.erase(0, 1);
+  }
+  for (char& c : name) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+  for (const NamedFormat& named : kOutputFormats) {
+    if (name == named.name) return named.format;
+  }
+  return std::nullopt;
+}
+
+LayerContents contents_of(OutputFormat format, const std::string& word) {
+  if (word == "walls") return LayerContents::kWalls;
+  if (word == "quickslice") return LayerContents::kWallsForQuickSlice;
+  const bool told_apart = format == OutputFormat::kCli || format == OutputFormat::kCliBinary ||
+                          format == OutputFormat::kLsif;
+  return word.empty() && told_apart ? LayerContents::kWalls : LayerContents::kSlices;
+}
+
+}  // namespace host

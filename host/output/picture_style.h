@@ -1,0 +1,79 @@
+// What the pictures have in common: colours, legend rows, the scale bar, the page.
+//
+// Warm colours are dense, cool ones loose; the wall's three regions (core/walls/wall_regions.h) and
+// the kinds of road have the same colours in every picture. Text goes to the end of `svg`.
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "core/roads/road.h"  // RoadKind
+#include "core/settings.h"    // Settings
+#include "core/units.h"       // Length
+
+namespace host {
+
+inline constexpr double kLegendRowPx = 26;
+inline constexpr double kMarginPx = 36;
+inline constexpr double kTitlePx = 84;  // title, subtitle and the space under them
+
+struct Colours {
+  const char* edge;  // the shaded sides of a bead, the outline of an area
+  const char* body;
+};
+
+inline constexpr Colours kOwnColours = {"#c08a35", "#f0c47c"};
+inline constexpr Colours kUncoveredColours = {"#a8492b", "#dd7d5b"};
+inline constexpr Colours kNeighbourColours = {"#7f8a2f", "#b9c46a"};
+inline constexpr Colours kFurtherColours = {"#7a5583", "#b795bf"};
+inline constexpr Colours kLooseColours = {"#9dbac4", "#dde9ee"};
+inline constexpr const char* kInkColour = "#3a2c14";
+
+struct KindStyle {
+  core::RoadKind kind;
+  const char* name;
+  Colours colours;
+};
+
+// In the order of the legend.
+inline constexpr std::array<KindStyle, core::kRoadKindCount> kKindStyles = {{
+    {core::RoadKind::kOuterPerimeter, "outer perimeter", {"#7d2a17", "#c8502f"}},
+    {core::RoadKind::kPerimeter, "perimeter", {"#a3541f", "#e58a45"}},
+    {core::RoadKind::kSolid, "solid fill", {"#b27d22", "#f0bd5c"}},
+    {core::RoadKind::kRest, "narrow rest", {"#56306f", "#9a6bb8"}},
+    {core::RoadKind::kLoose, "loose fill", {"#2c5d72", "#5f9bb3"}},
+    {core::RoadKind::kSkirt, "skirt", {"#8d8d8d", "#bdbdbd"}},
+}};
+
+// Of what is solid for another reason than the three regions: all that is, where the style decides.
+[[nodiscard]] const Colours& further_colours(const core::Settings& settings);
+
+[[nodiscard]] const KindStyle& style_of(core::RoadKind kind);
+
+[[nodiscard]] double to_mm(std::int64_t units);
+
+// "0.8 mm, as a ball"; or of the style that decides instead of the wall.
+[[nodiscard]] std::string wall_words(const core::Settings& settings);
+
+// Why each of the wall's regions is wall, for legends.
+struct RegionWords {
+  std::string own, uncovered, neighbours, further;
+};
+[[nodiscard]] RegionWords region_words(const core::Settings& settings);
+
+// For text in SVG.
+[[nodiscard]] std::string escaped(const std::string& text);
+
+// A page taller than `shown_height_max` is shown smaller, for programs that open no larger one.
+void begin_page(std::string& svg, double width, double height, double shown_height_max = 1e9);
+void end_page(std::string& svg);
+void append_title(std::string& svg, const std::string& title, const std::string& subtitle);
+void append_text(std::string& svg, double x, double y, const std::string& text);
+void append_legend_row(std::string& svg, double x, double y, const Colours& colours,
+                       const std::string& text);
+
+// The largest of 1, 2, 5, 10 … mm that takes at most `most_px`.
+[[nodiscard]] double scale_bar_mm(double px_per_mm, double most_px);
+void append_scale_bar(std::string& svg, double x, double y, double px_per_mm, double most_px);
+
+}  // namespace host

@@ -1,0 +1,177 @@
+#include "host/part/layer_file.h"
+
+#include <deque>
+#include <optional>
+#include <utility>
+
+#include "host/part/bed_placing.h"      // shift_to_bed, check_on_bed
+#include "host/part/layer_rules.h"      // check_layer_height
+#include "host/pipeline/stage_clock.h"  // CpuTimer
+
+namespace host {
+namespace {
+
+using core::Error;
+using core::ErrorCode;
+using core::Length;
+using core::Result;
+using core::Slice;
+using core::Status;
+
+core::Region moved(const core::Region& region, const Shift& shift) {
+  std::vector<core::Ring> rings = region.rings();
+  for (core::Ring& ring : rings) {
+    for (core::Point& point : ring) {
+      point = {static_cast<std::int32_t>(point.x + shift.x),
+               static_cast<std::int32_t>(point.y + shift.y)};
+    }
+  }
+  return core::Region::from_clean_rings(std::move(rings));
+}
+
+void add(const Slice& slice, MeshExtent& extent) {
+  extent.box.add(slice.region.box());
+  extent.lowest_z = std::min(extent.lowest_z, slice.bottom.units());
+  extent.highest_z = std::max(extent.highest_z, slice.top().units());
+}
+
+class PlacedLayers : public LayerSource {
+ public:
+  PlacedLayers(LayerFileInput file, const core::Settings& settings)
+      : file_(std::move(file)), settings_(settings) {}
+
+  // Of a pipe: its first layer.
+  [[nodiscard]] Status look_ahead() {
+    summary_.format = file_.layers->format();
+    if (file_.again) return {};
+    summary_.layers = file_.layers->layers_promised();
+    MeshExtent extent;
+    while (extent.box.empty()) {
+      Result<std::optional<Slice>> slice = read();
+      if (!slice.ok()) return slice.error();
+      if (!slice.value() || ahead_.size() == kEmptyLayersMax) return nothing_to_print();
+      add(*slice.value(), extent);
+      ahead_.push_back(*std::move(slice).value());
+    }
+    const std::optional<core::Box>& promised = file_.layers->box_promised();
+    if (promised) extent.box = *promised;
+    if (Status placed = place(extent); !placed.ok()) return placed;
+    summary_.warnings = file_.layers->warnings();
+    if (promised) return {};
+    summary_.warnings.push_back(file_.name +
+                                ": sliced as it comes; its place on the bed is that of its first "
+                                "layer");
+    summary_.box = {};
+    return {};
+  }
+
+  // Of a file: everything, once.
+  [[nodiscard]] Result<PartSummary> read_rest() {
+    MeshExtent extent;
+    while (true) {
+      Result<std::optional<Slice>> slice = read();
+      if (!slice.ok()) return slice.error();
+      if (!slice.value()) break;
+      if (Status fits = check_layer_height(file_.name, *slice.value(), settings_); !fits.ok()) {
+        return fits.error();
+      }
+      // Empty layers on top are none.
+      extent.lowest_z = std::min(extent.lowest_z, slice.value()->bottom.units());
+      if (slice.value()->region.empty()) continue;
+      add(*slice.value(), extent);
+      summary_.layers = slice.value()->index + 1;
+    }
+    if (extent.box.empty()) return nothing_to_print();
+    if (Status placed = place(extent); !placed.ok()) return placed.error();
+    summary_.height = Length::from_units(extent.highest_z - extent.lowest_z);
+    summary_.warnings = file_.layers->warnings();
+    Result<std::unique_ptr<LayerReader>> again = file_.again();
+    if (!again.ok()) return again.error();
+    file_.layers = std::move(again).value();
+    return summary_;
+  }
+
+  [[nodiscard]] Result<std::optional<Slice>> next() override {
+    if (ahead_.empty()) {
+      if (Status read = read_on(); !read.ok()) return read.error();
+    }
+    if (ahead_.empty()) return std::optional<Slice>();
+    Slice slice = std::move(ahead_.front());
+    ahead_.pop_front();
+    return placed(std::move(slice));
+  }
+
+  [[nodiscard]] const PartSummary& summary() const { return summary_; }
+  [[nodiscard]] const PartCounters& counters() const { return counters_; }
+
+ private:
+  [[nodiscard]] Result<std::optional<Slice>> read() {
+    const CpuTimer timer(counters_.read_cpu_s);
+    return file_.layers->next();
+  }
+
+  // The next layer; empty ones are held until one with contours follows: those on top are none.
+  [[nodiscard]] Status read_on() {
+    while (true) {
+      Result<std::optional<Slice>> slice = read();
+      if (!slice.ok()) return slice.error();
+      if (!slice.value()) {
+        ahead_.clear();
+        return {};
+      }
+      ahead_.push_back(*std::move(slice).value());
+      if (!ahead_.back().region.empty() || ahead_.size() == kEmptyLayersMax) return {};
+    }
+  }
+
+  [[nodiscard]] Error nothing_to_print() const {
+    return {ErrorCode::kBadPart, file_.name +
+                                     ": no layer has a closed contour, so there is nothing to "
+                                     "print; export the part's contours"};
+  }
+
+  [[nodiscard]] Status place(const MeshExtent& extent) {
+    shift_ = shift_to_bed(extent, settings_);
+    if (Status fits = check_on_bed(extent, shift_, settings_, file_.name); !fits.ok()) return fits;
+    summary_.box = shifted(extent.box, shift_);
+    return {};
+  }
+
+  [[nodiscard]] Result<std::optional<Slice>> placed(Slice slice) const {
+    MeshExtent extent;
+    add(slice, extent);
+    const std::string where = file_.name + ": layer " + std::to_string(slice.index + 1);
+    if (!extent.box.empty()) {
+      if (Status fits = check_on_bed(extent, shift_, settings_, where); !fits.ok()) {
+        return fits.error();
+      }
+      slice.region = moved(slice.region, shift_);
+    }
+    slice.bottom += Length::from_units(shift_.z);
+    return std::optional<Slice>(std::move(slice));
+  }
+
+  LayerFileInput file_;
+  core::Settings settings_;
+  PartSummary summary_;
+  PartCounters counters_;
+  Shift shift_;
+  std::deque<Slice> ahead_;  // until they are asked for
+};
+
+}  // namespace
+
+Result<OpenedPart> open_layer_file(LayerFileInput file, const core::Settings& settings) {
+  const bool twice = file.again != nullptr;
+  auto layers = std::make_unique<PlacedLayers>(std::move(file), settings);
+  if (Status looked = layers->look_ahead(); !looked.ok()) return looked.error();
+  OpenedPart part;
+  part.summary = layers->summary();
+  PlacedLayers* source = layers.get();
+  if (twice) part.read_rest = [source] { return source->read_rest(); };
+  part.counters = [source] { return source->counters(); };
+  part.layers = std::move(layers);
+  return part;
+}
+
+}  // namespace host

@@ -1,0 +1,63 @@
+#include "host/part/layer_rules.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+
+#include "core/limits.h"           // kWallLayersMax
+#include "core/motions/arc_fit.h"  // kArcSegmentsMin
+#include "core/units.h"            // Length
+
+namespace host {
+
+core::Status check_layer_height(const std::string& part, const core::Slice& slice,
+                                const core::Settings& settings) {
+  const auto refused = [&](const std::string& cause) {
+    return core::Error{core::ErrorCode::kBadPart,
+                       fmt::format("{}, layer {}: it is {:g} mm high, {}", part, slice.index + 1,
+                                   slice.height.mm(), cause)};
+  };
+  if (slice.height * core::kWallLayersMax < settings.wall_thickness) {
+    return refused(
+        fmt::format("a wall of {:g} mm is more than {} such layers; make wall_thickness "
+                    "less, or layers higher",
+                    settings.wall_thickness.mm(), core::kWallLayersMax));
+  }
+  if (slice.height >= settings.road_width || slice.height > settings.nozzle_diameter) {
+    return refused(
+        fmt::format("more than road_width ({:g} mm) or nozzle_diameter ({:g} mm) "
+                    "allows; is its unit right?",
+                    settings.road_width.mm(), settings.nozzle_diameter.mm()));
+  }
+  return {};
+}
+
+core::Status check_on_bed(const std::string& part, const core::Slice& slice,
+                          const std::vector<core::Road>& roads, const core::Settings& settings) {
+  for (const core::Road& road : roads) {
+    // An arc may bulge beyond its road's points: the nozzle stays above the bed even then.
+    const bool may_bulge =
+        settings.arcs != core::ArcUse::kOff && road.points.size() >= core::kArcSegmentsMin;
+    const std::int64_t bulge = may_bulge ? settings.arc_fit_tolerance.units() : 0;
+    const std::int64_t reach = std::max(road.width.units() / 2, bulge);
+    for (const core::Point point : road.points) {
+      const bool inside = point.x >= reach && point.x + reach <= settings.bed_x.units() &&
+                          point.y >= reach && point.y + reach <= settings.bed_y.units();
+      if (inside) continue;
+      const bool skirt = road.kind == core::RoadKind::kSkirt;
+      return core::Error{
+          core::ErrorCode::kOutOfBounds,
+          fmt::format(
+              "{}, layer {}: {} at ({:.2f}, {:.2f}) mm leaves the bed of {:g} x {:g} mm; {}", part,
+              slice.index + 1, skirt ? "the skirt" : "a road",
+              core::Length::from_units(point.x).mm(), core::Length::from_units(point.y).mm(),
+              settings.bed_x.mm(), settings.bed_y.mm(),
+              skirt ? "set skirt_loops=0 or a smaller skirt_distance"
+                    : "move the part or set bed_x and bed_y")};
+    }
+  }
+  return {};
+}
+
+}  // namespace host

@@ -1,0 +1,348 @@
+#include "host/part/mesh_layers.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "core/slices/plane_sweep.h"    // PlaneSweep, layer_count
+#include "host/part/bed_placing.h"      // shift_to_bed, check_on_bed
+#include "host/part/mesh_sorter.h"      // MeshSorter
+#include "host/part/mesh_survey.h"      // MeshSurvey
+#include "host/part/plane_check.h"      // check_planes
+#include "host/part/reorder_window.h"   // OrderGauge, ReorderWindow
+#include "host/pipeline/stage_clock.h"  // CpuTimer
+
+namespace host {
+namespace {
+
+using core::Error;
+using core::ErrorCode;
+using core::Length;
+using core::Result;
+using core::Status;
+using core::Triangle;
+
+// So many triangles are read, then sorted, between two looks at the clock.
+constexpr std::size_t kBatchTriangles = 1024;
+
+// Of the look-ahead: how far out of order a pipe's first triangles may be to be thought in order.
+constexpr std::size_t kGuessShare = 8;
+
+std::size_t window_of(const OpenOptions& options) {
+  return std::min(options.reorder_triangles, options.sort_bytes / sizeof(Triangle));
+}
+
+class MeshLayers : public LayerSource {
+ public:
+  MeshLayers(MeshInput mesh, const core::Settings& settings, const OpenOptions& options)
+      : mesh_(std::move(mesh)),
+        settings_(settings),
+        options_(options),
+        window_(window_of(options)),
+        survey_(window_),
+        guess_(std::max<std::size_t>(2, window_ / kGuessShare)) {}
+
+  [[nodiscard]] Status look_ahead() {
+    ahead_.reserve(window_ + kBatchTriangles);
+    while (ahead_.size() < window_ && !ended_) {
+      if (Status read = read_batch(); !read.ok()) return read;
+      ahead_.insert(ahead_.end(), batch_.begin(), batch_.end());
+      for (const Triangle& triangle : batch_) guess_.add(triangle);
+    }
+    if (ended_) return sort_all();
+    if (Status plausible = check_so_far(); !plausible.ok()) return plausible;
+    const bool in_order = survey_.in_order() && (options_.order_is_sure || guess_.in_order());
+    if (mesh_.again || !options_.stream_pipes || !in_order) return {};
+    streaming_ = true;
+    shift_ = shift_to_bed(survey_.extent(), settings_);
+    summarise();
+    start_sweep(std::nullopt);
+    return {};
+  }
+
+  [[nodiscard]] bool ready() const { return sweep_.has_value(); }
+
+  [[nodiscard]] Result<PartSummary> read_rest() {
+    const bool twice = mesh_.again && survey_.in_order();
+    if (Status done = twice ? survey_rest() : sort_all(); !done.ok()) return done.error();
+    return summary_;
+  }
+
+  [[nodiscard]] Result<std::optional<core::Slice>> next() override {
+    const double begin_s = thread_cpu_seconds();
+    const double before_s = counters_.sort_cpu_s + counters_.read_cpu_s;
+    Result<std::optional<core::Slice>> slice = sweep_->next();
+    const double other_s = counters_.sort_cpu_s + counters_.read_cpu_s - before_s;
+    counters_.slice_cpu_s += thread_cpu_seconds() - begin_s - other_s;
+    counters_.peak_triangles_held = sweep_->peak_triangles_held();
+    ++slices_;
+    return slice;
+  }
+
+  [[nodiscard]] const PartSummary& summary() const { return summary_; }
+  [[nodiscard]] const PartCounters& counters() const { return counters_; }
+
+ private:
+  // The next triangles that a plane can cross.
+  [[nodiscard]] Status read_batch() {
+    const CpuTimer timer(counters_.read_cpu_s);
+    batch_.clear();
+    next_in_batch_ = 0;
+    while (!ended_ && batch_.size() < kBatchTriangles) {
+      Result<std::optional<Triangle>> triangle = mesh_.triangles->next();
+      if (!triangle.ok()) return triangle.error();
+      ended_ = !triangle.value().has_value();
+      if (ended_) break;
+      const Triangle& taken = *triangle.value();
+      if (surveyed_ && !survey_.extent().holds(taken)) {
+        return refused(ErrorCode::kUnreadable, "the file was changed while it was being read");
+      }
+      if (surveyed_ ? can_be_cut(taken) : survey_.add(taken)) batch_.push_back(taken);
+    }
+    return {};
+  }
+
+  // The first look already tells what will never fit.
+  [[nodiscard]] Status check_so_far() const {
+    const MeshExtent& extent = survey_.extent();
+    return check_on_bed(extent, shift_to_bed(extent, settings_), settings_, mesh_.name);
+  }
+
+  // A file that is in order so far: to its end, or to where the order breaks.
+  [[nodiscard]] Status survey_rest() {
+    ahead_ = {};
+    while (!ended_ && survey_.in_order()) {
+      if (Status read = read_batch(); !read.ok()) return read;
+    }
+    const bool in_order = survey_.in_order();
+    if (in_order) {
+      if (Status placed = place(); !placed.ok()) return placed;
+    } else {
+      survey_ = MeshSurvey(window_);
+    }
+    Result<std::unique_ptr<TriangleSource>> again = mesh_.again();
+    if (!again.ok()) return again.error();
+    mesh_.triangles = std::move(again).value();
+    ended_ = false;
+    if (!in_order) return sort_all();
+    surveyed_ = true;
+    start_sweep(summary_.layers);
+    return check_and_restart();
+  }
+
+  [[nodiscard]] Status sort_all() {
+    sorter_.emplace(MeshSorter::Options{options_.sort_bytes, ""});
+    batch_.swap(ahead_);
+    ahead_ = {};
+    while (true) {
+      const CpuTimer timer(counters_.sort_cpu_s);
+      for (const Triangle& triangle : batch_) {
+        if (Status added = sorter_->add(triangle); !added.ok()) return added;
+      }
+      if (ended_) break;
+      const double read_s = counters_.read_cpu_s;
+      if (Status read = read_batch(); !read.ok()) return read;
+      counters_.sort_cpu_s -= counters_.read_cpu_s - read_s;
+    }
+    batch_ = {};
+    if (Status placed = place(); !placed.ok()) return placed;
+    const CpuTimer timer(counters_.sort_cpu_s);
+    if (Status sorted = sorter_->finish(); !sorted.ok()) return sorted;
+    counters_.spilled_bytes = sorter_->spilled_bytes();
+    start_sweep(summary_.layers);
+    return check_and_restart();
+  }
+
+  // Before anything moves; with the heaters on already, where there was more than a look ahead.
+  [[nodiscard]] Status check_and_restart() {
+    if (options_.plane_check == PlaneCheck::kNone || survey_.closed()) return {};
+    const Result<OpenPlanes> open = check_planes(*sweep_);
+    if (!open.ok()) return open.error();
+    if (open.value().layers > 0) {
+      const std::string first = std::to_string(open.value().first + 1);
+      const std::string cause = std::to_string(open.value().layers) +
+                                " layers have contours that can't be closed, the first is layer " +
+                                first;
+      if (options_.plane_check == PlaneCheck::kRefuse) {
+        return refused(ErrorCode::kBadPart,
+                       cause + "; repair the mesh, or say --on-bad-layer repair");
+      }
+      summary_.warnings.push_back(mesh_.name + ": " + cause + "; they are left out");
+    }
+    if (sorter_) {
+      if (Status begun = sorter_->rewind(); !begun.ok()) return begun;
+    } else {
+      Result<std::unique_ptr<TriangleSource>> again = mesh_.again();
+      if (!again.ok()) return again.error();
+      mesh_.triangles = std::move(again).value();
+      ended_ = false;
+    }
+    start_sweep(summary_.layers);
+    return {};
+  }
+
+  void start_sweep(std::optional<core::LayerIndex> layers) {
+    if (sorter_) {
+      mesh_.triangles.reset();
+    } else {
+      window_held_ = ReorderWindow(std::move(ahead_));
+    }
+    batch_.clear();
+    next_in_batch_ = 0;
+    const core::PlaneSweep::Options options{settings_.layer_height, layers,
+                                            settings_.simplify_tolerance, settings_.chain_gap_max};
+    sweep_.emplace(options, [this] { return sorter_ ? next_sorted() : next_in_window(); });
+  }
+
+  [[nodiscard]] Error refused(ErrorCode code, const std::string& cause) const {
+    return {code, mesh_.name + ": " + cause};
+  }
+
+  // With everything seen.
+  [[nodiscard]] Status place() {
+    const MeshExtent& extent = survey_.extent();
+    if (!survey_.highest_cut()) {
+      return refused(ErrorCode::kBadPart,
+                     "the part is flat, it has no height; export it as a solid");
+    }
+    summary_.height = Length::from_units(*survey_.highest_cut() - extent.lowest_z);
+    summary_.layers = core::layer_count(summary_.height, settings_.layer_height);
+    if (summary_.layers == 0) {
+      return refused(ErrorCode::kBadPart, "the part is " + mm_text(summary_.height.units()) +
+                                              " mm high, less than half a layer of " +
+                                              mm_text(settings_.layer_height.units()) +
+                                              " mm; check its unit, or lower layer_height");
+    }
+    const core::Box& box = extent.box;
+    const std::int64_t narrowest =
+        std::min(std::int64_t{box.max.x} - box.min.x, std::int64_t{box.max.y} - box.min.y);
+    if (narrowest < settings_.road_width_min.units()) {
+      return refused(ErrorCode::kBadPart, "the part is " + mm_text(narrowest) +
+                                              " mm wide, narrower than any road "
+                                              "(road_width_min); is it in millimetres?");
+    }
+    shift_ = shift_to_bed(extent, settings_);
+    if (Status fits = check_on_bed(extent, shift_, settings_, mesh_.name); !fits.ok()) return fits;
+    summarise();
+    return {};
+  }
+
+  void summarise() {
+    summary_.format = mesh_.triangles->format();
+    summary_.facets = mesh_.triangles->facets();
+    summary_.degenerate = survey_.degenerate();
+    summary_.warnings = mesh_.triangles->warnings();
+    summary_.box = shifted(survey_.extent().box, shift_);
+    if (const auto warning = unit_warning(survey_.extent())) {
+      summary_.warnings.push_back(mesh_.name + ": " + *warning);
+    }
+    if (streaming_) {
+      summary_.warnings.push_back(mesh_.name +
+                                  ": sliced as it comes; its place on the bed is that "
+                                  "of its first " +
+                                  std::to_string(summary_.facets) + " facets");
+      return;
+    }
+    const MeshSurvey::EmptyLayers empty = survey_.empty_layers(settings_.layer_height);
+    if (empty.count > 0) {
+      summary_.warnings.push_back(
+          mesh_.name + ": " + std::to_string(empty.count) + " layers hold nothing, from layer " +
+          std::to_string(empty.first + 1) + " on: what is above them is printed in the air");
+    }
+  }
+
+  // From a batch, so that the clock is not looked at for each.
+  [[nodiscard]] Result<std::optional<Triangle>> next_sorted() {
+    if (next_in_batch_ == batch_.size()) {
+      const CpuTimer timer(counters_.sort_cpu_s);
+      batch_.clear();
+      next_in_batch_ = 0;
+      while (batch_.size() < kBatchTriangles) {
+        Result<std::optional<Triangle>> triangle = sorter_->next();
+        if (!triangle.ok()) return triangle.error();
+        if (!triangle.value()) break;
+        batch_.push_back(*triangle.value());
+      }
+      if (batch_.empty()) return std::optional<Triangle>();
+    }
+    return std::optional<Triangle>(shifted(batch_[next_in_batch_++], shift_));
+  }
+
+  [[nodiscard]] Result<std::optional<Triangle>> next_in_window() {
+    while (window_held_.size() <= window_) {
+      if (next_in_batch_ == batch_.size()) {
+        if (ended_) break;
+        if (Status read = read_batch(); !read.ok()) return read.error();
+        continue;
+      }
+      const Triangle& triangle = batch_[next_in_batch_++];
+      if (streaming_) {
+        if (Status fits = check_arrival(triangle); !fits.ok()) return fits.error();
+      }
+      window_held_.push(triangle);
+    }
+    if (window_held_.empty()) return std::optional<Triangle>();
+    return std::optional<Triangle>(shifted(window_held_.pop(), shift_));
+  }
+
+  // A facet of a pipe that is sliced as it comes: is it on the bed, and not too late?
+  [[nodiscard]] Status check_arrival(const Triangle& triangle) {
+    MeshExtent extent;
+    extent.add(triangle);
+    extent.lowest_z = -shift_.z;
+    const std::string name =
+        mesh_.name + ": near facet " + std::to_string(mesh_.triangles->facets());
+    if (Status fits = check_on_bed(extent, shift_, settings_, name); !fits.ok()) return fits;
+    const std::int64_t low = triangle.lowest_z() + shift_.z;
+    const core::LayerIndex first_cut =
+        core::layer_count(Length::from_units(low), settings_.layer_height);
+    const core::LayerIndex cut_below = core::layer_count(
+        Length::from_units(triangle.highest_z() + shift_.z), settings_.layer_height);
+    if (low >= 0 && (first_cut >= slices_ || first_cut == cut_below)) return {};
+    return Error{ErrorCode::kBadPart,
+                 name + ": it reaches down to " + mm_text(low) + " mm, below layer " +
+                     std::to_string(slices_ + 1) +
+                     " that has been reached: the facets do not come in order of height; say "
+                     "--sorted no"};
+  }
+
+  MeshInput mesh_;
+  core::Settings settings_;
+  OpenOptions options_;
+  std::size_t window_;
+  MeshSurvey survey_;
+  OrderGauge guess_;  // of the look-ahead
+  PartSummary summary_;
+  PartCounters counters_;
+  Shift shift_;
+  std::vector<Triangle> ahead_;  // the look-ahead, until it is known what becomes of it
+  std::vector<Triangle> batch_;
+  std::size_t next_in_batch_ = 0;
+  bool ended_ = false;      // all has been read
+  bool surveyed_ = false;   // it is read for the second time
+  bool streaming_ = false;  // it is sliced as it comes
+  std::optional<MeshSorter> sorter_;
+  ReorderWindow window_held_;
+  std::optional<core::PlaneSweep> sweep_;
+  core::LayerIndex slices_ = 0;  // asked for
+};
+
+}  // namespace
+
+Result<OpenedPart> open_mesh(MeshInput mesh, const core::Settings& settings,
+                             const OpenOptions& options) {
+  auto layers = std::make_unique<MeshLayers>(std::move(mesh), settings, options);
+  if (Status looked = layers->look_ahead(); !looked.ok()) return looked.error();
+  OpenedPart part;
+  part.summary = layers->summary();
+  MeshLayers* source = layers.get();
+  if (!source->ready()) part.read_rest = [source] { return source->read_rest(); };
+  part.counters = [source] { return source->counters(); };
+  part.layers = std::move(layers);
+  return part;
+}
+
+}  // namespace host

@@ -1,0 +1,70 @@
+// What can be known of a mesh from seeing each facet once, in constant memory: its extent, whether
+// it nearly is in order of height, whether its surface is closed, where no facet stands.
+//
+// Closed: every edge is walked once in either direction. Each directed edge adds a number made
+// from its ends, and its reverse takes the same away; a closed surface leaves 0. A sum of 0 by
+// chance, from a surface with holes, has odds of one in 2^64.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/geometry.h"             // Triangle
+#include "core/units.h"                // LayerIndex, Length
+#include "host/part/bed_placing.h"     // MeshExtent
+#include "host/part/reorder_window.h"  // OrderGauge
+
+namespace host {
+
+// Three corners, and not flat: some plane crosses it.
+[[nodiscard]] bool can_be_cut(const core::Triangle& triangle);
+
+class MeshSurvey {
+ public:
+  // `window` is what the gauge of order assumes.
+  explicit MeshSurvey(std::size_t window) : order_(window) {}
+
+  // Returns can_be_cut().
+  bool add(const core::Triangle& triangle);
+
+  // Of all facets, flat ones included.
+  [[nodiscard]] const MeshExtent& extent() const { return extent_; }
+  // Highest corner of those that a plane can cross; nothing: there is none.
+  [[nodiscard]] std::optional<std::int64_t> highest_cut() const { return highest_cut_; }
+  // Two corners at one point.
+  [[nodiscard]] std::int64_t degenerate() const { return degenerate_; }
+  [[nodiscard]] bool in_order() const { return order_.in_order(); }
+  [[nodiscard]] bool closed() const { return edge_sum_ == 0; }
+
+  // Layers between others that no facet reaches: the part goes on above them in the air. Of many
+  // narrow gaps the narrowest may be missed (kHeightGapsMax).
+  struct EmptyLayers {
+    core::LayerIndex count = 0;
+    core::LayerIndex first = 0;  // counted from 0
+  };
+  [[nodiscard]] EmptyLayers empty_layers(core::Length layer_height);
+
+ private:
+  struct Span {
+    std::int64_t low = 0;
+    std::int64_t high = 0;
+  };
+
+  void unite_spans();
+
+  MeshExtent extent_;
+  std::optional<std::int64_t> highest_cut_;
+  std::int64_t degenerate_ = 0;
+  std::uint64_t edge_sum_ = 0;
+  OrderGauge order_;
+  std::vector<Span> spans_;  // heights of facets: the first ones apart and in order
+  std::size_t united_ = 0;   // so many of them
+};
+
+// A warning where the size makes one think that the file is in another unit: "… in inches?".
+[[nodiscard]] std::optional<std::string> unit_warning(const MeshExtent& extent);
+
+}  // namespace host

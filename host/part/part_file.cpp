@@ -1,0 +1,99 @@
+#include "host/part/part_file.h"
+
+#include <functional>
+#include <memory>
+#include <utility>
+
+#include "host/formats/formats.h"       // kind_of
+#include "host/formats/sif_reader.h"    // read_sif
+#include "host/part/boolean_layers.h"   // open_booleans
+#include "host/part/input_file.h"       // InputFile
+#include "host/part/layer_file.h"       // open_layer_file
+#include "host/part/mesh_layers.h"      // open_mesh
+#include "host/part/triangle_source.h"  // TriangleSource
+
+namespace host {
+namespace {
+
+using core::Result;
+
+// How to open the same file once more as the same kind; nothing for what can be read only once.
+template <typename Reader>
+std::function<Result<Reader>()> opener(const InputFile& file, const std::string& path,
+                                       FileKind kind, Result<Reader> (*open)(FileKind, InputFile)) {
+  if (!file.rereadable()) return {};
+  return [path, kind, open]() -> Result<Reader> {
+    Result<InputFile> reopened = InputFile::open(path);
+    if (!reopened.ok()) return reopened.error();
+    return open(kind, std::move(reopened).value());
+  };
+}
+
+// Booleans are evaluated slice by slice; without any, it is a mesh like others.
+Result<OpenedPart> open_sif(InputFile file, MeshInput input, const core::Settings& settings,
+                            const OpenOptions& options) {
+  Result<std::unique_ptr<ShellTree>> tree = read_sif(std::move(file));
+  if (!tree.ok()) return tree.error();
+  if (!tree.value()->is_plain()) {
+    return open_booleans(std::move(tree).value(), settings, options);
+  }
+  input.triangles = plain_triangles(std::move(tree).value());
+  return open_mesh(std::move(input), settings, options);
+}
+
+// A 3MF holds meshes, or slices.
+Result<OpenedPart> open_zipped(InputFile file, const std::string& path,
+                               const core::Settings& settings, const OpenOptions& options) {
+  constexpr FileKind kKind = FileKind::kZip;
+  LayerFileInput layers{file.name(), nullptr, opener(file, path, kKind, open_layers)};
+  MeshInput mesh{file.name(), nullptr, opener(file, path, kKind, open_triangles)};
+  Result<MeshOrLayers> opened = open_zip(std::move(file));
+  if (!opened.ok()) return opened.error();
+  if (auto* found = std::get_if<std::unique_ptr<LayerReader>>(&opened.value())) {
+    layers.layers = std::move(*found);
+    return open_layer_file(std::move(layers), settings);
+  }
+  mesh.triangles = std::get<std::unique_ptr<TriangleSource>>(std::move(opened).value());
+  return open_mesh(std::move(mesh), settings, options);
+}
+
+}  // namespace
+
+Result<OpenedPart> open_part(const std::string& path, const core::Settings& settings,
+                             const OpenOptions& options) {
+  Result<InputFile> opened = InputFile::open(path);
+  if (!opened.ok()) return opened.error();
+  InputFile& file = opened.value();
+  const std::string name = file.name();
+  const Result<FileKind> kind = kind_of(file);
+  if (!kind.ok()) return kind.error();
+  if (kind.value() == FileKind::kZip) return open_zipped(std::move(file), path, settings, options);
+  if (is_layers(kind.value())) {
+    LayerFileInput input{name, nullptr, opener(file, path, kind.value(), open_layers)};
+    Result<std::unique_ptr<LayerReader>> layers = open_layers(kind.value(), std::move(file));
+    if (!layers.ok()) return layers.error();
+    input.layers = std::move(layers).value();
+    return open_layer_file(std::move(input), settings);
+  }
+  MeshInput input{name, nullptr, opener(file, path, kind.value(), open_triangles)};
+  if (kind.value() == FileKind::kSif) {
+    return open_sif(std::move(file), std::move(input), settings, options);
+  }
+  Result<std::unique_ptr<TriangleSource>> triangles = open_triangles(kind.value(), std::move(file));
+  if (!triangles.ok()) return triangles.error();
+  input.triangles = std::move(triangles).value();
+  return open_mesh(std::move(input), settings, options);
+}
+
+Result<OpenedPart> open_whole_part(const std::string& path, const core::Settings& settings,
+                                   const OpenOptions& options) {
+  Result<OpenedPart> part = open_part(path, settings, options);
+  if (!part.ok() || !part.value().read_rest) return part;
+  Result<PartSummary> summary = part.value().read_rest();
+  if (!summary.ok()) return summary.error();
+  part.value().summary = std::move(summary).value();
+  part.value().read_rest = nullptr;
+  return part;
+}
+
+}  // namespace host

@@ -1,0 +1,53 @@
+#include "host/part/triangle_record.h"
+
+#include <cstdint>
+
+namespace host {
+namespace {
+
+// Differences wrap around like unsigned numbers, so that every pair of heights has one.
+void put(std::int64_t from, std::int64_t to, std::string& into) {
+  const std::uint64_t way = static_cast<std::uint64_t>(to) - static_cast<std::uint64_t>(from);
+  std::uint64_t left = way << 1 ^ (way >> 63 != 0 ? UINT64_MAX : 0);
+  while (left >= 0x80) {
+    into += static_cast<char>(left | 0x80);
+    left >>= 7;
+  }
+  into += static_cast<char>(left);
+}
+
+std::int64_t get(std::int64_t from, const char*& bytes) {
+  std::uint64_t read = 0;
+  for (int shift = 0;; shift += 7) {
+    const auto byte = static_cast<unsigned char>(*bytes++);
+    read |= static_cast<std::uint64_t>(byte & 0x7F) << shift;
+    if (byte < 0x80) break;
+  }
+  const std::uint64_t way = read >> 1 ^ ((read & 1) != 0 ? UINT64_MAX : 0);
+  return static_cast<std::int64_t>(static_cast<std::uint64_t>(from) + way);
+}
+
+}  // namespace
+
+void write_triangle(const core::Triangle& triangle, const core::Vertex& before, std::string& into) {
+  const core::Vertex* base = &before;
+  for (const core::Vertex& corner : triangle.corners) {
+    put(base->x, corner.x, into);
+    put(base->y, corner.y, into);
+    put(base->z, corner.z, into);
+    base = triangle.corners.data();
+  }
+}
+
+const char* read_triangle(const char* bytes, const core::Vertex& before, core::Triangle& triangle) {
+  const core::Vertex* base = &before;
+  for (core::Vertex& corner : triangle.corners) {
+    corner.x = static_cast<std::int32_t>(get(base->x, bytes));
+    corner.y = static_cast<std::int32_t>(get(base->y, bytes));
+    corner.z = get(base->z, bytes);
+    base = triangle.corners.data();
+  }
+  return bytes;
+}
+
+}  // namespace host

@@ -1,0 +1,35 @@
+// What one slice sets going on its way through the stages (ordered_stages.h): the slice itself, its
+// offsets, and the layers that it settles in the window, with what becomes of them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/offsets/slice_offsets.h"  // OffsetCutter
+#include "core/result.h"                 // Error
+#include "core/roads/layer_planner.h"    // LayerPlanner
+#include "core/slices/slice.h"           // Slice
+#include "core/units.h"                  // LayerIndex, Length
+#include "host/pipeline/stage_meter.h"   // StageUse
+
+namespace host {
+
+struct SettledLayer {
+  core::LayerIndex index = 0;
+  core::Length bottom;
+  core::LayerPlanner::Place place;
+  std::optional<std::string> pause;  // why to pause before it
+};
+
+struct LayerBatch {
+  std::optional<core::Slice> slice;  // none: the source has ended, the window is emptied
+  std::optional<core::Error> error;  // why there is none
+  std::optional<std::string> pause;  // why to pause before its layer
+  core::OffsetCutter::Place offsets;
+  std::int64_t offset_retries = 0;
+  std::vector<SettledLayer> settled;
+  StageUse use;
+};
+
+}  // namespace host

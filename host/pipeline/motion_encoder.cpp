@@ -1,0 +1,153 @@
+#include "host/pipeline/motion_encoder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <variant>
+
+#include "core/check.h"
+
+namespace host {
+namespace {
+
+using firmware_link::Command;
+using firmware_link::Heater;
+using firmware_link::Move;
+
+constexpr double kUnitsPerMmOfFilament = 1e5;  // 10 nm
+constexpr std::int64_t kUnitsPerUm = 10;
+
+// Nearest, halves away from zero.
+std::int64_t to_um(std::int64_t units) {
+  const std::int64_t half = units < 0 ? -kUnitsPerUm / 2 : kUnitsPerUm / 2;
+  return (units + half) / kUnitsPerUm;
+}
+
+Command temperature(Heater heater, double celsius, bool wait) {
+  const auto tenths = static_cast<std::int32_t>(std::clamp(std::lround(celsius * 10), 0L, 9'999L));
+  return firmware_link::SetTemperature{heater, tenths, wait};
+}
+
+core::Status check_lines(const std::vector<std::string>& lines, const char* setting) {
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (firmware_link::blank_or_comment(lines[i])) continue;
+    const auto made = firmware_link::verbatim_from(lines[i]);
+    const auto* refusal = std::get_if<std::string>(&made);
+    if (refusal == nullptr) continue;
+    return core::Error{core::ErrorCode::kBadSetting, std::string(setting) + ", line " +
+                                                         std::to_string(i + 1) + " ('" + lines[i] +
+                                                         "'): " + *refusal};
+  }
+  return {};
+}
+
+}  // namespace
+
+core::Status check_user_gcode(const core::Settings& settings) {
+  core::Status start = check_lines(settings.start_gcode, "start_gcode");
+  return start.ok() ? check_lines(settings.end_gcode, "end_gcode") : start;
+}
+
+std::optional<Command> MotionEncoder::encode(const core::Motion& motion) {
+  return std::visit([this](const auto& one) { return encode_one(one); }, motion);
+}
+
+std::optional<Command> MotionEncoder::encode_one(const core::Travel& motion) {
+  Move move;
+  put_position(motion.to, move);
+  if (!move.x_um && !move.y_um) return std::nullopt;
+  put_feed(motion.speed_mm_s, move);
+  return move;
+}
+
+std::optional<Command> MotionEncoder::encode_one(const core::Lift& motion) {
+  const std::int64_t z_um = to_um(motion.to.units());
+  if (state_.z_um == z_um) return std::nullopt;
+  Move move;
+  move.z_um = state_.z_um = z_um;
+  put_feed(motion.speed_mm_s, move);
+  return move;
+}
+
+std::optional<Command> MotionEncoder::encode_one(const core::Extrude& motion) {
+  Move move;
+  move.extruding = true;
+  put_position(motion.to, move);
+  if (!move.x_um && !move.y_um) {
+    // Shorter than the wire can tell: its material goes into the next move, not into a blob.
+    state_.filament_rest_10nm += motion.filament_mm * kUnitsPerMmOfFilament;
+    return std::nullopt;
+  }
+  put_filament(motion.filament_mm, move);
+  put_feed(motion.speed_mm_s, move);
+  return move;
+}
+
+std::optional<Command> MotionEncoder::encode_one(const core::ExtrudeArc& motion) {
+  RIND_CHECK(state_.x_um && state_.y_um);
+  firmware_link::Arc arc;
+  arc.clockwise = motion.clockwise;
+  arc.i_um = static_cast<std::int32_t>(to_um(motion.centre.x) - *state_.x_um);
+  arc.j_um = static_cast<std::int32_t>(to_um(motion.centre.y) - *state_.y_um);
+  arc.length_um = static_cast<std::int32_t>(std::lround(motion.length_mm * 1'000));
+  Move move;
+  move.extruding = true;
+  put_position(motion.to, move);
+  RIND_CHECK(move.x_um || move.y_um);
+  put_filament(motion.filament_mm, move);
+  put_feed(motion.speed_mm_s, move);
+  move.arc = arc;
+  return move;
+}
+
+std::optional<Command> MotionEncoder::encode_one(const core::MoveFilament& motion) {
+  Move move;
+  move.extruding = true;
+  put_filament(motion.filament_mm, move);
+  if (!move.e_10nm) return std::nullopt;
+  put_feed(motion.speed_mm_s, move);
+  return move;
+}
+
+std::optional<Command> MotionEncoder::encode_one(const core::SetFan& motion) {
+  const long power = std::clamp(std::lround(motion.share * 255), 0L, 255L);
+  return firmware_link::SetFan{static_cast<std::uint8_t>(power)};
+}
+
+std::optional<Command> MotionEncoder::encode_one(const core::SetNozzleTemperature& motion) {
+  return temperature(Heater::kNozzle, motion.celsius, motion.wait);
+}
+
+std::optional<Command> MotionEncoder::encode_one(const core::SetBedTemperature& motion) {
+  return temperature(Heater::kBed, motion.celsius, motion.wait);
+}
+
+std::optional<Command> MotionEncoder::encode_one(const core::Verbatim& motion) {
+  if (firmware_link::blank_or_comment(motion.line)) return std::nullopt;
+  const auto made = firmware_link::verbatim_from(motion.line);
+  RIND_CHECK(std::holds_alternative<firmware_link::Verbatim>(made));
+  // It may have moved anything.
+  state_.x_um = state_.y_um = state_.z_um = state_.f_mm_min = std::nullopt;
+  return std::get<firmware_link::Verbatim>(made);
+}
+
+void MotionEncoder::put_position(core::Point to, Move& move) {
+  const std::int64_t x_um = to_um(to.x), y_um = to_um(to.y);
+  if (state_.x_um != x_um) move.x_um = state_.x_um = x_um;
+  if (state_.y_um != y_um) move.y_um = state_.y_um = y_um;
+}
+
+void MotionEncoder::put_feed(double speed_mm_s, Move& move) {
+  const std::int64_t feed =
+      std::clamp<std::int64_t>(std::llround(speed_mm_s * 60), 1, firmware_link::kFeedMmMinMax);
+  if (state_.f_mm_min != feed) move.f_mm_min = state_.f_mm_min = feed;
+}
+
+void MotionEncoder::put_filament(double filament_mm, Move& move) {
+  const double wanted = filament_mm * kUnitsPerMmOfFilament + state_.filament_rest_10nm;
+  const std::int64_t sent = std::llround(wanted);
+  state_.filament_rest_10nm = wanted - static_cast<double>(sent);
+  if (sent != 0) move.e_10nm = sent;
+}
+
+}  // namespace host

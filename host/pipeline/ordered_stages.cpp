@@ -1,0 +1,65 @@
+#include "host/pipeline/ordered_stages.h"
+
+#include <tbb/global_control.h>
+#include <tbb/parallel_pipeline.h>
+#include <tbb/task_arena.h>
+
+#include <utility>
+
+#include "core/check.h"  // RIND_CHECK
+
+namespace host {
+namespace {
+
+void run_in_turn(const OrderedStages& stages) {
+  while (const std::unique_ptr<LayerBatch> batch = stages.take()) {
+    stages.cut(*batch);
+    stages.split(*batch);
+    stages.plan(*batch);
+    stages.give(*batch);
+  }
+}
+
+// The pipeline hands plain values on: a shared pointer, so that nothing is lost on an exception.
+using Shared = std::shared_ptr<LayerBatch>;
+
+auto stage(tbb::filter_mode mode, const std::function<void(LayerBatch&)>& work) {
+  return tbb::make_filter<Shared, Shared>(mode, [&work](Shared batch) {
+    work(*batch);
+    return batch;
+  });
+}
+
+void run_at_once(const OrderedStages& stages, int jobs) {
+  const auto take = [&stages](tbb::flow_control& control) -> Shared {
+    Shared batch = stages.take();
+    if (!batch) control.stop();
+    return batch;
+  };
+  const auto give = [&stages](const Shared& batch) { stages.give(*batch); };
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(jobs));
+  tbb::task_arena arena(jobs);
+  arena.execute([&] {
+    tbb::parallel_pipeline(
+        static_cast<std::size_t>(batches_max(jobs)),
+        tbb::make_filter<void, Shared>(tbb::filter_mode::serial_in_order, take) &
+            stage(tbb::filter_mode::parallel, stages.cut) &
+            stage(tbb::filter_mode::serial_in_order, stages.split) &
+            stage(tbb::filter_mode::parallel, stages.plan) &
+            tbb::make_filter<Shared, void>(tbb::filter_mode::serial_in_order, give));
+  });
+}
+
+}  // namespace
+
+void run_stages(const OrderedStages& stages, int jobs) {
+  RIND_CHECK(jobs >= 1);
+  if (jobs == 1) {
+    run_in_turn(stages);
+  } else {
+    run_at_once(stages, jobs);
+  }
+}
+
+}  // namespace host

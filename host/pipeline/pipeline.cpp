@@ -1,0 +1,322 @@
+#include "host/pipeline/pipeline.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <deque>
+#include <memory>
+#include <new>
+#include <utility>
+
+#include "core/motions/motion_builder.h"
+#include "core/motions/motion_clock.h"
+#include "core/offsets/slice_offsets.h"
+#include "core/roads/layer_planner.h"
+#include "core/walls/wall_splitter.h"
+#include "core/walls/wall_style.h"
+#include "host/memory_budget.h"
+#include "host/part/layer_rules.h"
+#include "host/pipeline/layer_batch.h"
+#include "host/pipeline/motion_encoder.h"
+#include "host/pipeline/ordered_stages.h"
+
+namespace host {
+namespace {
+
+double volume_mm3(const core::Region& region, core::Length height) {
+  return region.area_mm2() * height.mm();
+}
+
+class Pipeline {
+ public:
+  Pipeline(Job& job, const PipelineOutputs& outputs, PipelineSignals& signals,
+           GeometryStatistics& statistics)
+      : job_(job),
+        settings_(core::with_style(job.settings)),
+        outputs_(outputs),
+        signals_(signals),
+        statistics_(statistics),
+        bad_layers_(job.on_bad_layer, job.part_path, signals.warnings),
+        cutter_(settings_),
+        splitter_(settings_),
+        planner_(settings_),
+        builder_(settings_),
+        motion_clock_({settings_.acceleration_mm_s2, settings_.filament_acceleration_mm_s2,
+                       settings_.junction_deviation_mm}),
+        sink_([this](const core::Motion& motion) { send(motion); }) {
+    if (!job.start) return;
+    builder_.go_on_from(job.start->motions);
+    encoder_.go_on_from(job.start->encoder);
+    commands_ = job.start->commands;
+    filament_before_mm_ = job.start->filament_mm;
+  }
+
+  core::Result<PipelineEnd> run() {
+    core::Result<PipelineEnd> end = run_in_memory();
+    close_statistics();
+    return end;
+  }
+
+ private:
+  core::Result<PipelineEnd> run_in_memory() {
+    try {
+      if (core::Status read = read_rest(); !read.ok()) return read.error();
+      run_stages({.take = [this] { return take(); },
+                  .cut = [this](LayerBatch& batch) { cut(batch); },
+                  .split = [this](LayerBatch& batch) { split(batch); },
+                  .plan = [this](LayerBatch& batch) { plan(batch); },
+                  .give = [this](LayerBatch& batch) { give(batch); }},
+                 job_.jobs);
+      return finish();
+    } catch (const std::bad_alloc&) {
+      return core::Error{core::ErrorCode::kNoMemory,
+                         fmt::format("{}, layer {}: {}; allow more, or simplify the mesh",
+                                     job_.part_path, statistics_.layers + 1, memory_refusal())};
+    }
+  }
+
+  core::Status read_rest() {
+    if (job_.part.read_rest) {
+      if (outputs_.on_motion && !job_.start) builder_.preheat(sink_);
+      core::Result<PartSummary> summary = job_.part.read_rest();
+      if (!summary.ok()) return summary.error();
+      job_.part.summary = std::move(summary).value();
+      job_.part.read_rest = nullptr;
+      for (const std::string& warning : job_.part.summary.warnings) signals_.warnings.put(warning);
+    }
+    signals_.layers.store(job_.part.summary.layers);
+    return {};
+  }
+
+  // In order. After the last slice, empty batches until the window is empty.
+  std::unique_ptr<LayerBatch> take() {
+    if (window_emptied_ || stopped()) return nullptr;
+    auto batch = std::make_unique<LayerBatch>();
+    if (source_ended_) return batch;
+    const StageMeter meter(Stage::kSlice, batch->use);
+    if (core::Status taken = take_slice(*batch); !taken.ok()) batch->error = taken.error();
+    source_ended_ = !batch->slice;
+    return batch;
+  }
+
+  core::Status take_slice(LayerBatch& batch) {
+    std::optional<core::Slice> found;
+    do {
+      core::Result<std::optional<core::Slice>> next = job_.part.layers->next();
+      if (!next.ok()) return next.error();
+      found = std::move(next).value();
+      if (!found || stopped()) return {};
+      core::Status fine = check_layer_height(job_.part_path, *found, settings_);
+      if (!fine.ok()) return fine;
+      auto pause = bad_layers_.check(*found, job_.part.summary.layers);
+      if (!pause.ok()) return pause.error();
+      batch.pause = std::move(pause).value();
+    } while (below_start(*found));
+    core::Slice& slice = *found;
+    signals_.slices_cut.fetch_add(1);
+    ++statistics_.layers;
+    statistics_.defects.add(slice);
+    batch.offsets = cutter_.place(slice);
+    batch.slice = std::move(slice);
+    return {};
+  }
+
+  // Whether no layer from the start on can see this slice, in millimetres or in layers.
+  [[nodiscard]] bool below_start(const core::Slice& slice) const {
+    if (!job_.start) return false;
+    return slice.index + core::wall_layers(settings_) < job_.start->layer &&
+           slice.top() + settings_.wall_thickness <= job_.start->bottom;
+  }
+
+  // A layer that was printed before, and too low to be split rightly here.
+  [[nodiscard]] bool below_start(const core::SplitLayer& split) const {
+    return job_.start && split.layer.slice.index < job_.start->layer;
+  }
+
+  void cut(LayerBatch& batch) const {
+    if (!batch.slice || !batch.offsets.to_fill) return;
+    const StageMeter meter(Stage::kOffset, batch.use);
+    batch.offset_retries = cutter_.fill(*batch.slice, *batch.offsets.offsets);
+  }
+
+  // In order.
+  void split(LayerBatch& batch) {
+    if (batch.error) return;
+    const StageMeter meter(Stage::kWindow, batch.use);
+    if (!batch.slice) {
+      std::optional<core::SplitLayer> settled = splitter_.finish();
+      window_emptied_ = !settled;
+      if (settled && !below_start(*settled)) batch.settled.push_back(place(*std::move(settled)));
+      return;
+    }
+    if (splitter_.next_index() == 0) splitter_.begin_at(batch.slice->index);
+    if (batch.pause) pauses_.emplace_back(batch.slice->index, *std::move(batch.pause));
+    std::optional<core::SplitLayer> settled =
+        splitter_.push({*std::move(batch.slice), std::move(batch.offsets.offsets)});
+    for (; settled; settled = splitter_.next()) {
+      if (below_start(*settled)) continue;
+      batch.settled.push_back(place(*std::move(settled)));
+    }
+  }
+
+  SettledLayer place(core::SplitLayer layer) {
+    const core::LayerIndex index = layer.layer.slice.index;
+    const core::Length bottom = layer.layer.slice.bottom;
+    return {index, bottom, planner_.place(std::move(layer)), pause_before(index)};
+  }
+
+  std::optional<std::string> pause_before(core::LayerIndex index) {
+    std::optional<std::string> pause;
+    while (!pauses_.empty() && pauses_.front().first <= index) {
+      if (pauses_.front().first == index) pause = std::move(pauses_.front().second);
+      pauses_.pop_front();
+    }
+    return pause;
+  }
+
+  void plan(LayerBatch& batch) const {
+    const StageMeter meter(Stage::kRoads, batch.use);
+    for (SettledLayer& settled : batch.settled) {
+      if (settled.place.to_fill) planner_.fill(*settled.place.plan, wants_roads());
+    }
+  }
+
+  // In order.
+  void give(LayerBatch& batch) {
+    if (stopped()) return;
+    if (batch.error) return fail(*batch.error);
+    {
+      const StageMeter meter(Stage::kEncode, batch.use);
+      for (const SettledLayer& settled : batch.settled) {
+        if (core::Status given = give(settled); !given.ok()) return fail(given.error());
+        if (stopped()) return;
+      }
+    }
+    statistics_.mountain_retries += batch.offset_retries;
+    statistics_.boolean_retries += batch.use.boolean_retries;
+    statistics_.allocations.add(layers_timed_, batch.use.allocations);
+    statistics_.layer_times.add(layers_timed_++, statistics_.clock.add_layer(batch.use.seconds));
+  }
+
+  void fail(const core::Error& error) {
+    error_ = error;
+    refused_ = true;
+  }
+
+  core::Status give(const SettledLayer& settled) {
+    if (settled.pause && outputs_.on_pause) outputs_.on_pause(*settled.pause);
+    const core::LayerPlan& plan = *settled.place.plan;
+    core::SplitLayer layer = plan.layer;
+    core::Slice& slice = layer.layer.slice;
+    slice.index = settled.index;
+    slice.bottom = settled.bottom;
+    statistics_.solid_mm3 += volume_mm3(layer.solid, slice.height);
+    statistics_.loose_mm3 += volume_mm3(layer.loose, slice.height);
+    statistics_.regularised_mm3 += plan.regularised_mm3;
+    keep(outputs_.on_layer ? outputs_.on_layer(layer) : true);
+    if (!wants_roads()) return {};
+
+    core::Status fits = check_on_bed(job_.part_path, slice, plan.roads, settings_);
+    if (!fits.ok()) return fits;
+    statistics_.roads += static_cast<std::int64_t>(plan.roads.size());
+    keep(outputs_.on_roads ? outputs_.on_roads(layer, plan.roads) : true);
+    if (!outputs_.on_motion) return {};
+    if (!plan.roads.empty() && builder_.arcs_undecided()) {
+      builder_.decide_arcs(job_.draws_arcs == nullptr || job_.draws_arcs());
+    }
+    if (outputs_.on_checkpoint && !plan.roads.empty() && !refused_) {
+      outputs_.on_checkpoint({slice.index, slice.bottom, commands_,
+                              filament_before_mm_ + total_mm(builder_.totals().filament_mm),
+                              builder_.state(), encoder_.state()});
+    }
+    builder_.layer(slice, plan.roads, sink_);
+    return {};
+  }
+
+  void send(const core::Motion& motion) {
+    if (refused_) return;
+    motion_clock_.add(motion);
+    const std::optional<firmware_link::Command> command = encoder_.encode(motion);
+    if (command) ++commands_;
+    keep(outputs_.on_motion(motion, command));
+  }
+
+  core::Result<PipelineEnd> finish() {
+    if (error_) return *error_;
+    if (stopped()) return PipelineEnd::kStopped;
+    if (wants_roads() && statistics_.roads == 0) {
+      return core::Error{
+          core::ErrorCode::kBadPart,
+          fmt::format("{}: no road fits anywhere: at every height the part is narrower than "
+                      "road_width_min ({:g} mm); is it in millimetres?",
+                      job_.part_path, settings_.road_width_min.mm())};
+    }
+    if (outputs_.on_motion) builder_.finish(sink_);
+    return stopped() ? PipelineEnd::kStopped : PipelineEnd::kDone;
+  }
+
+  void close_statistics() {
+    const PartCounters used = job_.part.counters();
+    StageClock& clock = statistics_.clock;
+    clock.set_seconds(Stage::kRead, used.read_cpu_s);
+    clock.set_seconds(Stage::kSort, used.sort_cpu_s);
+    clock.set_seconds(Stage::kSlice, used.slice_cpu_s);
+    statistics_.peak_triangles_held = used.peak_triangles_held;
+    statistics_.spilled_bytes = used.spilled_bytes;
+    statistics_.bad_layers = bad_layers_.count();
+    const core::WallSplitter::Usage window = splitter_.usage();
+    statistics_.peak_layers_held = static_cast<std::int64_t>(window.layers_held_peak);
+    statistics_.peak_regions_held = static_cast<std::int64_t>(window.regions_held_peak);
+    statistics_.region_operations = window.operations;
+    statistics_.region_operations_worst = window.operations_worst;
+    statistics_.reused = {cutter_.reused(), window.layers_reused, planner_.reused()};
+    statistics_.filament_mm = builder_.totals().filament_mm;
+    statistics_.arcs = builder_.totals().arcs;
+    statistics_.time_s = motion_clock_.seconds();
+  }
+
+  [[nodiscard]] bool wants_roads() const { return outputs_.on_roads || outputs_.on_motion; }
+  void keep(bool go_on) {
+    if (!go_on) refused_ = true;
+  }
+  [[nodiscard]] bool stopped() const {
+    return refused_ || (signals_.stop_asked && signals_.stop_asked());
+  }
+
+  Job& job_;
+  const core::Settings settings_;
+  const PipelineOutputs& outputs_;
+  PipelineSignals& signals_;
+  GeometryStatistics& statistics_;
+
+  // Of take().
+  BadLayers bad_layers_;
+  core::OffsetCutter cutter_;  // cut() only reads its settings
+  bool source_ended_ = false;
+
+  // Of split().
+  core::WallSplitter splitter_;
+  core::LayerPlanner planner_;  // plan() only reads its settings
+  std::atomic<bool> window_emptied_ = false;
+  std::deque<std::pair<core::LayerIndex, std::string>> pauses_;  // of layers in the window
+
+  // Of give().
+  core::MotionBuilder builder_;
+  core::MotionClock motion_clock_;
+  MotionEncoder encoder_;
+  core::MotionBuilder::Sink sink_;
+  std::int64_t commands_ = 0;  // of the whole print
+  double filament_before_mm_ = 0;
+  core::LayerIndex layers_timed_ = 0;
+  std::optional<core::Error> error_;
+  std::atomic<bool> refused_ = false;  // an output wants no more, or there was an error
+};
+
+}  // namespace
+
+core::Result<PipelineEnd> run_pipeline(Job& job, const PipelineOutputs& outputs,
+                                       PipelineSignals& signals, GeometryStatistics& statistics) {
+  return Pipeline(job, outputs, signals, statistics).run();
+}
+
+}  // namespace host

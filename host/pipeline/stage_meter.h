@@ -1,0 +1,46 @@
+// What one layer costs in one stage, measured where the work is done: processor time,
+// allocations and odd events of the thread that does it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "core/booleans/boolean.h"      // boolean_retries
+#include "host/memory_budget.h"         // thread_allocations
+#include "host/pipeline/stage_clock.h"  // Stage, StageSeconds, CpuTimer
+
+namespace host {
+
+// By Stage.
+using StageCounts = std::array<std::int64_t, kStageCount>;
+
+struct StageUse {
+  StageSeconds seconds{};
+  StageCounts allocations{};
+  std::int64_t boolean_retries = 0;
+};
+
+// Adds what the calling thread uses during its own life.
+class StageMeter {
+ public:
+  StageMeter(Stage stage, StageUse& use)
+      : timer_(seconds_of(stage, use.seconds)),
+        use_(use),
+        allocations_(use.allocations[static_cast<std::size_t>(stage)]) {
+    allocations_ -= thread_allocations();
+    use_.boolean_retries -= core::boolean_retries();
+  }
+  ~StageMeter() {
+    allocations_ += thread_allocations();
+    use_.boolean_retries += core::boolean_retries();
+  }
+  StageMeter(const StageMeter&) = delete;
+  StageMeter& operator=(const StageMeter&) = delete;
+
+ private:
+  CpuTimer timer_;
+  StageUse& use_;
+  std::int64_t& allocations_;
+};
+
+}  // namespace host

@@ -1,0 +1,209 @@
+#include "host/pipeline/statistics.h"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+#include "host/limits.h"
+
+namespace host {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json stage_seconds(const StageClock& clock) {
+  Json json;
+  for (std::size_t i = 1; i < kStageCount; ++i) {
+    const Stage stage = static_cast<Stage>(i);
+    json[std::string(stage_name(stage))] = clock.seconds(stage);
+  }
+  return json;
+}
+
+Json stage_worst(const StageClock& clock) {
+  Json json;
+  for (std::size_t i = 1; i < kStageCount; ++i) {
+    const Stage stage = static_cast<Stage>(i);
+    json[std::string(stage_name(stage))] = clock.worst_layer_ms(stage);
+  }
+  return json;
+}
+
+Json filament_json(const FilamentUse& filament) {
+  Json json;
+  for (std::size_t i = 0; i < filament.size(); ++i) {
+    json[road_kind_name(static_cast<core::RoadKind>(i))] = filament[i];
+  }
+  json["total"] = total_mm(filament);
+  return json;
+}
+
+Json defects_json(const DefectLog& defects) {
+  std::vector<double> heights;
+  for (const core::Length height : defects.heights()) heights.push_back(height.mm());
+  return {{"layers", defects.layers()},
+          {"closed_chains", defects.closed_chains()},
+          {"dropped_chains", defects.dropped_chains()},
+          {"flipped_facets", defects.flipped_facets()},
+          {"doubled_facets", defects.doubled_facets()},
+          {"widest_gap_mm", defects.widest_gap().mm()},
+          {"heights_mm", heights}};
+}
+
+Json allocations_json(const AllocationLog& allocations) {
+  Json json;
+  for (const Stage stage :
+       {Stage::kSlice, Stage::kOffset, Stage::kWindow, Stage::kRoads, Stage::kEncode}) {
+    json[std::string(stage_name(stage))] = allocations.per_layer(stage);
+  }
+  return json;
+}
+
+template <typename T>
+Json or_null(const std::optional<T>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+}  // namespace
+
+std::string road_kind_name(core::RoadKind kind) {
+  switch (kind) {
+    case core::RoadKind::kSkirt:
+      return "skirt";
+    case core::RoadKind::kOuterPerimeter:
+      return "outer_perimeter";
+    case core::RoadKind::kPerimeter:
+      return "perimeter";
+    case core::RoadKind::kSolid:
+      return "solid";
+    case core::RoadKind::kRest:
+      return "rest";
+    case core::RoadKind::kLoose:
+      return "loose";
+  }
+  return "unknown";
+}
+
+double total_mm(const FilamentUse& filament) {
+  return std::accumulate(filament.begin(), filament.end(), 0.0);
+}
+
+void DefectLog::add(const core::Slice& slice) {
+  if (!slice.defects.any()) return;
+  ++layers_;
+  closed_chains_ += slice.defects.closed_chains;
+  dropped_chains_ += slice.defects.dropped_chains;
+  flipped_facets_ += slice.defects.flipped_facets;
+  doubled_facets_ += slice.defects.doubled_facets;
+  widest_gap_ = std::max(widest_gap_, slice.defects.widest_gap);
+  if (heights_.size() < kDefectHeightsMax) heights_.push_back(slice.top());
+}
+
+std::string DefectLog::summary() const {
+  if (layers_ == 0) return "";
+  const auto counted = [](std::int64_t count, const char* what) {
+    return fmt::format(" {} {}{},", count, what, count == 1 ? "" : "s");
+  };
+  std::string text = fmt::format("mended in {} layer{}:", layers_, layers_ == 1 ? "" : "s");
+  if (closed_chains_ > 0) {
+    text += counted(closed_chains_, "open contour");
+    text.back() = ' ';
+    text += fmt::format("closed (widest gap {} mm),", widest_gap_.mm());
+  }
+  if (dropped_chains_ > 0) text += counted(dropped_chains_, "left-out open contour");
+  if (flipped_facets_ > 0) text += counted(flipped_facets_, "flipped facet");
+  if (doubled_facets_ > 0) text += counted(doubled_facets_, "doubled facet");
+  text.back() = ';';
+  text += " at height";
+  for (const core::Length height : heights_) text += fmt::format(" {}", height.mm());
+  if (layers_ > static_cast<std::int64_t>(heights_.size())) text += " ...";
+  return text + " mm";
+}
+
+void AllocationLog::add(std::int64_t layer, const StageCounts& counts) {
+  if (layer < kWarmUpLayers) return;
+  ++layers_;
+  for (std::size_t i = 0; i < counts.size(); ++i) counts_[i] += counts[i];
+}
+
+double AllocationLog::per_layer(Stage stage) const {
+  const auto count = static_cast<double>(counts_[static_cast<std::size_t>(stage)]);
+  return layers_ > 0 ? count / static_cast<double>(layers_) : 0;
+}
+
+std::int64_t peak_rss_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return std::int64_t{usage.ru_maxrss} * 1'024;
+}
+
+std::string statistics_json(const GeometryStatistics& geometry, const LinkStatistics* link) {
+  StageClock clock = geometry.clock;
+  if (link != nullptr) clock.merge(link->clock);
+  Json json = {{"layers", geometry.layers},
+               {"roads", geometry.roads},
+               {"arcs", geometry.arcs},
+               {"peak_layers_held", geometry.peak_layers_held},
+               {"peak_regions_held", geometry.peak_regions_held},
+               {"peak_triangles_held", geometry.peak_triangles_held},
+               {"spilled_bytes", geometry.spilled_bytes},
+               {"bad_layers", geometry.bad_layers},
+               {"mountain_retries", geometry.mountain_retries},
+               {"boolean_retries", geometry.boolean_retries},
+               {"region_operations", geometry.region_operations},
+               {"region_operations_worst", geometry.region_operations_worst},
+               {"layers_reused",
+                {{"offsets", geometry.reused.offsets},
+                 {"splits", geometry.reused.splits},
+                 {"roads", geometry.reused.roads}}},
+               {"peak_rss_bytes", peak_rss_bytes()},
+               {"cpu_seconds", stage_seconds(clock)},
+               {"worst_layer_ms", stage_worst(clock)},
+               {"layer_ms",
+                {{"median", geometry.layer_times.median_ms()},
+                 {"worst", geometry.layer_times.worst_ms()},
+                 {"worst_layer", geometry.layer_times.worst_layer() + 1}}},
+               {"allocations_per_layer", allocations_json(geometry.allocations)},
+               {"solid_mm3", geometry.solid_mm3},
+               {"loose_mm3", geometry.loose_mm3},
+               {"regularised_mm3", geometry.regularised_mm3},
+               {"regularised_g", geometry.regularised_mm3 * kDensityGramsMm3},
+               {"filament_mm", filament_json(geometry.filament_mm)},
+               {"time_s", geometry.time_s},
+               {"defects", defects_json(geometry.defects)}};
+  json["first_road_s"] = or_null(link != nullptr ? link->first_road_s : geometry.first_road_s);
+  json["first_road_cpu_s"] =
+      or_null(link != nullptr ? link->first_road_cpu_s : geometry.first_road_cpu_s);
+  if (link != nullptr) {
+    json["first_command_s"] = or_null(link->first_command_s);
+    json["slices_cut_at_first_road"] = or_null(link->slices_cut_at_first_road);
+    json["commands"] = link->commands;
+    json["stalls"] = link->stalls;
+    json["resends"] = link->resends;
+    json["resend_ratio"] = link->resend_ratio;
+    json["planner_low_s"] = link->planner_low_s;
+    json["slowdowns"] = link->slowdowns;
+    json["parks"] = link->parks;
+    json["recoveries"] = link->recoveries;
+  }
+  return json.dump(2) + "\n";
+}
+
+core::Status write_statistics(const std::string& path, const std::string& json) {
+  std::ofstream file(path, std::ios::binary);
+  file << json;
+  file.close();
+  if (!file) {
+    return core::Error{core::ErrorCode::kUnreadable,
+                       path + ": can't write the statistics: " + std::strerror(errno)};
+  }
+  return {};
+}
+
+}  // namespace host

@@ -1,0 +1,134 @@
+// What a run did and what it cost, for --stats. Plain values; nothing grows with the layers.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/result.h"                // Status
+#include "core/roads/road.h"            // RoadKind
+#include "core/slices/slice.h"          // Slice
+#include "core/units.h"                 // LayerIndex, Length
+#include "host/pipeline/layer_times.h"  // LayerTimes
+#include "host/pipeline/stage_clock.h"  // StageClock
+#include "host/pipeline/stage_meter.h"  // StageCounts
+
+namespace host {
+
+// As in the statistics file: "outer_perimeter".
+[[nodiscard]] std::string road_kind_name(core::RoadKind kind);
+
+// PLA's; the filament's own isn't known. For weights told to people only.
+inline constexpr double kDensityGramsMm3 = 1.24e-3;
+
+// Millimetres of filament by RoadKind.
+using FilamentUse = std::array<double, core::kRoadKindCount>;
+[[nodiscard]] double total_mm(const FilamentUse& filament);
+
+// What was mended in the mesh: how often, and at which heights (the first kDefectHeightsMax).
+class DefectLog {
+ public:
+  void add(const core::Slice& slice);
+
+  [[nodiscard]] std::int64_t layers() const { return layers_; }
+  [[nodiscard]] std::int64_t closed_chains() const { return closed_chains_; }
+  [[nodiscard]] std::int64_t dropped_chains() const { return dropped_chains_; }
+  [[nodiscard]] std::int64_t flipped_facets() const { return flipped_facets_; }
+  [[nodiscard]] std::int64_t doubled_facets() const { return doubled_facets_; }
+  [[nodiscard]] core::Length widest_gap() const { return widest_gap_; }
+  [[nodiscard]] const std::vector<core::Length>& heights() const { return heights_; }
+
+  // "3 layers mended (2 gaps closed, widest 0.1 mm; …) at 0.3, 0.5, 0.7 mm"; empty: no defect.
+  [[nodiscard]] std::string summary() const;
+
+ private:
+  std::int64_t layers_ = 0;
+  std::int64_t closed_chains_ = 0;
+  std::int64_t dropped_chains_ = 0;
+  std::int64_t flipped_facets_ = 0;
+  std::int64_t doubled_facets_ = 0;
+  core::Length widest_gap_;
+  std::vector<core::Length> heights_;
+};
+
+// Layers that cost a comparison, because they were like one before.
+struct ReuseCounts {
+  std::int64_t offsets = 0;
+  std::int64_t splits = 0;
+  std::int64_t roads = 0;
+};
+
+// Allocations by stage, those of the first kWarmUpLayers left out: what kept memory doesn't save.
+class AllocationLog {
+ public:
+  // REQUIRES: layers come by index, from 0.
+  void add(std::int64_t layer, const StageCounts& counts);
+
+  // A layer's, in the mean; 0 before there is any.
+  [[nodiscard]] double per_layer(Stage stage) const;
+
+ private:
+  std::int64_t layers_ = 0;
+  StageCounts counts_{};
+};
+
+// Filled by the geometry side.
+struct GeometryStatistics {
+  StageClock clock;
+  std::int64_t layers = 0;
+  std::int64_t roads = 0;
+  std::int64_t arcs = 0;
+  std::int64_t peak_layers_held = 0;
+  std::int64_t peak_regions_held = 0;
+  std::int64_t peak_triangles_held = 0;
+  std::int64_t spilled_bytes = 0;      // to the temporary file for sorting
+  std::int64_t bad_layers = 0;         // bad_layers.h
+  std::int64_t mountain_retries = 0;   // Voronoi diagrams that failed their check
+  std::int64_t boolean_retries = 0;    // operands that crossed themselves (core/booleans/boolean.h)
+  std::int64_t region_operations = 0;  // of the window: intersections and subtractions
+  int region_operations_worst = 0;     // of one layer
+  ReuseCounts reused;
+  double regularised_mm3 = 0;  // moved from loose to solid, to be printable (regularise.h)
+  LayerTimes layer_times;      // processor time
+  AllocationLog allocations;   // of the program only: tests have no hook that counts
+  double solid_mm3 = 0;        // volume of the wall, and of the inside
+  double loose_mm3 = 0;
+  FilamentUse filament_mm{};
+  double time_s = 0;  // estimated, heating left out
+  DefectLog defects;
+  // Of a file: when the first road was handed to it. LinkStatistics has a print's.
+  std::optional<double> first_road_s;      // since the program began
+  std::optional<double> first_road_cpu_s;  // of the whole program
+};
+
+// Filled by the link's side.
+struct LinkStatistics {
+  StageClock clock;
+  std::optional<double> first_command_s;  // since the program began, when the controller said ok
+  std::optional<double> first_road_s;
+  std::optional<double> first_road_cpu_s;  // of the whole program
+  std::optional<std::int64_t> slices_cut_at_first_road;
+  std::int64_t commands = 0;
+  std::int64_t stalls = 0;
+  std::int64_t resends = 0;
+  double resend_ratio = 0;      // of all lines
+  double planner_low_s = 0;     // the controller below half its planner for want of lines
+  std::int64_t slowdowns = 0;   // the feed was lowered, because geometry fell behind
+  std::int64_t parks = 0;       // the nozzle left the part for the same reason
+  std::int64_t recoveries = 0;  // gone on after a lost port or a reset
+  int feed_percent = 100;       // what geometry can follow
+};
+
+// Peak of this program's resident memory so far.
+[[nodiscard]] std::int64_t peak_rss_bytes();
+
+// The statistics as JSON text; `link` is null where nothing was sent.
+[[nodiscard]] std::string statistics_json(const GeometryStatistics& geometry,
+                                          const LinkStatistics* link);
+
+// Writes the text to `path`.
+[[nodiscard]] core::Status write_statistics(const std::string& path, const std::string& json);
+
+}  // namespace host

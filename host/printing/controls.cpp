@@ -1,0 +1,121 @@
+#include "host/printing/controls.h"
+
+#include <poll.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+#include "host/printing/stop_signals.h"  // pause_signal_count
+
+namespace host {
+namespace {
+
+// One that belongs to somebody else's foreground job may be neither read nor set.
+bool own_terminal() { return isatty(STDIN_FILENO) == 1 && tcgetpgrp(STDIN_FILENO) == getpgrp(); }
+
+bool readable(int wait_ms) {
+  pollfd wait{};
+  wait.fd = STDIN_FILENO;
+  wait.events = POLLIN;
+  return ::poll(&wait, 1, wait_ms) > 0 && (wait.revents & (POLLIN | POLLHUP)) != 0;
+}
+
+}  // namespace
+
+std::optional<Wish> wish_of_key(char key) {
+  switch (key) {
+    case 'p':
+      return Wish::kPause;
+    case 'r':
+      return Wish::kGoOn;
+    case ' ':
+      return Wish::kToggle;
+    case 's':
+      return Wish::kStop;
+    case '+':
+      return Wish::kFeedUp;
+    case '-':
+      return Wish::kFeedDown;
+    case '>':
+      return Wish::kFlowUp;
+    case '<':
+      return Wish::kFlowDown;
+    case '?':
+    case 'h':
+      return Wish::kHelp;
+    default:
+      return std::nullopt;
+  }
+}
+
+std::string key_help() { return "keys: p pause, r go on, s stop, + - feed, > < flow, ? this line"; }
+
+// The terminal's mode while keys are read.
+struct Controls::Terminal {
+  termios before{};
+  bool raw = false;
+
+  void set_raw() {
+    if (raw || ::tcgetattr(STDIN_FILENO, &before) != 0) return;
+    termios keys = before;
+    // Ctrl-C and its like stay signals.
+    keys.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);
+    keys.c_cc[VMIN] = 0;
+    keys.c_cc[VTIME] = 0;
+    raw = ::tcsetattr(STDIN_FILENO, TCSANOW, &keys) == 0;
+  }
+
+  void set_back() {
+    if (raw) (void)::tcsetattr(STDIN_FILENO, TCSANOW, &before);
+    raw = false;
+  }
+};
+
+Controls::Controls(bool keys) : toggles_seen_(pause_signal_count()) {
+  if (!keys || !own_terminal()) return;
+  terminal_ = std::make_unique<Terminal>();
+  terminal_->set_raw();
+}
+
+Controls::~Controls() {
+  if (terminal_) terminal_->set_back();
+}
+
+std::optional<Wish> Controls::next() {
+  if (toggles_seen_ != pause_signal_count()) {
+    ++toggles_seen_;
+    return Wish::kToggle;
+  }
+  if (!terminal_ || !own_terminal()) return std::nullopt;
+  char key = 0;
+  while (readable(0) && ::read(STDIN_FILENO, &key, 1) == 1) {
+    if (const std::optional<Wish> wish = wish_of_key(key)) return wish;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> Controls::ask(const std::string& question,
+                                         const std::function<bool()>& given_up) {
+  if (!own_terminal()) return std::nullopt;
+  if (terminal_) terminal_->set_back();
+  std::fprintf(stderr, "%s ", question.c_str());
+  std::fflush(stderr);
+  std::string line;
+  std::optional<std::string> answer;
+  while (!answer && !given_up()) {
+    if (!readable(100)) continue;
+    char letter = 0;
+    if (::read(STDIN_FILENO, &letter, 1) != 1) break;
+    if (letter == '\n') {
+      answer = line;
+    } else if (line.size() < 200) {
+      line += letter;
+    }
+  }
+  if (!answer) std::fputc('\n', stderr);
+  if (terminal_) terminal_->set_raw();
+  return answer;
+}
+
+}  // namespace host

@@ -1,0 +1,160 @@
+#include "host/printing/journal_record.h"
+
+#include <bit>
+#include <cstring>
+
+#include "core/check.h"              // RIND_CHECK
+#include "host/part/content_hash.h"  // hash_of
+
+namespace host {
+namespace {
+
+// Writes 8 bytes a value, lowest first.
+class Writer {
+ public:
+  static constexpr bool kReads = false;
+
+  void whole(std::uint64_t value) {
+    for (int i = 0; i < 8; ++i) bytes_.push_back(static_cast<char>(value >> (8 * i) & 0xff));
+  }
+  [[nodiscard]] std::string& bytes() { return bytes_; }
+
+  template <typename Number>
+  void number(Number& value) {
+    whole(static_cast<std::uint64_t>(value));
+  }
+  void real(double& value) { whole(std::bit_cast<std::uint64_t>(value)); }
+
+ private:
+  std::string bytes_;
+};
+
+class Reader {
+ public:
+  static constexpr bool kReads = true;
+
+  explicit Reader(std::string_view bytes) : bytes_(bytes) {}
+
+  [[nodiscard]] std::uint64_t whole() {
+    std::uint64_t value = 0;
+    for (std::size_t i = 0; i < 8; ++i) {
+      value |= static_cast<std::uint64_t>(static_cast<unsigned char>(bytes_[at_ + i])) << (8 * i);
+    }
+    at_ += 8;
+    return value;
+  }
+
+  template <typename Number>
+  void number(Number& value) {
+    value = static_cast<Number>(whole());
+  }
+  void real(double& value) { value = std::bit_cast<double>(whole()); }
+
+ private:
+  std::string_view bytes_;
+  std::size_t at_ = 0;
+};
+
+template <typename Stream>
+void pass(Stream& stream, std::optional<std::int64_t>& value) {
+  bool known = value.has_value();
+  std::int64_t number = value.value_or(0);
+  stream.number(known);
+  stream.number(number);
+  if (Stream::kReads && known) value = number;
+}
+
+template <typename Stream>
+void pass(Stream& stream, core::Length& length) {
+  std::int64_t units = length.units();
+  stream.number(units);
+  if (Stream::kReads) length = core::Length::from_units(units);
+}
+
+template <typename Stream>
+void pass(Stream& stream, core::MotionState& motions) {
+  stream.number(motions.preheated);
+  stream.number(motions.begun);
+  stream.number(motions.retracted);
+  stream.number(motions.position_known);
+  stream.number(motions.position.x);
+  stream.number(motions.position.y);
+  bool known = motions.nozzle_z.has_value();
+  core::Length height = motions.nozzle_z.value_or(core::Length());
+  stream.number(known);
+  pass(stream, height);
+  if (Stream::kReads && known) motions.nozzle_z = height;
+  bool decided = motions.arcs.has_value();
+  bool arcs = motions.arcs.value_or(false);
+  stream.number(decided);
+  stream.number(arcs);
+  if (Stream::kReads && decided) motions.arcs = arcs;
+  stream.real(motions.fan);
+  stream.real(motions.nozzle_celsius);
+}
+
+// Both ways, so that what is written is what is read.
+template <typename Stream>
+void pass(Stream& stream, JournalRecord& record) {
+  Checkpoint& checkpoint = record.checkpoint;
+  stream.number(checkpoint.layer);
+  pass(stream, checkpoint.bottom);
+  stream.number(checkpoint.commands);
+  stream.real(checkpoint.filament_mm);
+  pass(stream, checkpoint.motions);
+  pass(stream, checkpoint.encoder.x_um);
+  pass(stream, checkpoint.encoder.y_um);
+  pass(stream, checkpoint.encoder.z_um);
+  pass(stream, checkpoint.encoder.f_mm_min);
+  stream.real(checkpoint.encoder.filament_rest_10nm);
+  stream.number(record.sure);
+  stream.number(record.sure_hash);
+  stream.number(record.accepted);
+  stream.number(record.line);
+  stream.number(record.lines_more);
+  stream.number(record.line_kinds);
+  MachineState& machine = record.machine;
+  pass(stream, machine.x_um);
+  pass(stream, machine.y_um);
+  pass(stream, machine.z_um);
+  pass(stream, machine.f_mm_min);
+  stream.number(machine.drawn_back_10nm);
+  stream.number(machine.nozzle_tenths);
+  stream.number(machine.bed_tenths);
+  stream.number(machine.fan);
+  stream.number(record.nozzle_z_um);
+  auto state = static_cast<std::uint8_t>(record.state);
+  stream.number(state);
+  if (Stream::kReads) record.state = static_cast<PrintState>(state);
+}
+
+constexpr std::size_t kSumBytes = 8;
+
+}  // namespace
+
+std::string record_bytes(const JournalRecord& record, std::int64_t sequence) {
+  Writer writer;
+  writer.number(sequence);
+  JournalRecord copy = record;
+  pass(writer, copy);
+  std::string bytes = std::move(writer.bytes());
+  RIND_CHECK(bytes.size() <= kRecordBytes - kSumBytes);
+  bytes.resize(kRecordBytes - kSumBytes, '\0');
+  Writer sum;
+  sum.whole(hash_of(bytes));
+  return bytes + sum.bytes();
+}
+
+std::optional<SequencedRecord> read_record(std::string_view bytes) {
+  if (bytes.size() < kRecordBytes) return std::nullopt;
+  const std::string_view content = bytes.substr(0, kRecordBytes - kSumBytes);
+  Reader sum(bytes.substr(kRecordBytes - kSumBytes));
+  if (sum.whole() != hash_of(content)) return std::nullopt;
+  Reader reader(content);
+  SequencedRecord read;
+  reader.number(read.sequence);
+  pass(reader, read.record);
+  return read;
+}
+
+}  // namespace host

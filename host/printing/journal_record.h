@@ -1,0 +1,57 @@
+// One record of a journal, and its bytes.
+//
+//     checkpoint ──── commands ────┬── … ──┬───────────┬─ … ─┬── not sent
+//                                 sure   accepted    lines in flight
+//
+// Commands before `sure` have moved the machine; those up to `accepted` have been accepted, but
+// their moves may have waited in the controller's planner, which a reset empties. Of the lines in
+// flight only the controller knows.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "host/printing/checkpoint.h"     // Checkpoint
+#include "host/printing/machine_state.h"  // MachineState
+
+namespace host {
+
+// What has become of the print when a record was written.
+enum class PrintState : std::uint8_t {
+  kRunning,
+  kStopped,    // by the user, or because its geometry failed: the safe sequence was executed
+  kReset,      // the controller said `start`, or halted
+  kPortLost,   // the device went; whether the printer lives is not known
+  kLinkFault,  // the controller fell silent, refused …
+};
+
+inline constexpr int kJournalLinesMax = 32;
+
+struct JournalRecord {
+  Checkpoint checkpoint;         // of the layer of the command before `sure`
+  std::int64_t sure = 0;         // commands of the print, from its first
+  std::uint64_t sure_hash = 0;   // of their texts, from the checkpoint on
+  std::int64_t accepted = 0;     // REQUIRES: >= sure
+  std::int32_t line = 0;         // the controller's number of the last accepted line
+  std::int32_t lines_more = 0;   // sent, or about to be, behind it; at most kJournalLinesMax
+  std::uint32_t line_kinds = 0;  // bit i: the i-th of these is a command of the print
+  MachineState machine;          // after the accepted commands
+  std::int64_t nozzle_z_um = 0;  // where the nozzle was sent to: lifted, when the print is parked
+  PrintState state = PrintState::kRunning;
+};
+
+// Fixed length, whatever is in it, with sequence number and checksum.
+inline constexpr std::size_t kRecordBytes = 512;
+[[nodiscard]] std::string record_bytes(const JournalRecord& record, std::int64_t sequence);
+
+struct SequencedRecord {
+  std::int64_t sequence = 0;
+  JournalRecord record;
+};
+
+// Nothing when the bytes are not a whole record.
+[[nodiscard]] std::optional<SequencedRecord> read_record(std::string_view bytes);
+
+}  // namespace host

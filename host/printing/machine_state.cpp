@@ -1,0 +1,55 @@
+#include "host/printing/machine_state.h"
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+namespace host {
+namespace {
+
+using firmware_link::Move;
+
+void apply_move(const Move& move, MachineState& state) {
+  const bool filament_alone = move.e_10nm && !move.x_um && !move.y_um;
+  if (move.x_um) state.x_um = move.x_um;
+  if (move.y_um) state.y_um = move.y_um;
+  if (move.z_um) state.z_um = move.z_um;
+  if (move.f_mm_min) state.f_mm_min = move.f_mm_min;
+  if (filament_alone) {
+    state.drawn_back_10nm = std::max<std::int64_t>(0, state.drawn_back_10nm - *move.e_10nm);
+  }
+}
+
+}  // namespace
+
+void MachineState::apply(const firmware_link::Command& command) {
+  if (const auto* move = std::get_if<Move>(&command)) {
+    apply_move(*move, *this);
+  } else if (const auto* heat = std::get_if<firmware_link::SetTemperature>(&command)) {
+    const bool nozzle = heat->heater == firmware_link::Heater::kNozzle;
+    (nozzle ? nozzle_tenths : bed_tenths) = heat->celsius_tenths;
+  } else if (const auto* blow = std::get_if<firmware_link::SetFan>(&command)) {
+    fan = blow->power;
+  } else {
+    x_um = y_um = z_um = f_mm_min = std::nullopt;
+  }
+}
+
+MachineState state_at(const Checkpoint& checkpoint, const core::Settings& settings) {
+  MachineState state;
+  state.x_um = checkpoint.encoder.x_um;
+  state.y_um = checkpoint.encoder.y_um;
+  state.z_um = checkpoint.encoder.z_um;
+  state.f_mm_min = checkpoint.encoder.f_mm_min;
+  if (checkpoint.motions.retracted) {
+    state.drawn_back_10nm = std::llround(settings.retraction_mm * 1e5);
+  }
+  state.nozzle_tenths =
+      static_cast<std::int32_t>(std::lround(checkpoint.motions.nozzle_celsius * 10));
+  state.bed_tenths = static_cast<std::int32_t>(std::lround(settings.bed_celsius * 10));
+  state.fan =
+      static_cast<std::uint8_t>(std::clamp(std::lround(checkpoint.motions.fan * 255), 0L, 255L));
+  return state;
+}
+
+}  // namespace host

@@ -1,0 +1,168 @@
+// How a print ends.
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "firmware_link/link_step.h"
+#include "host/printing/monitor.h"
+#include "host/printing/port_clock.h"
+
+namespace host {
+namespace {
+
+using firmware_link::Command;
+using firmware_link::FaultKind;
+using firmware_link::Instant;
+using firmware_link::SessionState;
+
+constexpr int kWait_ms = 5;
+// How long a controller that has faulted may take to accept the last bytes.
+constexpr double kLastWords_s = 2;
+
+}  // namespace
+
+std::vector<Command> Monitor::safe_sequence() const {
+  using firmware_link::Heater;
+  std::vector<Command> commands;
+  const bool on_part = first_road_ > 0 && !pauses_.nozzle_z_um();
+  if (on_part && settings_.retraction_mm > 0) {
+    firmware_link::Move retract;
+    retract.extruding = true;
+    retract.e_10nm = -std::llround(settings_.retraction_mm * 1e5);
+    retract.f_mm_min = std::llround(settings_.retraction_speed_mm_s * 60);
+    commands.emplace_back(retract);
+  }
+  const std::optional<std::int64_t> z_um = trail_.state_before(index_).z_um;
+  if (on_part && z_um) {
+    firmware_link::Move lift;
+    lift.z_um = lifted_um(*z_um, settings_);
+    lift.f_mm_min = std::llround(settings_.lift_speed_mm_s * 60);
+    commands.emplace_back(lift);
+  }
+  commands.emplace_back(firmware_link::SetTemperature{Heater::kNozzle, 0, false});
+  commands.emplace_back(firmware_link::SetTemperature{Heater::kBed, 0, false});
+  commands.emplace_back(firmware_link::SetFan{0});
+  return commands;
+}
+
+LinkOutcome Monitor::outcome(LinkEnd end) const {
+  LinkOutcome outcome;
+  outcome.end = end;
+  if (first_road_ > 0) {
+    outcome.layer = last_.layer;
+    outcome.height = last_.top;
+  }
+  return outcome;
+}
+
+LinkOutcome Monitor::done() {
+  if (journal() != nullptr) journal()->remove();
+  return outcome(LinkEnd::kDone);
+}
+
+LinkOutcome Monitor::stop(LinkEnd end) {
+  LinkOutcome result = outcome(end);
+  if (!given_) return result;  // nothing was heated or moved
+  const int wished = stop_wished_ ? 1 : 0;
+  session_->stop_now(safe_sequence(), link_now());
+  while (session_->state() != SessionState::kStopped) {
+    if (options_.stop_count() + wished > 1) return halt();
+    firmware_link::step(*session_, *port_, link_now(), kWait_ms);
+    if (session_->state() != SessionState::kFaulted) continue;
+    LinkOutcome halted = halt();
+    halted.end = end == LinkEnd::kUserStopped ? end : LinkEnd::kFaulted;
+    halted.reason = session_->reason();
+    halted.measures = "the controller did not confirm the safe stop (" + session_->reason() +
+                      "), so it was told to halt (M112); check that the heaters are off";
+    return halted;
+  }
+  flush_output(kLastWords_s);
+  note_acknowledged();
+  close_journal(PrintState::kStopped);
+  result.measures = result.layer > 0 ? "nozzle lifted, heaters and fan off" : "heaters and fan off";
+  return result;
+}
+
+LinkOutcome Monitor::halt() {
+  close_journal(PrintState::kReset);
+  LinkOutcome result = outcome(LinkEnd::kUserHalted);
+  constexpr int kAttempts = static_cast<int>(kLastWords_s * 1000) / kWait_ms;
+  const firmware_link::Halt halted = firmware_link::halt(*session_, *port_, kWait_ms, kAttempts);
+  switch (halted) {
+    case firmware_link::Halt::kTold:
+      result.measures = "controller halted (M112); it needs a reset";
+      break;
+    case firmware_link::Halt::kReset:
+      result.measures = "controller told to halt (M112) and reset";
+      break;
+    case firmware_link::Halt::kMaybe:
+      result.measures =
+          "controller told to halt (M112); it has no emergency parser, so it may act late: switch "
+          "it off";
+      break;
+    case firmware_link::Halt::kNotSent:
+      result.measures = "the halt (M112) could not be sent: switch the printer off";
+      break;
+  }
+  return result;
+}
+
+LinkOutcome Monitor::emergency(const std::string& reason) {
+  LinkOutcome result = halt();
+  result.end = LinkEnd::kFaulted;
+  result.reason = "the link gave up: " + reason;
+  return result;
+}
+
+LinkOutcome Monitor::faulted() {
+  LinkOutcome result = outcome(LinkEnd::kFaulted);
+  result.reason = session_->reason();
+  if (!given_) return result;
+  switch (fault_kind()) {
+    case FaultKind::kPortLost:
+      close_journal(PrintState::kPortLost);
+      result.measures = "nothing more could be sent: check that the heaters are off";
+      return result;
+    case FaultKind::kHeater:
+      result.measures = halt().measures;
+      return result;
+    case FaultKind::kReset:
+    case FaultKind::kHalted:
+      close_journal(PrintState::kReset);
+      break;
+    default:
+      close_journal(PrintState::kLinkFault);
+      break;
+  }
+  session_->stop_now(safe_sequence(), link_now());
+  flush_output(kLastWords_s);
+  result.measures = "heaters off and a lift were sent, but not confirmed: check the printer";
+  return result;
+}
+
+// To a controller that may be there, and may have forgotten where it is: nothing moves.
+std::string Monitor::heaters_off_unheard() {
+  using firmware_link::Heater;
+  if (port_->state() != firmware_link::PortState::kOpen) {
+    return "nothing more could be sent: check that the heaters are off";
+  }
+  const std::array<Command, 3> off = {firmware_link::SetTemperature{Heater::kNozzle, 0, false},
+                                      firmware_link::SetTemperature{Heater::kBed, 0, false},
+                                      firmware_link::SetFan{0}};
+  session_->stop_now(off, link_now());
+  flush_output(kLastWords_s);
+  return "heaters off was sent, but not confirmed: check the printer";
+}
+
+void Monitor::flush_output(double limit_s) {
+  const double until_s = steady_seconds() + limit_s;
+  while (!session_->output().empty() && port_->state() == firmware_link::PortState::kOpen &&
+         steady_seconds() < until_s) {
+    const Instant now = link_now();
+    session_->written(port_->write(session_->output()), now);
+    std::byte answer[256];
+    (void)port_->read(answer, kWait_ms);
+  }
+}
+
+}  // namespace host

@@ -1,0 +1,255 @@
+// The journal, and going on: after `rind resume`, a lost port, a controller's reset.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <limits>
+#include <thread>
+#include <utility>
+
+#include "firmware_link/link_step.h"
+#include "host/printing/monitor.h"
+#include "host/printing/port_clock.h"
+
+namespace host {
+namespace {
+
+using firmware_link::Command;
+using firmware_link::FaultKind;
+using firmware_link::SessionState;
+
+constexpr int kWait_ms = 5;
+constexpr auto kReopenPause = std::chrono::milliseconds(200);
+// A controller that was alone for longer may have let its motors go.
+constexpr double kMotorsHold_s = 60;
+
+bool is_klipper(const firmware_link::Session& session) {
+  return session.dialect_name() == "Klipper";
+}
+
+// Stands for a port that has gone, so that the one who owns it may close it.
+class GonePort final : public firmware_link::BytePort {
+ public:
+  [[nodiscard]] std::size_t write(std::span<const std::byte>) override { return 0; }
+  [[nodiscard]] std::size_t read(std::span<std::byte>, int) override { return 0; }
+  [[nodiscard]] firmware_link::PortState state() const override {
+    return firmware_link::PortState::kLost;
+  }
+};
+
+// No line of a controller is behind this one.
+constexpr std::int32_t kNoLine = std::numeric_limits<std::int32_t>::max() - kJournalLinesMax;
+
+}  // namespace
+
+std::optional<JournalRecord> Monitor::record(PrintState state) const {
+  const std::int64_t accepted = session_base_ + session_->accepted();
+  std::int64_t sure =
+      trail_.blocks_back(std::min(accepted, trail_.end()), session_->planner_blocks());
+  sure = std::max(sure, trail_.begin() + 1);
+  if (accepted > trail_.end() || sure > accepted) return std::nullopt;
+  const QueuedCommand& last_sure = trail_.at(sure - 1);
+  if (!last_sure.checkpoint || first_road_ == 0) return std::nullopt;
+  JournalRecord record;
+  record.checkpoint = *last_sure.checkpoint;
+  record.sure = sure;
+  record.sure_hash = last_sure.hash;
+  record.accepted = accepted;
+  record.line = session_->accepted_line();
+  std::int64_t commands = accepted;
+  while (record.lines_more < kJournalLinesMax) {
+    const auto through = session_->commands_through_line(record.line + record.lines_more + 1);
+    if (!through) break;
+    const bool is_command = session_base_ + *through > commands;
+    record.line_kinds |= (is_command ? std::uint32_t{1} : 0) << record.lines_more;
+    ++record.lines_more;
+    commands = session_base_ + *through;
+  }
+  record.machine = trail_.state_before(accepted);
+  record.nozzle_z_um = pauses_.nozzle_z_um().value_or(record.machine.z_um.value_or(0));
+  record.state = state;
+  return record;
+}
+
+// Before bytes leave: whatever the controller may get is in the journal.
+void Monitor::keep_journal() {
+  if (journal() == nullptr || starting_ || go_on_at_) return;
+  if (session_->state() != SessionState::kStreaming &&
+      session_->state() != SessionState::kFinishing) {
+    return;
+  }
+  const std::optional<JournalRecord> now = record(PrintState::kRunning);
+  if (!now) return;
+  std::string bytes = record_bytes(*now, 0);
+  if (bytes == journaled_) return;
+  const double now_s = steady_seconds();
+  const bool sync = last_.layer != synced_layer_ || now_s - synced_at_s_ >= kSyncPeriod_s;
+  journal()->note(*now, sync);
+  journaled_ = std::move(bytes);
+  if (sync) {
+    synced_layer_ = last_.layer;
+    synced_at_s_ = now_s;
+  }
+  const std::string& failed = journal()->failed();
+  if (!failed.empty() && !journal_complained_) {
+    journal_complained_ = true;
+    reporter_.note("warning", journal()->path() + ": " + failed +
+                                  "; the print goes on, but could not be resumed from here");
+  }
+}
+
+void Monitor::close_journal(PrintState state) {
+  if (journal() == nullptr || starting_ || go_on_at_) return;
+  std::optional<JournalRecord> last = record(state);
+  if (!last) return;
+  if (state == PrintState::kStopped && last->machine.z_um && !pauses_.nozzle_z_um()) {
+    last->nozzle_z_um = lifted_um(*last->machine.z_um, settings_);
+  }
+  journal()->note_last(*last);
+}
+
+// Finds where to go on, once geometry has shown that it computes the same print; false: not yet.
+bool Monitor::start_resumed() {
+  if (peek() == nullptr) {
+    // All had been executed already.
+    if (queue_.drained() && !queue_.closed()) starting_ = false;
+    return !starting_;
+  }
+  const Resumption& resumption = *options_.resumption;
+  const JournalRecord& left = resumption.record;
+  RIND_CHECK(waiting_ && waiting_->before != nullptr);
+  trail_.begin_at(left.sure, *waiting_->before);
+  index_ = left.sure;
+  go_on_at_ =
+      resume_point(left, {session_->found_line(), session_->numbers_lines(), resumption.same_boot});
+  skip_until_ = session_base_ = go_on_at_->command;
+  first_road_ = left.sure;
+  starting_ = false;
+  if (journal() != nullptr) {
+    // What the controller's line numbers meant holds no longer.
+    JournalRecord again = left;
+    again.accepted = std::max(skip_until_, left.sure);
+    again.line = kNoLine;
+    again.lines_more = 0;
+    again.state = PrintState::kStopped;
+    again.nozzle_z_um = resumption.nozzle_z_um;
+    journal()->note_last(again);
+  }
+  reporter_.note("resume",
+                 fmt::format("going on behind command {} of the print{}", skip_until_,
+                             go_on_at_->lives ? ", which the controller confirms" : ""),
+                 {{"command", skip_until_}});
+  return true;
+}
+
+// `at_once`: in the print that was interrupted, so that all is still hot.
+std::vector<Command> Monitor::way_back(const ResumePoint& point, std::int64_t nozzle_z_um,
+                                       bool at_once) const {
+  const MachineState here = trail_.state_before(point.command);
+  const bool in_place = at_once && point.lives;
+  std::vector<Command> way =
+      in_place ? detour_.leave_part(here)
+               : detour_.begin_anew(here, nozzle_z_um, !point.lives, is_klipper(*session_));
+  const std::vector<Command> back = detour_.come_back(here, false);
+  way.insert(way.end(), back.begin(), back.end());
+  return way;
+}
+
+bool Monitor::recoverable() const {
+  const FaultKind kind = session_->fault_kind();
+  if (options_.lost_port.wait_s <= 0 || first_road_ == 0 || starting_ || go_on_at_) return false;
+  if (!trail_.state_before(index_).placed() && trail_.end() > trail_.begin()) return false;
+  return kind == FaultKind::kReset ||
+         (kind == FaultKind::kPortLost && options_.lost_port.reopen != nullptr);
+}
+
+std::optional<LinkOutcome> Monitor::recover() {
+  const bool reset = session_->fault_kind() == FaultKind::kReset;
+  const std::optional<JournalRecord> left =
+      record(reset ? PrintState::kReset : PrintState::kPortLost);
+  if (!left) return faulted();
+  if (journal() != nullptr) journal()->note_last(*left);
+  const LinkOutcome at_fault = outcome(LinkEnd::kFaulted);
+  const std::string reason = session_->reason();
+  const double since_s = steady_seconds();
+  reporter_.note("fault",
+                 reset ? reason
+                       : fmt::format("{}; waiting {:.0f} s for it to come back", reason,
+                                     options_.lost_port.wait_s),
+                 {{"kind", std::string(reset ? "reset" : "port_lost")}, {"layer", last_.layer}});
+  past_ = statistics_;
+  if (std::optional<LinkOutcome> end = reconnect(reset, since_s + options_.lost_port.wait_s)) {
+    if (end->end == LinkEnd::kFaulted) end->reason = reason + "; " + end->reason;
+    end->layer = at_fault.layer;
+    end->height = at_fault.height;
+    return end;
+  }
+  ResumePoint point =
+      resume_point(*left, {session_->found_line(), session_->numbers_lines(), true});
+  point.command = std::clamp(point.command, trail_.begin() + 1, trail_.end());
+  std::int64_t z_um = left->nozzle_z_um;
+  if (!point.lives) {
+    const auto told =
+        options_.lost_port.nozzle_height ? options_.lost_port.nozzle_height(z_um) : std::nullopt;
+    if (!told) {
+      LinkOutcome end = at_fault;
+      end.reason = reason;
+      end.measures = "its heaters are off; nobody said where the nozzle is, so nothing was moved";
+      return end;
+    }
+    z_um = *told;
+  }
+  session_base_ = index_ = point.command;
+  finish_said_ = unchecked_road_ = false;
+  feed_percent_ = 100;
+  const bool at_once = steady_seconds() - since_s < kMotorsHold_s;
+  pauses_.go(way_back(point, z_um, at_once));
+  session_->hold(true, link_now());
+  ++statistics_.recoveries;
+  reporter_.note("resume",
+                 fmt::format("the controller is back{}; going on behind command {} of the print",
+                             point.lives ? "" : ", and has forgotten where it was", point.command),
+                 {{"command", point.command}});
+  return std::nullopt;
+}
+
+// A new session over the port that came back; an outcome when none came about in time.
+std::optional<LinkOutcome> Monitor::reconnect(bool reset, double until_s) {
+  static GonePort gone;
+  bool open = reset && port_->state() == firmware_link::PortState::kOpen;
+  while (true) {
+    if (stop_asked() || queue_.closed() || steady_seconds() > until_s) {
+      const bool wanted = stop_asked();
+      LinkOutcome end = outcome(wanted            ? LinkEnd::kUserStopped
+                                : queue_.closed() ? LinkEnd::kGeometryEnded
+                                                  : LinkEnd::kFaulted);
+      if (end.end == LinkEnd::kFaulted) end.reason = "it did not come back in time";
+      end.measures = heaters_off_unheard();
+      return end;
+    }
+    take_wishes(link_now());
+    report_progress();
+    if (!open) {
+      // Held open, it could not come back under its name.
+      port_ = &gone;
+      reopened_.reset();
+      std::unique_ptr<firmware_link::BytePort> again =
+          options_.lost_port.reopen ? options_.lost_port.reopen() : nullptr;
+      if (!again) {
+        std::this_thread::sleep_for(kReopenPause);
+        continue;
+      }
+      reopened_ = std::move(again);
+      port_ = reopened_.get();
+    }
+    begin_session(true);
+    while (session_->state() == SessionState::kConnecting && !stop_asked()) {
+      firmware_link::step(*session_, *port_, link_now(), kWait_ms);
+    }
+    if (session_->state() == SessionState::kStreaming) return std::nullopt;
+    open = port_->state() == firmware_link::PortState::kOpen;
+  }
+}
+
+}  // namespace host

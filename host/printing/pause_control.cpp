@@ -1,0 +1,56 @@
+#include "host/printing/pause_control.h"
+
+#include <utility>
+#include <variant>
+
+namespace host {
+
+using firmware_link::Command;
+
+void PauseControl::set_out(Phase phase, std::vector<Command> way) {
+  phase_ = phase;
+  way_.assign(way.begin(), way.end());
+}
+
+void PauseControl::go(std::vector<Command> way) { set_out(Phase::kReturning, std::move(way)); }
+
+std::optional<Command> PauseControl::next() {
+  if (way_.empty()) return std::nullopt;
+  Command command = std::move(way_.front());
+  way_.pop_front();
+  const auto* move = std::get_if<firmware_link::Move>(&command);
+  if (move != nullptr && move->z_um) nozzle_z_um_ = move->z_um;
+  return command;
+}
+
+bool PauseControl::turn(double now_s, const MachineState& here) {
+  const bool wanted = user_wants_ || starved_;
+  switch (phase_) {
+    case Phase::kPrinting:
+      if (!wanted) return false;
+      set_out(Phase::kLeaving, detour_.leave_part(here));
+      return true;
+    case Phase::kLeaving:
+      phase_ = Phase::kAway;
+      away_since_s_ = now_s;
+      cooled_ = false;
+      return true;
+    case Phase::kAway:
+      if (!wanted) {
+        set_out(Phase::kReturning, detour_.come_back(here, cooled_));
+        return true;
+      }
+      if (!cooled_ && now_s - away_since_s_ >= hot_s_) {
+        cooled_ = true;
+        way_.emplace_back(firmware_link::SetTemperature{firmware_link::Heater::kNozzle, 0, false});
+      }
+      return false;
+    case Phase::kReturning:
+      phase_ = Phase::kPrinting;
+      nozzle_z_um_.reset();
+      return true;
+  }
+  return false;
+}
+
+}  // namespace host

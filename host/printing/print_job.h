@@ -1,0 +1,41 @@
+// Prints a part: geometry on a thread of its own, the link on the caller's, one queue between.
+//
+//     run_pipeline ──> MotionEncoder ──> [ bounded queue ] ──> Monitor ──> port
+//         geometry thread                                       caller's thread
+//
+// Whatever ends one side ends the other: an error of the part closes the queue and the link brings
+// the printer to a safe end; a fault of the link closes the queue and the geometry gives up.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "firmware_link/byte_port.h"   // BytePort
+#include "host/pipeline/pipeline.h"    // Job
+#include "host/pipeline/statistics.h"  // GeometryStatistics, LinkStatistics
+#include "host/printing/monitor.h"     // MonitorOptions
+#include "host/printing/progress.h"    // Reporter
+
+namespace host {
+
+struct PrintRequest {
+  Job& job;
+  firmware_link::BytePort& port;
+  Reporter& reporter;
+  std::function<int()> stop_count;  // signals so far; asked all the time
+  double began_s = 0;               // steady_seconds() when the program began
+  // What else the link is to do: wishes, pauses, journal, lost ports, resumption. The rest of it is
+  // filled in here.
+  MonitorOptions link = {};
+};
+
+struct PrintOutcome {
+  int exit_code = 0;
+  std::string message;  // one line: what was printed, or where and why it ended and what was done
+  GeometryStatistics geometry;
+  LinkStatistics link;
+};
+
+[[nodiscard]] PrintOutcome print_part(const PrintRequest& request);
+
+}  // namespace host

@@ -1,0 +1,171 @@
+#include "host/printing/progress.h"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "host/limits.h"
+
+namespace host {
+namespace {
+
+constexpr double kTerminalPeriod_s = 0.1;
+constexpr double kPlainPeriod_s = 5;
+constexpr double kJsonPeriod_s = 1;
+
+std::size_t terminal_columns() {
+  winsize size{};
+  if (ioctl(STDERR_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col < 20) return 80;
+  return size.ws_col;
+}
+
+void append_heat(std::string& line, const char* name, std::optional<double> is,
+                 std::optional<double> wanted) {
+  if (!is) return;
+  line += fmt::format(" | {} {:.0f}", name, *is);
+  if (wanted) line += fmt::format("/{:.0f}", *wanted);
+  line += " C";
+}
+
+double share_done(const ProgressReport& report) {
+  if (report.layers <= 0) return 0;
+  return static_cast<double>(report.layer) / static_cast<double>(report.layers);
+}
+
+}  // namespace
+
+std::string duration_text(double seconds) {
+  const auto whole = static_cast<std::int64_t>(std::llround(std::max(0.0, seconds)));
+  return fmt::format("{}:{:02}:{:02}", whole / 3'600, whole / 60 % 60, whole % 60);
+}
+
+std::string progress_line(const ProgressReport& report) {
+  std::string line = report.layers > 0
+                         ? fmt::format("layer {}/{} | {:.1f} mm | {:.0f} %", report.layer,
+                                       report.layers, report.height.mm(), 100 * share_done(report))
+                         : fmt::format("layer {} | {:.1f} mm", report.layer, report.height.mm());
+  line += report.left_s ? " | " + duration_text(*report.left_s) + " left"
+                        : " | " + duration_text(report.elapsed_s);
+  if (report.filament_mm > 0) line += fmt::format(" | {:.2f} m", report.filament_mm / 1'000);
+  append_heat(line, "nozzle", report.nozzle_celsius, report.nozzle_target_celsius);
+  append_heat(line, "bed", report.bed_celsius, report.bed_target_celsius);
+  if (report.lines_in_flight) line += fmt::format(" | {} in flight", *report.lines_in_flight);
+  if (report.queue_share) line += fmt::format(" | queue {:.0f} %", 100 * *report.queue_share);
+  return line;
+}
+
+Reporter::Reporter(const Options& options)
+    : options_(options), terminal_(isatty(STDERR_FILENO) == 1) {}
+
+Reporter::~Reporter() {
+  if (line_shown_) std::fputc('\n', stderr);
+}
+
+void Reporter::clear() {
+  if (line_shown_) std::fputs("\r\x1b[K", stderr);
+  line_shown_ = false;
+}
+
+void Reporter::json_line(const std::string& name, EventFields fields) {
+  nlohmann::ordered_json json = {{"event", name}};
+  for (auto& [key, value] : fields) {
+    std::visit([&json, &key = key](auto& one) { json[key] = std::move(one); }, value);
+  }
+  // Names of files may hold anything.
+  const std::string text =
+      json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  FILE* out = options_.stdout_taken ? stderr : stdout;
+  std::fputs(text.c_str(), out);
+  std::fflush(out);
+}
+
+void Reporter::log_to(std::unique_ptr<LogFile> log) { log_ = std::move(log); }
+
+void Reporter::note(const std::string& name, const std::string& message,
+                    const EventFields& fields) {
+  if (log_) log_->write(name + ": " + message);
+  if (options_.json) {
+    EventFields all = {{"message", message}};
+    all.insert(all.end(), fields.begin(), fields.end());
+    json_line(name, std::move(all));
+    return;
+  }
+  if (options_.quiet) return;
+  clear();
+  std::fprintf(stderr, "%s\n", message.c_str());
+}
+
+void Reporter::event(const std::string& name, EventFields fields) {
+  if (options_.json) json_line(name, std::move(fields));
+}
+
+void Reporter::error(const std::string& message, int exit_code) {
+  if (log_) log_->write("error: " + message);
+  if (options_.json) {
+    json_line("error", {{"message", message}, {"exit_code", std::int64_t{exit_code}}});
+    if (options_.stdout_taken) return;
+  }
+  clear();
+  std::fprintf(stderr, "rind: %s\n", message.c_str());
+}
+
+bool Reporter::progress_due(double now_s) const { return show_due(now_s) || log_due(now_s); }
+
+bool Reporter::log_due(double now_s) const {
+  return log_ && (!logged_at_s_ || now_s - *logged_at_s_ >= kLogPeriod_s);
+}
+
+bool Reporter::show_due(double now_s) const {
+  if (options_.quiet && !options_.json) return false;
+  const double period =
+      options_.json ? kJsonPeriod_s : (terminal_ ? kTerminalPeriod_s : kPlainPeriod_s);
+  return !shown_at_s_ || now_s - *shown_at_s_ >= period;
+}
+
+void Reporter::progress(const ProgressReport& report, double now_s) {
+  if (log_due(now_s)) {
+    logged_at_s_ = now_s;
+    log_->write("progress: " + progress_line(report));
+  }
+  if (!show_due(now_s)) return;
+  shown_at_s_ = now_s;
+  if (options_.json) {
+    EventFields fields = {{"layer", report.layer},
+                          {"layers", report.layers},
+                          {"height_mm", report.height.mm()},
+                          {"share", share_done(report)},
+                          {"filament_mm", report.filament_mm},
+                          {"elapsed_s", report.elapsed_s}};
+    const auto add = [&fields](const char* key, std::optional<double> value) {
+      if (value) fields.emplace_back(key, *value);
+    };
+    add("left_s", report.left_s);
+    add("nozzle_celsius", report.nozzle_celsius);
+    add("nozzle_target_celsius", report.nozzle_target_celsius);
+    add("bed_celsius", report.bed_celsius);
+    add("bed_target_celsius", report.bed_target_celsius);
+    if (report.lines_in_flight) {
+      fields.emplace_back("lines_in_flight", static_cast<std::int64_t>(*report.lines_in_flight));
+    }
+    add("queue_share", report.queue_share);
+    json_line("progress", std::move(fields));
+    return;
+  }
+  std::string line = progress_line(report);
+  if (!terminal_) {
+    std::fprintf(stderr, "%s\n", line.c_str());
+    return;
+  }
+  // A line that wraps could not be taken back.
+  line.resize(std::min(line.size(), terminal_columns() - 1));
+  std::fprintf(stderr, "\r\x1b[K%s", line.c_str());
+  std::fflush(stderr);
+  line_shown_ = true;
+}
+
+}  // namespace host

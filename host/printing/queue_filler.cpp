@@ -1,0 +1,93 @@
+#include "host/printing/queue_filler.h"
+
+#include <cmath>
+#include <string_view>
+#include <variant>
+
+#include "firmware_link/line_codec.h"  // encode
+
+namespace host {
+namespace {
+
+constexpr const char* kOtherPrint =
+    "the print that is computed now is not the one that was begun: its commands differ; it can't "
+    "be gone on with";
+
+}  // namespace
+
+QueueFiller::QueueFiller(CommandQueue& queue, const core::Settings& settings,
+                         const JournalRecord* resumed)
+    : queue_(queue), resumed_(resumed) {
+  if (resumed_ == nullptr) return;
+  number_ = resumed_->checkpoint.commands;
+  next_.filament_mm = resumed_->checkpoint.filament_mm;
+  machine_ = state_at(resumed_->checkpoint, settings);
+}
+
+void QueueFiller::begin_layer(const Checkpoint& checkpoint) {
+  next_.checkpoint = std::make_shared<const Checkpoint>(checkpoint);
+  next_.hash = kHashBegin;
+}
+
+void QueueFiller::add_way(core::Point to, double speed_mm_s) {
+  if (position_ && speed_mm_s > 0) {
+    const double dx = static_cast<double>(to.x) - position_->x;
+    const double dy = static_cast<double>(to.y) - position_->y;
+    next_.seconds += std::hypot(dx, dy) / core::kUnitsPerMm / speed_mm_s;
+  }
+  position_ = to;
+}
+
+void QueueFiller::note(const core::Motion& motion) {
+  next_.lays_road = false;
+  if (const auto* layer = std::get_if<core::BeginLayer>(&motion)) {
+    next_.layer = layer->index + 1;
+    next_.top = layer->top;
+  } else if (const auto* extrude = std::get_if<core::Extrude>(&motion)) {
+    next_.lays_road = true;
+    next_.filament_mm += extrude->filament_mm;
+    add_way(extrude->to, extrude->speed_mm_s);
+  } else if (const auto* arc = std::get_if<core::ExtrudeArc>(&motion)) {
+    next_.lays_road = true;
+    next_.filament_mm += arc->filament_mm;
+    next_.seconds += arc->length_mm / arc->speed_mm_s;
+    position_ = arc->to;
+  } else if (const auto* travel = std::get_if<core::Travel>(&motion)) {
+    add_way(travel->to, travel->speed_mm_s);
+  }
+}
+
+bool QueueFiller::take(const core::Motion& motion,
+                       const std::optional<firmware_link::Command>& command) {
+  note(motion);
+  if (!command) return true;
+  if (resumed_ != nullptr && number_ == resumed_->sure) {
+    if (!finish()) return false;
+    next_.before = std::make_shared<const MachineState>(machine_);
+    resumed_ = nullptr;
+  }
+  firmware_link::TextBuffer buffer;
+  next_.hash = hash_of("\n", hash_of(firmware_link::encode(*command, buffer), next_.hash));
+  last_hash_ = next_.hash;
+  ++number_;
+  if (resumed_ != nullptr) {
+    machine_.apply(*command);
+    next_.pause = nullptr;
+    return true;
+  }
+  next_.command = *command;
+  seconds_made_.store(next_.seconds);
+  const bool queued = queue_.push(next_, sizeof next_);
+  next_.before = nullptr;
+  next_.pause = nullptr;
+  return queued;
+}
+
+bool QueueFiller::finish() {
+  if (resumed_ == nullptr) return true;
+  // The record's sum is of its own layer's commands, up to the last one.
+  if (number_ < resumed_->sure || last_hash_ != resumed_->sure_hash) error_ = kOtherPrint;
+  return !error_;
+}
+
+}  // namespace host

@@ -1,0 +1,38 @@
+// What passes from the geometry to the link: a command, and where in the print it belongs.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "core/units.h"                   // LayerIndex, Length
+#include "firmware_link/command.h"        // Command
+#include "host/part/content_hash.h"       // kHashBegin
+#include "host/printing/bounded_queue.h"  // BoundedQueue
+#include "host/printing/checkpoint.h"     // Checkpoint
+#include "host/printing/machine_state.h"  // MachineState
+
+namespace host {
+
+struct QueuedCommand {
+  firmware_link::Command command;
+  core::LayerIndex layer = 0;  // counted from 1; 0: before the first
+  core::Length top;            // of the layer
+  bool lays_road = false;
+  double filament_mm = 0;  // in roads, from the begin to here
+  double seconds = 0;      // of motion at full speed, likewise
+
+  // Of the layer; null before the first. With the texts from its first command to this one.
+  std::shared_ptr<const Checkpoint> checkpoint;
+  std::uint64_t hash = kHashBegin;
+
+  // Why to pause before it; null mostly.
+  std::shared_ptr<const std::string> pause;
+
+  // Of the first command of a print that is gone on with: how the machine is set before it.
+  std::shared_ptr<const MachineState> before;
+};
+
+using CommandQueue = BoundedQueue<QueuedCommand>;
+
+}  // namespace host

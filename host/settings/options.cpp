@@ -1,0 +1,400 @@
+#include "host/settings/options.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "host/exit_codes.h"
+#include "host/settings/settings_text.h"
+#include "host/version.h"
+
+namespace host {
+namespace {
+
+constexpr const char* kAbout =
+    "rind prints a part while it is still being sliced: a dense wall where the surface is near, "
+    "loose fill inside, in memory that does not grow with the part's height.";
+
+// Sides of the square that show --zoom draws; the bed is no larger.
+constexpr double kZoomMinMm = 0.1;
+constexpr double kZoomMaxMm = 100'000;
+
+// Adds `--flag VALUE` as a short way to type `--set key=VALUE`.
+void add_shortcut(CLI::App& command, Options& options, const std::string& flag,
+                  const std::string& key, const std::string& value_name, const std::string& help) {
+  command
+      .add_option_function<std::string>(
+          flag,
+          [&options, key](const std::string& value) {
+            options.assignments.emplace_back(key, value);
+          },
+          help)
+      ->type_name(value_name)
+      ->trigger_on_parse();
+}
+
+void add_assignment(Options& options, const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0) {
+    throw CLI::ValidationError("--set", "'" + text + "' is not KEY=VALUE, as in layer_height=0.2");
+  }
+  options.assignments.emplace_back(text.substr(0, equals), text.substr(equals + 1));
+}
+
+void add_settings(CLI::App& command, Options& options) {
+  command.add_option("--profile", options.profile, "settings file (INI); see 'rind settings'")
+      ->type_name("FILE");
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--set",
+          [&options](const std::vector<std::string>& values) {
+            for (const std::string& value : values) add_assignment(options, value);
+          },
+          "one setting; may be repeated, the last one counts")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false)
+      ->trigger_on_parse();
+  add_shortcut(command, options, "--layer-height", "layer_height", "MM", "thickness of a layer");
+  add_shortcut(command, options, "--wall-thickness", "wall_thickness", "MM",
+               "how deep below the surface everything is dense");
+  add_shortcut(command, options, "--wall", "wall_shape", "SHAPE",
+               "shape of the wall: ball or cylinder");
+  add_shortcut(command, options, "--wall-layers", "wall_layers", "N",
+               "layers a cylinder-shaped wall reaches up and down");
+  add_shortcut(command, options, "--style", "style", "STYLE",
+               "thin-wall, or to compare with: regular, fast");
+  add_shortcut(command, options, "--loose-density", "loose_density", "SHARE",
+               "share of the inside that is filled, 0 to 1");
+}
+
+void add_bad_layer(CLI::App& command, Options& options) {
+  static const std::map<std::string, OnBadLayer> kWords = {{"repair", OnBadLayer::kRepair},
+                                                           {"neighbour", OnBadLayer::kNeighbour},
+                                                           {"pause", OnBadLayer::kPause},
+                                                           {"stop", OnBadLayer::kStop}};
+  command
+      .add_option(
+          "--on-bad-layer", options.on_bad_layer,
+          "where contours stay open, or nothing is there: repair (print what is sound), "
+          "neighbour (the slice below once more), pause (wait for the user before it), stop")
+      ->type_name("WORD")
+      ->transform(CLI::CheckedTransformer(kWords).description(""))
+      ->each([&options](const std::string&) { options.bad_layer_told = true; });
+}
+
+void add_memory(CLI::App& command, Options& options) {
+  command
+      .add_option("--memory", options.sort_bytes,
+                  "for sorting a mesh, as 8M or 512k; what it can't hold goes to a file in $TMPDIR")
+      ->type_name("BYTES")
+      ->transform(CLI::AsSizeValue(false).description(""))
+      ->check(CLI::Range(kSortBytesMin, std::size_t{1} << 40).description(""));
+  command
+      .add_option("--jobs", options.jobs,
+                  "processors to slice with; each takes the memory of one more layer")
+      ->type_name("N")
+      ->check(CLI::Range(1, kJobsMax))
+      ->capture_default_str();
+  command
+      .add_option("--memory-limit", options.memory_limit_bytes,
+                  "end with an error rather than use more memory than this in all, as 64M")
+      ->type_name("BYTES")
+      ->transform(CLI::AsSizeValue(false).description(""));
+}
+
+void add_part(CLI::App& command, Options& options) {
+  command.add_option("PART", options.part, "the part's file, or - for standard input")
+      ->required()
+      ->type_name("");
+  add_memory(command, options);
+  add_bad_layer(command, options);
+}
+
+void add_sorted(CLI::App& command, Options& options) {
+  static const std::map<std::string, PipeSorted> kWords = {
+      {"auto", PipeSorted::kAuto}, {"yes", PipeSorted::kYes}, {"no", PipeSorted::kNo}};
+  command
+      .add_option(
+          "--sorted", options.sorted,
+          "whether a mesh from a pipe is in order of height, so that it can be sliced as it "
+          "comes: yes, no, or auto (slice: if it begins so; print: no)")
+      ->type_name("WORD")
+      ->transform(CLI::CheckedTransformer(kWords).description(""));
+}
+
+void add_reports(CLI::App& command, Options& options) {
+  command.add_option("--stats", options.stats, "write statistics to FILE (JSON)")
+      ->type_name("FILE");
+  command.add_option("--log", options.log, "write all messages to FILE too, of bounded size")
+      ->type_name("FILE");
+  command.add_flag("--quiet", options.quiet, "no progress, no notes; errors only");
+  command.add_flag("--json", options.json, "events as JSON lines instead of text");
+}
+
+void add_port(CLI::App& command, Options& options) {
+  command
+      .add_option("--port", options.port,
+                  "serial device of the printer, or 'virtual': a controller inside this "
+                  "program, nothing real is printed")
+      ->type_name("DEVICE");
+  command.add_option("--baud", options.baud, "speed of the serial line")
+      ->type_name("N")
+      ->check(CLI::Range(300, 4'000'000))
+      ->capture_default_str()
+      ->each([&options](const std::string&) { options.baud_told = true; });
+  command
+      .add_option("--virtual-speed", options.virtual_speed,
+                  "how many times faster than real time the virtual controller's clock "
+                  "runs; 0: as fast as it can")
+      ->type_name("X")
+      ->check(CLI::Range(0.0, 1e6))
+      ->capture_default_str();
+  static const std::map<std::string, OnLostPort> kWords = {{"wait", OnLostPort::kWait},
+                                                           {"stop", OnLostPort::kStop}};
+  command
+      .add_option("--on-lost-port", options.on_lost_port,
+                  "when the cable or the controller fails in mid-print: wait for it and go on, or "
+                  "stop")
+      ->type_name("WORD")
+      ->transform(CLI::CheckedTransformer(kWords).description(""));
+  command.add_option("--lost-port-wait", options.lost_port_wait_s, "how long to wait, in seconds")
+      ->type_name("S")
+      ->check(CLI::Range(0.0, 1e6))
+      ->capture_default_str();
+  command
+      .add_option("--pause-heat", options.pause_heat_s,
+                  "how many seconds of a pause the nozzle stays hot")
+      ->type_name("S")
+      ->check(CLI::Range(0.0, 1e6))
+      ->capture_default_str();
+  command.add_flag("--yes", options.yes,
+                   "go on after a reset without asking where the nozzle is: where it was left");
+}
+
+CLI::App* add_print(CLI::App& app, Options& options) {
+  CLI::App* command = app.add_subcommand("print", "print a part while it is being sliced");
+  add_part(*command, options);
+  add_sorted(*command, options);
+  add_port(*command, options);
+  CLI::Option* journal =
+      command
+          ->add_option("--journal", options.journal,
+                       "what `rind resume` needs; else kept in $XDG_STATE_HOME/rind or "
+                       "~/.local/state/rind")
+          ->type_name("FILE");
+  command->add_flag("--no-journal", options.no_journal, "keep none")->excludes(journal);
+  add_settings(*command, options);
+  add_reports(*command, options);
+  return command;
+}
+
+CLI::App* add_resume(CLI::App& app, Options& options) {
+  CLI::App* command =
+      app.add_subcommand("resume", "go on with a print that was cut, behind what was executed");
+  command->add_option("JOURNAL", options.journal, "the print's journal")->required()->type_name("");
+  command->add_option("--part", options.part, "the part's file, when it was moved")
+      ->type_name("FILE");
+  add_port(*command, options);
+  command
+      ->add_option("--nozzle-height", options.nozzle_height_mm,
+                   "how high above the bed the nozzle is now; with --yes")
+      ->type_name("MM")
+      ->check(CLI::Range(0.0, 1e7));
+  add_memory(*command, options);
+  add_bad_layer(*command, options);
+  add_settings(*command, options);
+  add_reports(*command, options);
+  return command;
+}
+
+CLI::App* add_slice(CLI::App& app, Options& options, std::string& format, std::string& contents) {
+  CLI::App* command = app.add_subcommand("slice", "write what would be printed to a file");
+  add_part(*command, options);
+  add_sorted(*command, options);
+  command
+      ->add_option("-o,--output", options.output,
+                   "OUT.gcode, .cli, .lsif, .ssl, .svg, or - for standard output")
+      ->type_name("OUT")
+      ->required();
+  command
+      ->add_option("--format", format,
+                   "when the name does not say it: gcode, cli, cli-binary, cli-roads (hatches), "
+                   "lsif, ssl (Slice V0), svg")
+      ->type_name("FORMAT")
+      ->check(CLI::IsMember(output_format_names()));
+  command
+      ->add_option("--contents", contents,
+                   "what a layer file holds: walls (wall and inside apart; cli, lsif), slices (the "
+                   "part; ssl, svg), or quickslice: walls, shared contours twice with the inside's")
+      ->type_name("WHAT")
+      ->check(CLI::IsMember({"walls", "slices", "quickslice"}));
+  add_settings(*command, options);
+  add_reports(*command, options);
+  return command;
+}
+
+SectionPlace section_place(const std::string& text) {
+  SectionPlace place;
+  const bool named = text.size() > 2 && text[1] == '=';
+  place.axis = named && (text[0] == 'x' || text[0] == 'X') ? 'X' : 'Y';
+  const bool known = named && (place.axis == 'X' || text[0] == 'y' || text[0] == 'Y');
+  std::string number = known ? text.substr(2) : "";
+  place.percent = !number.empty() && number.back() == '%';
+  if (place.percent) number.pop_back();
+  const core::Result<double> read = read_number(number, "mm");
+  if (!known || !read.ok()) {
+    throw CLI::ValidationError("--section", "'" + text + "' is no place to cut; write Y=12.5 for " +
+                                                "12.5 mm behind the part's front, X=50% for the " +
+                                                "middle between its left and right side");
+  }
+  place.value = read.value();
+  return place;
+}
+
+SectionZoom section_zoom(const std::string& text) {
+  std::vector<double> numbers;
+  std::istringstream parts(text);
+  for (std::string part; std::getline(parts, part, ',');) {
+    const core::Result<double> read = read_number(part, "mm");
+    if (!read.ok()) break;
+    numbers.push_back(read.value());
+  }
+  const bool three = std::count(text.begin(), text.end(), ',') == 2 && numbers.size() == 3;
+  if (!three || numbers[2] < kZoomMinMm || numbers[2] > kZoomMaxMm) {
+    throw CLI::ValidationError(
+        "--zoom", "'" + text + "' is no square; write 4,10,6 for 6 mm around the place 4 mm from " +
+                      "the part's edge and 10 mm above the bed");
+  }
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
+CLI::App* add_show(CLI::App& app, Options& options) {
+  CLI::App* command =
+      app.add_subcommand("show", "draw one layer, or a vertical cut: wall, inside and roads");
+  add_part(*command, options);
+  // One of the two, and not both.
+  CLI::Option_group* which = command->add_option_group("what to show");
+  which->add_option("--layer", options.layer, "which layer; the lowest is 1")
+      ->type_name("N")
+      ->check(CLI::Range(std::int64_t{1}, INT64_MAX));
+  which
+      ->add_option_function<std::string>(
+          "--section",
+          [&options](const std::string& text) { options.section = section_place(text); },
+          "cut across all layers, in mm from the part's front (Y) or left side (X), or in per cent")
+      ->type_name("Y=MM|X=MM")
+      ->trigger_on_parse();
+  which->require_option(1);
+  command
+      ->add_option_function<std::string>(
+          "--zoom", [&options](const std::string& text) { options.zoom = section_zoom(text); },
+          "only a square of the section: the middle's mm from the part's edge, mm above the bed, "
+          "and its side in mm")
+      ->type_name("ALONG,HEIGHT,SIZE")
+      ->needs("--section")
+      ->trigger_on_parse();
+  command->add_option("-o,--output", options.output, "FILE.svg, or - for standard output")
+      ->type_name("FILE")
+      ->required();
+  add_settings(*command, options);
+  add_reports(*command, options);
+  return command;
+}
+
+CLI::App* add_formats(CLI::App& app, Options& options) {
+  CLI::App* command = app.add_subcommand("formats", "list the kinds of file, read and written");
+  command->add_flag("--json", options.json, "as JSON");
+  return command;
+}
+
+std::string unknown_format(const Options& options) {
+  std::string known;
+  for (const std::string& name : output_format_names()) known += " " + name;
+  return "what '" + options.output +
+         "' is to be can't be told from its name; add --format, one of" + known;
+}
+
+// CLI11 says only that a command is missing when it met a word that is none.
+std::string explain(const CLI::App& app, const CLI::ParseError& error, int argc,
+                    const char* const* argv) {
+  if (argc < 2 || argv[1][0] == '-' || !app.get_subcommands().empty()) return error.what();
+  std::string known;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    known += (known.empty() ? "" : ", ") + command->get_name();
+  }
+  return "'" + std::string(argv[1]) + "' is not a command; there are " + known;
+}
+
+OptionsExit usage_error(const std::string& message) {
+  return {kExitUsage, "rind: " + message + "\nTry 'rind --help'.\n"};
+}
+
+}  // namespace
+
+int jobs_by_default() {
+  return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, kJobsDefaultMax);
+}
+
+std::variant<Options, OptionsExit> parse_options(int argc, const char* const* argv) {
+  Options options;
+  std::string format, contents;
+  CLI::App app(kAbout, "rind");
+  app.set_version_flag("--version", std::string("rind ") + kVersion);
+  app.require_subcommand(1);
+  app.footer("rind COMMAND --help tells a command's options.");
+
+  const CLI::App* print = add_print(app, options);
+  const CLI::App* resume = add_resume(app, options);
+  const CLI::App* slice = add_slice(app, options, format, contents);
+  CLI::App* plan = app.add_subcommand("plan", "layers, filament, time and defects; prints nothing");
+  add_part(*plan, options);
+  add_settings(*plan, options);
+  add_reports(*plan, options);
+  const CLI::App* show = add_show(app, options);
+  const CLI::App* ports = app.add_subcommand("ports", "list the serial ports");
+  CLI::App* settings = app.add_subcommand("settings", "list all settings with unit and range");
+  add_settings(*settings, options);
+  settings->add_flag("--json", options.json, "as JSON");
+
+  const CLI::App* formats = add_formats(app, options);
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    std::ostringstream out, err;
+    const bool asked = app.exit(error, out, err) == 0;
+    if (asked) return OptionsExit{kExitDone, out.str()};
+    return usage_error(explain(app, error, argc, argv));
+  }
+
+  if (*print) {
+    options.subcommand = Subcommand::kPrint;
+  } else if (*resume) {
+    options.subcommand = Subcommand::kResume;
+  } else if (*slice) {
+    options.subcommand = Subcommand::kSlice;
+    const std::optional<OutputFormat> known = output_format_of(options.output, format);
+    if (!known) return usage_error(unknown_format(options));
+    options.format = *known;
+    options.contents = contents_of(options.format, contents);
+  } else if (*plan) {
+    options.subcommand = Subcommand::kPlan;
+  } else if (*show) {
+    options.subcommand = Subcommand::kShow;
+  } else if (*ports) {
+    options.subcommand = Subcommand::kPorts;
+  } else if (*formats) {
+    options.subcommand = Subcommand::kFormats;
+  } else {
+    options.subcommand = Subcommand::kSettings;
+  }
+  return options;
+}
+
+}  // namespace host

@@ -1,0 +1,92 @@
+// validate_settings(): what settings ask of one another.
+#include <fmt/format.h>
+
+#include <string>
+#include <utility>
+
+#include "core/limits.h"
+#include "core/settings.h"
+#include "host/settings/settings_table.h"
+
+namespace host {
+namespace {
+
+using core::Settings;
+using core::Status;
+
+// Wider roads than this don't stick: the nozzle's flat face ends about there.
+constexpr double kRoadPerNozzleMax = 2.5;
+
+core::Error bad(std::string message) { return {core::ErrorCode::kBadSetting, std::move(message)}; }
+
+// Whoever filled in the struct by hand gets the same answers as who typed.
+Status every_value_in_range(const Settings& settings) {
+  Settings copy = settings;
+  for (const SettingRow& row : describe_settings(settings)) {
+    Status status = set_setting(copy, row.key, row.value);
+    if (!status.ok()) return status;
+  }
+  return {};
+}
+
+Status wall_fits_window(const Settings& settings) {
+  const int layers = core::wall_layers(settings);
+  if (layers <= core::kWallLayersMax) return {};
+  return bad(fmt::format(
+      "wall_thickness = {} mm is {} layers of layer_height = {} mm, the window takes {}: "
+      "a thinner wall or thicker layers",
+      settings.wall_thickness.mm(), layers, settings.layer_height.mm(), core::kWallLayersMax));
+}
+
+Status road_fits_nozzle(const Settings& settings) {
+  const double height = settings.layer_height.mm();
+  const double nozzle = settings.nozzle_diameter.mm();
+  const double width = settings.road_width.mm();
+  if (height > nozzle) {
+    return bad(fmt::format(
+        "layer_height = {} mm is more than nozzle_diameter = {} mm: such roads are not pressed "
+        "onto the layer below",
+        height, nozzle));
+  }
+  if (width <= height || width > kRoadPerNozzleMax * nozzle) {
+    return bad(fmt::format(
+        "road_width = {} mm must be more than layer_height = {} mm and at most {} times "
+        "nozzle_diameter = {} mm",
+        width, height, kRoadPerNozzleMax, nozzle));
+  }
+  if (settings.road_width_min > settings.road_width) {
+    return bad(fmt::format("road_width_min = {} mm is more than road_width = {} mm",
+                           settings.road_width_min.mm(), width));
+  }
+  return {};
+}
+
+Status part_has_a_place(const Settings& settings) {
+  const double x = settings.part_x.mm(), y = settings.part_y.mm();
+  if (settings.centre && (x != 0 || y != 0)) {
+    return bad(fmt::format(
+        "part_x = {} mm, part_y = {} mm contradict centre = 1: set centre = 0 as well", x, y));
+  }
+  if (settings.part_x >= settings.bed_x || settings.part_y >= settings.bed_y) {
+    return bad(fmt::format("part_x = {} mm, part_y = {} mm is not on the bed of {} by {} mm", x, y,
+                           settings.bed_x.mm(), settings.bed_y.mm()));
+  }
+  if (settings.axis_z != core::Length() && settings.axis_z < settings.layer_height) {
+    return bad(fmt::format("axis_z = {} mm is less than one layer of {} mm (0: not limited)",
+                           settings.axis_z.mm(), settings.layer_height.mm()));
+  }
+  return {};
+}
+
+}  // namespace
+
+Status validate_settings(const Settings& settings) {
+  for (const auto rule :
+       {every_value_in_range, wall_fits_window, road_fits_nozzle, part_has_a_place}) {
+    Status status = rule(settings);
+    if (!status.ok()) return status;
+  }
+  return {};
+}
+
+}  // namespace host

@@ -1,0 +1,289 @@
+#include "core/motions/motion_builder.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+#include <variant>
+#include <vector>
+
+#include "tests/support/region_text.h"
+
+using namespace core;
+
+namespace {
+
+Slice slice_of(LayerIndex index, const char* region) {
+  Slice slice;
+  slice.index = index;
+  slice.height = Length::from_mm(0.2);
+  slice.bottom = slice.height * index;
+  slice.region = test::region_from_text(region);
+  return slice;
+}
+
+Point at_mm(double x, double y) {
+  return {static_cast<std::int32_t>(std::lround(x * kUnitsPerMm)),
+          static_cast<std::int32_t>(std::lround(y * kUnitsPerMm))};
+}
+
+Road line(double x0, double y0, double x1, double y1, RoadKind kind = RoadKind::kSolid) {
+  return {kind, Length::from_mm(0.45), false, {at_mm(x0, y0), at_mm(x1, y1)}};
+}
+
+const char* const kSquare = "0:0 50:0 50:50 0:50";
+const char* const kTwoSquares = "0:0 10:0 10:10 0:10, 12:0 22:0 22:10 12:10";
+
+struct Recorder {
+  std::vector<Motion> motions;
+  MotionBuilder::Sink sink() {
+    return [this](const Motion& motion) { motions.push_back(motion); };
+  }
+  template <typename Kind>
+  std::vector<Kind> all() const {
+    std::vector<Kind> found;
+    for (const Motion& motion : motions) {
+      if (const Kind* one = std::get_if<Kind>(&motion)) found.push_back(*one);
+    }
+    return found;
+  }
+  double filament_moved() const {
+    double sum = 0;
+    for (const MoveFilament& move : all<MoveFilament>()) sum += move.filament_mm;
+    return sum;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a print without roads never heats, and its end is silent") {
+  MotionBuilder builder{Settings()};
+  Recorder recorder;
+  builder.layer(slice_of(0, kSquare), {}, recorder.sink());
+  builder.park(recorder.sink());
+  builder.finish(recorder.sink());
+  CHECK(recorder.motions.empty());
+  CHECK_FALSE(builder.begun());
+}
+
+TEST_CASE("the preamble comes once, with the first layer that has roads, before anything moves") {
+  Settings settings;
+  settings.start_gcode = {"G28", "G92 E0"};
+  MotionBuilder builder(settings);
+  Recorder recorder;
+  builder.layer(slice_of(0, kSquare), {}, recorder.sink());
+  builder.layer(slice_of(1, kSquare), {line(1, 1, 5, 1)}, recorder.sink());
+  builder.layer(slice_of(2, kSquare), {line(1, 1, 5, 1)}, recorder.sink());
+  const std::vector<Motion>& motions = recorder.motions;
+  REQUIRE(motions.size() > 8);
+  CHECK(std::holds_alternative<SetBedTemperature>(motions[0]));
+  CHECK(std::holds_alternative<SetNozzleTemperature>(motions[1]));
+  CHECK_EQ(std::get<Verbatim>(motions[2]).line, "G28");
+  CHECK_EQ(std::get<Verbatim>(motions[3]).line, "G92 E0");
+  CHECK(std::get<SetBedTemperature>(motions[4]).wait);
+  CHECK(std::get<SetNozzleTemperature>(motions[5]).wait);
+  CHECK_EQ(recorder.all<Verbatim>().size(), 2);
+  CHECK_EQ(recorder.all<BeginLayer>().size(), 2);
+}
+
+TEST_CASE("filament is length times the bead's cross-section, by kind of road") {
+  MotionBuilder builder{Settings()};
+  Recorder recorder;
+  Road ring{RoadKind::kOuterPerimeter,
+            Length::from_mm(0.5),
+            true,
+            {at_mm(1, 1), at_mm(11, 1), at_mm(11, 11), at_mm(1, 11)}};
+  builder.layer(slice_of(0, kSquare), {ring, line(2, 2, 8, 2, RoadKind::kLoose)}, recorder.sink());
+  const double filament_mm2 = std::numbers::pi * 1.75 * 1.75 / 4;
+  const double wide_mm2 = 0.2 * 0.3 + std::numbers::pi * 0.01;
+  const double narrow_mm2 = 0.2 * 0.25 + std::numbers::pi * 0.01;
+  double sum = 0;
+  for (const Extrude& extrude : recorder.all<Extrude>()) sum += extrude.filament_mm;
+  CHECK(sum == doctest::Approx((40 * wide_mm2 + 6 * narrow_mm2) / filament_mm2));
+  const auto& by_kind = builder.totals().filament_mm;
+  CHECK(by_kind[static_cast<std::size_t>(RoadKind::kOuterPerimeter)] ==
+        doctest::Approx(40 * wide_mm2 / filament_mm2));
+  CHECK(by_kind[static_cast<std::size_t>(RoadKind::kLoose)] ==
+        doctest::Approx(6 * narrow_mm2 / filament_mm2));
+  // A closed road comes back to where it began.
+  CHECK_EQ(recorder.all<Extrude>()[3].to, at_mm(1, 1));
+}
+
+TEST_CASE("what is retracted is returned, but for the retraction at the end") {
+  const Settings settings;
+  MotionBuilder builder(settings);
+  Recorder recorder;
+  for (int i = 0; i < 5; ++i) {
+    builder.layer(slice_of(i, kTwoSquares), {line(1, 1, 9, 1), line(13, 1, 21, 1)},
+                  recorder.sink());
+    CHECK(recorder.filament_moved() == doctest::Approx(0));
+  }
+  builder.finish(recorder.sink());
+  CHECK(recorder.filament_moved() == doctest::Approx(-settings.retraction_mm));
+  CHECK_GE(builder.totals().retractions, 10);
+}
+
+TEST_CASE("retraction where a travel leaves the part or is long, and nowhere else") {
+  Settings settings;
+  settings.retraction_travel_min = Length::from_mm(5);
+  const auto retractions = [&](const char* region, const Road& next) {
+    MotionBuilder builder(settings);
+    Recorder recorder;
+    builder.layer(slice_of(0, region), {line(1, 1, 9, 1)}, recorder.sink());
+    const auto before = builder.totals().retractions;
+    builder.layer(slice_of(1, region), {next}, recorder.sink());
+    return builder.totals().retractions - before;
+  };
+  CHECK_EQ(retractions(kSquare, line(9, 4, 1, 4)), 0);
+  CHECK_EQ(retractions(kSquare, line(9, 7, 1, 7)), 1);
+  CHECK_EQ(retractions(kTwoSquares, line(13, 1, 21, 1)), 1);
+  // Straight on from where the nozzle is: no travel at all.
+  CHECK_EQ(retractions(kSquare, line(9, 1, 1, 1)), 0);
+}
+
+TEST_CASE("a layer takes its least time where the slowest speed allows it") {
+  Settings settings;
+  settings.layer_time_min_s = 5;
+  settings.solid_speed_mm_s = 60;
+  settings.slowed_speed_min_mm_s = 10;
+  MotionBuilder builder(settings);
+  Recorder recorder;
+  builder.layer(slice_of(0, kSquare), {line(0, 0, 1, 0)}, recorder.sink());
+  builder.layer(slice_of(1, kSquare), {line(1, 0, 46, 0), line(46, 0, 1, 0)}, recorder.sink());
+  CHECK(recorder.all<Extrude>().back().speed_mm_s == doctest::Approx(90.0 / 5));
+}
+
+TEST_CASE("a layer is slowed down no further than to the slowest speed") {
+  Settings settings;
+  settings.layer_time_min_s = 5;
+  settings.slowed_speed_min_mm_s = 10;
+  settings.first_layer_speed_mm_s = 30;
+  MotionBuilder builder(settings);
+  Recorder recorder;
+  builder.layer(slice_of(0, kSquare), {line(1, 1, 3, 1)}, recorder.sink());
+  CHECK(recorder.all<Extrude>().front().speed_mm_s == doctest::Approx(10));
+}
+
+TEST_CASE("the first layer is slower, the fan comes on from its layer on") {
+  Settings settings;
+  settings.layer_time_min_s = 0;
+  settings.fan_from_layer = 3;
+  settings.nozzle_first_layer_celsius = 215;
+  settings.nozzle_celsius = 205;
+  MotionBuilder builder(settings);
+  Recorder recorder;
+  for (int i = 0; i < 4; ++i) {
+    builder.layer(slice_of(i, kSquare), {line(1, 1, 5, 1)}, recorder.sink());
+    const auto fans = recorder.all<SetFan>();
+    CHECK_EQ(fans.back().share, i >= 2 ? settings.fan_share : 0.0);
+    const auto temperatures = recorder.all<SetNozzleTemperature>();
+    CHECK_EQ(temperatures.back().celsius, i == 0 ? 215 : 205);
+    const double speed = recorder.all<Extrude>().back().speed_mm_s;
+    CHECK_EQ(speed, i == 0 ? settings.first_layer_speed_mm_s : settings.solid_speed_mm_s);
+  }
+}
+
+TEST_CASE("the end lifts off the part, never above the axis, heaters off, then the user's lines") {
+  for (const double axis_mm : {0.0, 4.0, 0.25}) {
+    CAPTURE(axis_mm);
+    Settings settings;
+    settings.axis_z = Length::from_mm(axis_mm);
+    settings.park_lift = Length::from_mm(10);
+    settings.end_gcode = {"M84"};
+    MotionBuilder builder(settings);
+    Recorder recorder;
+    builder.layer(slice_of(0, kSquare), {line(1, 1, 5, 1)}, recorder.sink());
+    recorder.motions.clear();
+    MotionBuilder stopped = builder;
+    builder.finish(recorder.sink());
+    const double top = axis_mm == 0 ? 10.2 : axis_mm;
+    CHECK(recorder.all<Lift>().back().to.mm() == doctest::Approx(top));
+    CHECK_EQ(recorder.all<SetNozzleTemperature>().back().celsius, 0);
+    CHECK_EQ(recorder.all<SetBedTemperature>().back().celsius, 0);
+    CHECK_EQ(std::get<Verbatim>(recorder.motions.back()).line, "M84");
+    // Once only; and a stop is the same without the user's lines.
+    const std::size_t count = recorder.motions.size();
+    builder.finish(recorder.sink());
+    builder.park(recorder.sink());
+    CHECK_EQ(recorder.motions.size(), count);
+    Recorder parked;
+    stopped.park(parked.sink());
+    CHECK_EQ(parked.motions.size(), count - 1);
+    CHECK(parked.all<Verbatim>().empty());
+  }
+}
+
+TEST_CASE("round roads become arcs only where that is decided, and lay as much") {
+  Road ring{RoadKind::kPerimeter, Length::from_mm(0.45), true, {}};
+  for (int i = 0; i < 200; ++i) {
+    const double angle = 2 * std::numbers::pi * i / 200;
+    ring.points.push_back(at_mm(25 + 10 * std::cos(angle), 25 + 10 * std::sin(angle)));
+  }
+  const auto built = [&ring](ArcUse use, std::optional<bool> decided) {
+    Settings settings;
+    settings.arcs = use;
+    MotionBuilder builder(settings);
+    CHECK(builder.arcs_undecided() == (use == ArcUse::kAuto));
+    if (decided) builder.decide_arcs(*decided);
+    Recorder recorder;
+    builder.layer(slice_of(0, kSquare), {ring, line(20, 20, 30, 20)}, recorder.sink());
+    CHECK(builder.totals().arcs == std::ssize(recorder.all<ExtrudeArc>()));
+    double filament = 0;
+    for (const Extrude& extrude : recorder.all<Extrude>()) filament += extrude.filament_mm;
+    for (const ExtrudeArc& arc : recorder.all<ExtrudeArc>()) filament += arc.filament_mm;
+    return std::pair(builder.totals().arcs, filament);
+  };
+  const auto [none, straight_mm] = built(ArcUse::kOff, std::nullopt);
+  CHECK(none == 0);
+  CHECK(built(ArcUse::kAuto, std::nullopt).first == 0);
+  CHECK(built(ArcUse::kAuto, false).first == 0);
+  CHECK(built(ArcUse::kAuto, true).first == 2);
+  const auto [arcs, round_mm] = built(ArcUse::kOn, std::nullopt);
+  CHECK(arcs == 2);
+  CHECK(round_mm == doctest::Approx(straight_mm));
+}
+
+TEST_CASE("what was decided about arcs goes on with a print") {
+  MotionBuilder first{Settings()};
+  first.decide_arcs(true);
+  Recorder recorder;
+  first.layer(slice_of(0, kSquare), {line(1, 1, 5, 1)}, recorder.sink());
+  MotionBuilder second{Settings()};
+  second.go_on_from(first.state());
+  CHECK_FALSE(second.arcs_undecided());
+  CHECK(second.state().arcs == true);
+}
+
+TEST_CASE("what a line can't carry is merged, then slowed down, and lays as much") {
+  Road rough{RoadKind::kSolid, Length::from_mm(0.45), false, {}};
+  for (int i = 0; i <= 400; ++i) rough.points.push_back(at_mm(5 + i * 0.05, 25 + i % 2 * 0.005));
+  Road zigzag{RoadKind::kSolid, Length::from_mm(0.45), false, {}};
+  for (int i = 0; i <= 400; ++i) zigzag.points.push_back(at_mm(5 + i * 0.05, 35 + i % 2 * 0.08));
+  const auto built = [&](double time_min_ms) {
+    Settings settings;
+    settings.segment_time_min_ms = time_min_ms;
+    settings.layer_time_min_s = 0;
+    MotionBuilder builder(settings);
+    Recorder recorder;
+    builder.layer(slice_of(1, kSquare), {rough, zigzag}, recorder.sink());
+    return recorder.all<Extrude>();
+  };
+  const std::vector<Extrude> all = built(0);
+  const std::vector<Extrude> fewer = built(4);
+  CHECK(all.size() == 800);
+  const double full_mm_s = Settings().solid_speed_mm_s;
+  double all_mm = 0, fewer_mm = 0;
+  std::size_t of_rough = 0;
+  for (const Extrude& piece : all) all_mm += piece.filament_mm;
+  for (const Extrude& piece : fewer) {
+    fewer_mm += piece.filament_mm;
+    const bool is_rough = piece.to.y < at_mm(0, 30).y;
+    of_rough += is_rough ? 1 : 0;
+    if (is_rough) CHECK(piece.speed_mm_s == full_mm_s);
+    if (!is_rough) CHECK(piece.speed_mm_s < full_mm_s / 2);
+  }
+  // 20 mm at 60 mm/s in pieces of 4 ms: 84 at most.
+  CHECK(of_rough <= 84);
+  CHECK(fewer.size() - of_rough == 400);
+  CHECK(fewer_mm == doctest::Approx(all_mm));
+}

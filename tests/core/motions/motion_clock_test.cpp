@@ -1,0 +1,151 @@
+#include "core/motions/motion_clock.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace {
+
+using core::Extrude;
+using core::ExtrudeArc;
+using core::Length;
+using core::Lift;
+using core::MotionClock;
+using core::MotionModel;
+using core::MoveFilament;
+using core::Point;
+using core::Travel;
+
+constexpr MotionModel kModel{.acceleration_mm_s2 = 1'000,
+                             .filament_acceleration_mm_s2 = 2'000,
+                             .junction_deviation_mm = 0.013};
+
+Point at_mm(double x, double y) {
+  return {static_cast<std::int32_t>(std::lround(x * core::kUnitsPerMm)),
+          static_cast<std::int32_t>(std::lround(y * core::kUnitsPerMm))};
+}
+
+// Time over a path sampled at `steps` places: at each, the fastest speed allowed by the wanted
+// speed, by the corners, and by what can be reached from and to every other place.
+double sampled_seconds(const std::vector<double>& bound_at_mm, double step_mm, double a) {
+  std::vector<double> v = bound_at_mm;
+  for (std::size_t i = 1; i < v.size(); ++i) {
+    v[i] = std::min(v[i], std::sqrt(v[i - 1] * v[i - 1] + 2 * a * step_mm));
+  }
+  for (std::size_t i = v.size() - 1; i-- > 0;) {
+    v[i] = std::min(v[i], std::sqrt(v[i + 1] * v[i + 1] + 2 * a * step_mm));
+  }
+  double seconds = 0;
+  for (std::size_t i = 1; i < v.size(); ++i) seconds += 2 * step_mm / (v[i - 1] + v[i]);
+  return seconds;
+}
+
+TEST_CASE("one long move is a trapezoid") {
+  MotionClock clock(kModel);
+  clock.add(Travel{at_mm(100, 0), 50});
+  // 0.05 s up and 0.05 s down over 1.25 mm each, the rest at 50 mm/s.
+  CHECK(clock.seconds() == doctest::Approx(0.1 + 97.5 / 50));
+}
+
+TEST_CASE("one short move is a triangle") {
+  MotionClock clock(kModel);
+  clock.add(Travel{at_mm(1, 0), 50});
+  CHECK(clock.seconds() == doctest::Approx(2 * std::sqrt(1.0 / 1'000)));
+}
+
+TEST_CASE("a straight line in pieces takes as long as in one, within the look-ahead") {
+  MotionClock whole(kModel), pieces(kModel);
+  whole.add(Travel{at_mm(20, 0), 30});
+  for (int i = 1; i <= 10; ++i) pieces.add(Travel{at_mm(2.0 * i, 0), 30});
+  CHECK(pieces.seconds() == doctest::Approx(whole.seconds()));
+}
+
+TEST_CASE("very short pieces are slowed by the look-ahead's end") {
+  MotionClock whole(kModel), pieces(kModel);
+  whole.add(Travel{at_mm(20, 0), 100});
+  for (int i = 1; i <= 200; ++i) pieces.add(Travel{at_mm(0.1 * i, 0), 100});
+  CHECK(pieces.seconds() > whole.seconds());
+  // 1.6 mm of look-ahead allow sqrt(2 · 1000 · 1.6) = 56 mm/s.
+  CHECK(pieces.seconds() > 20 / 56.6);
+}
+
+TEST_CASE("turning back stops the machine, a filament move too") {
+  MotionClock there_and_back(kModel), there(kModel);
+  there.add(Travel{at_mm(50, 0), 50});
+  there_and_back.add(Travel{at_mm(50, 0), 50});
+  there_and_back.add(Travel{at_mm(0, 0), 50});
+  CHECK(there_and_back.seconds() == doctest::Approx(2 * there.seconds()));
+
+  MotionClock with_retraction(kModel);
+  with_retraction.add(Travel{at_mm(50, 0), 50});
+  with_retraction.add(MoveFilament{-1, 1'000});
+  with_retraction.add(Travel{at_mm(100, 0), 50});
+  CHECK(with_retraction.seconds() ==
+        doctest::Approx(2 * there.seconds() + 2 * std::sqrt(1.0 / 2'000)));
+}
+
+TEST_CASE("lifts count, and so do moves that go nowhere: as nothing") {
+  MotionClock clock(kModel);
+  clock.add(Lift{Length::from_mm(1), 1'000});
+  clock.add(Lift{Length::from_mm(1), 1'000});
+  CHECK(clock.seconds() == doctest::Approx(2 * std::sqrt(1.0 / 1'000)));
+}
+
+TEST_CASE("random paths within the look-ahead agree with a finely sampled speed profile") {
+  for (unsigned seed = 1; seed <= 50; ++seed) {
+    CAPTURE(seed);
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> turn(-1.5, 1.5), length(1, 10), speed(10, 100);
+    MotionClock clock(kModel);
+    double x = 0, y = 0, heading = 0, wanted_before = 0;
+    const double step = 0.001;
+    std::vector<double> bound{0};
+    for (int i = 0; i < 10; ++i) {
+      const double angle = i == 0 ? 0 : turn(random);
+      heading += angle;
+      const double wanted = speed(random);
+      const double mm = std::round(length(random));
+      x += mm * std::cos(heading);
+      y += mm * std::sin(heading);
+      clock.add(Extrude{at_mm(x, y), 0.1, wanted});
+      if (i > 0) {
+        // θ/2 between the moves, measured inside the corner.
+        const double s = std::sin((M_PI - std::abs(angle)) / 2);
+        const double corner = std::sqrt(1'000 * 0.013 * s / (1 - s));
+        bound.back() = std::min({bound.back(), corner, wanted_before, wanted});
+      }
+      wanted_before = wanted;
+      const auto steps = static_cast<int>(std::lround(mm / step));
+      for (int k = 0; k < steps; ++k) bound.push_back(wanted);
+    }
+    bound.back() = 0;
+    CHECK(clock.seconds() == doctest::Approx(sampled_seconds(bound, step, 1'000)).epsilon(0.01));
+  }
+}
+
+TEST_CASE("an arc takes as long as its length, no faster than its radius allows") {
+  constexpr double kPi = 3.14159265358979323846;
+  // Half a turn of radius 40: along the line, through it, and out along the line again.
+  MotionClock clock(kModel);
+  clock.add(Travel{at_mm(100, 0), 50});
+  clock.add(ExtrudeArc{at_mm(100, 80), at_mm(100, 40), false, 40 * kPi, 1, 50});
+  clock.add(Travel{at_mm(0, 80), 50});
+  CHECK(clock.seconds() == doctest::Approx(0.1 + (197.5 + 40 * kPi) / 50));
+  // The same arc the other way round turns back at its begin: a stop.
+  MotionClock back(kModel);
+  back.add(Travel{at_mm(100, 0), 50});
+  back.add(ExtrudeArc{at_mm(100, 80), at_mm(100, 40), true, 40 * kPi, 1, 50});
+  CHECK(back.seconds() > 0.19 + (95 + 40 * kPi) / 50);
+  // v² = a r: radius 0.4 at 1000 mm/s² is 20 mm/s.
+  MotionClock tight(kModel);
+  tight.add(Travel{at_mm(0.4, 0), 20});
+  for (int i = 0; i < 100; ++i) {
+    tight.add(ExtrudeArc{at_mm(-0.4, 0), at_mm(0, 0), false, 0.4 * kPi, 1, 500});
+    tight.add(ExtrudeArc{at_mm(0.4, 0), at_mm(0, 0), false, 0.4 * kPi, 1, 500});
+  }
+  CHECK(tight.seconds() == doctest::Approx(200 * 0.4 * kPi / 20).epsilon(0.05));
+}
+
+}  // namespace

@@ -1,0 +1,101 @@
+#include "core/roads/layer_planner.h"
+
+#include <doctest/doctest.h>
+
+#include "core/booleans/boolean.h"
+#include "core/offsets/slice_offsets.h"
+#include "tests/support/region_text.h"
+
+using namespace core;
+
+namespace {
+
+SplitLayer split(const Region& slice, const Region& loose, const Settings& settings,
+                 LayerIndex index) {
+  SplitLayer layer;
+  layer.layer.slice.index = index;
+  layer.layer.slice.height = settings.layer_height;
+  layer.layer.slice.bottom = settings.layer_height * index;
+  layer.layer.slice.region = slice;
+  OffsetCutter cutter(settings);
+  layer.layer.offsets = cutter.cut(layer.layer.slice);
+  layer.loose = loose;
+  layer.solid = subtract(slice, loose);
+  return layer;
+}
+
+// The layers of one part, planned one after the other, and each beside a plan of its own.
+class Plans {
+ public:
+  explicit Plans(const Settings& settings) : settings_(settings), planner_(settings) {}
+
+  // Whether the layer got the plan of one below.
+  bool reuses(const SplitLayer& layer) {
+    LayerPlanner::Place place = planner_.place(layer);
+    if (place.to_fill) planner_.fill(*place.plan, true);
+    LayerPlanner afresh(settings_);
+    const LayerPlanner::Place own = afresh.place(layer);
+    REQUIRE(own.to_fill);
+    afresh.fill(*own.plan, true);
+    REQUIRE_EQ(place.plan->roads.size(), own.plan->roads.size());
+    for (std::size_t i = 0; i < own.plan->roads.size(); ++i) {
+      CHECK_EQ(place.plan->roads[i].points, own.plan->roads[i].points);
+      CHECK_EQ(place.plan->roads[i].width, own.plan->roads[i].width);
+    }
+    CHECK_EQ(place.plan->layer.loose, own.plan->layer.loose);
+    CHECK_EQ(place.plan->layer.solid, own.plan->layer.solid);
+    CHECK_EQ(place.plan->regularised_mm3, own.plan->regularised_mm3);
+    return !place.to_fill;
+  }
+
+  [[nodiscard]] std::int64_t reused() const { return planner_.reused(); }
+
+ private:
+  Settings settings_;
+  LayerPlanner planner_;
+};
+
+const Region kSquare = test::region_from_text("0:0 30:0 30:20 0:20");
+const Region kLarger = test::region_from_text("0:0 31:0 31:20 0:20");
+const Region kInside = test::region_from_text("5:5 25:5 25:15 5:15");
+
+TEST_CASE("a layer like the one two below gets its plan, and no other does") {
+  const Settings settings;
+  Plans plans(settings);
+  for (LayerIndex i = 0; i < 8; ++i) {
+    CAPTURE(i);
+    // The first layer's skirt is its own: layer 2 cannot have its roads.
+    CHECK_EQ(plans.reuses(split(kSquare, kInside, settings, i)), i >= 3);
+  }
+  CHECK_FALSE(plans.reuses(split(kLarger, kInside, settings, 8)));
+  CHECK_FALSE(plans.reuses(split(kSquare, {}, settings, 9)));
+  CHECK(plans.reuses(split(kLarger, kInside, settings, 10)));
+  SplitLayer thicker = split(kLarger, kInside, settings, 12);
+  thicker.layer.slice.height = Length::from_mm(0.3);
+  CHECK_FALSE(plans.reuses(thicker));
+  CHECK_EQ(plans.reused(), 6);
+}
+
+TEST_CASE("without roads only the style is applied") {
+  Settings settings;
+  settings.style = BuildStyle::kRegular;
+  LayerPlanner planner(settings);
+  const LayerPlanner::Place place = planner.place(split(kSquare, kInside, settings, 3));
+  planner.fill(*place.plan, false);
+  CHECK(place.plan->roads.empty());
+  CHECK(place.plan->layer.loose.empty());
+  CHECK_EQ(place.plan->layer.solid, kSquare);
+  CHECK_EQ(place.plan->regularised_mm3, 0);
+}
+
+TEST_CASE("what regularisation moves is told") {
+  Settings settings;
+  settings.loose_area_min_mm2 = 1'000;
+  LayerPlanner planner(settings);
+  const LayerPlanner::Place place = planner.place(split(kSquare, kInside, settings, 3));
+  planner.fill(*place.plan, false);
+  CHECK(place.plan->layer.loose.empty());
+  CHECK_EQ(place.plan->regularised_mm3, doctest::Approx(20 * 10 * 0.2));
+}
+
+}  // namespace

@@ -1,0 +1,125 @@
+#include "core/roads/road_order.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "core/regions/polyline.h"
+#include "tests/support/random_regions.h"
+#include "tests/support/region_text.h"
+
+using namespace core;
+
+namespace {
+
+Road line(RoadKind kind, Point a, Point b) { return {kind, Length::from_mm(0.45), false, {a, b}}; }
+
+std::vector<Road> random_roads(test::Random& random, int count) {
+  std::vector<Road> roads;
+  for (int i = 0; i < count; ++i) {
+    const Point a{random.integer(0, 500'000), random.integer(0, 500'000)};
+    const Point b{a.x + random.integer(1, 20'000), a.y + random.integer(1, 20'000)};
+    if (i % 3 == 0) {
+      const Point c{a.x, b.y};
+      roads.push_back({RoadKind::kPerimeter, Length::from_mm(0.45), true, {a, b, c}});
+    } else {
+      roads.push_back(line(RoadKind::kSolid, a, b));
+    }
+  }
+  return roads;
+}
+
+// The same points however a road is turned or begun.
+std::vector<std::vector<Point>> points_of(const std::vector<Road>& roads) {
+  std::vector<std::vector<Point>> all;
+  for (const Road& road : roads) {
+    all.push_back(road.points);
+    std::sort(all.back().begin(), all.back().end());
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("every road is printed once, each from the nearest end that was left") {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    CAPTURE(seed);
+    test::Random random(seed);
+    const std::vector<Road> roads = random_roads(random, 60);
+    Point at{0, 0};
+    const std::vector<Road> ordered = nearest_order(roads, at);
+    CHECK_EQ(points_of(ordered), points_of(roads));
+    Point nozzle{0, 0};
+    for (std::size_t i = 0; i < ordered.size(); ++i) {
+      const double took = distance_mm(nozzle, ordered[i].points.front());
+      for (std::size_t k = i + 1; k < ordered.size(); ++k) {
+        CHECK_LE(took, distance_mm(nozzle, ordered[k].points.front()));
+        if (ordered[k].closed) continue;
+        CHECK_LE(took, distance_mm(nozzle, ordered[k].points.back()));
+      }
+      nozzle = ordered[i].closed ? ordered[i].points.front() : ordered[i].points.back();
+    }
+    CHECK_EQ(at, nozzle);
+  }
+}
+
+TEST_CASE("a closed road begins at a corner, where it has one") {
+  // Midpoints of sides are nearer than corners.
+  Road ring{
+      RoadKind::kOuterPerimeter,
+      Length::from_mm(0.45),
+      true,
+      {{0, 0}, {50'000, 0}, {100'000, 0}, {100'000, 100'000}, {50'000, 100'000}, {0, 100'000}}};
+  Point at{52'000, -10'000};
+  const auto ordered = nearest_order({ring}, at);
+  CHECK_EQ(ordered.front().points.front(), (Point{100'000, 0}));
+}
+
+TEST_CASE("an island is done before the next; perimeters, outer perimeter, wall, inside") {
+  const Region slice =
+      test::region_from_text("0:0 20:0 20:20 0:20, 5:5 5:15 15:15 15:5, 8:8 12:8 12:12 8:12");
+  std::vector<Road> roads;
+  const auto add = [&](RoadKind kind, double x, double y) {
+    const Point a{static_cast<std::int32_t>(x * 10'000), static_cast<std::int32_t>(y * 10'000)};
+    roads.push_back(line(kind, a, {a.x + 1'000, a.y}));
+  };
+  for (const double x : {9.0, 1.0, 10.0, 17.0}) {
+    const double y = x == 9 || x == 10 ? 10 : 18;
+    add(RoadKind::kLoose, x, y);
+    add(RoadKind::kSolid, x, y + 0.1);
+    add(RoadKind::kOuterPerimeter, x, y + 0.2);
+    add(RoadKind::kRest, x, y + 0.3);
+    add(RoadKind::kPerimeter, x, y + 0.4);
+  }
+  const auto ordered = printing_order(roads, slice, {0, 0});
+  REQUIRE_EQ(ordered.size(), 20);
+  const auto inner = [](const Road& road) {
+    return road.points.front().x > 50'000 && road.points.front().x < 150'000;
+  };
+  const auto stage = [](RoadKind kind) {
+    if (kind == RoadKind::kPerimeter) return 0;
+    if (kind == RoadKind::kOuterPerimeter) return 1;
+    return kind == RoadKind::kLoose ? 3 : 2;
+  };
+  int changes = 0;
+  for (std::size_t i = 1; i < ordered.size(); ++i) {
+    if (inner(ordered[i - 1]) != inner(ordered[i])) {
+      ++changes;
+      continue;
+    }
+    CHECK_LE(stage(ordered[i - 1].kind), stage(ordered[i].kind));
+  }
+  CHECK_EQ(changes, 1);
+}
+
+TEST_CASE("the same roads give the same order") {
+  test::Random random(7);
+  const std::vector<Road> roads = random_roads(random, 80);
+  const Region slice = test::region_from_text("0:0 60:0 60:60 0:60");
+  const auto once = printing_order(roads, slice, {0, 0});
+  const auto again = printing_order(roads, slice, {0, 0});
+  REQUIRE_EQ(once.size(), again.size());
+  for (std::size_t i = 0; i < once.size(); ++i) CHECK_EQ(once[i].points, again[i].points);
+}

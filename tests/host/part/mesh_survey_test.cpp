@@ -1,0 +1,139 @@
+#include "host/part/mesh_survey.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <set>
+#include <vector>
+
+#include "core/slices/plane_sweep.h"
+#include "tests/support/mesh.h"
+#include "tests/support/random_regions.h"
+#include "tools/parts/part_maker.h"
+
+using core::Length;
+using core::Triangle;
+using host::MeshSurvey;
+
+namespace {
+
+MeshSurvey surveyed(const std::vector<Triangle>& triangles, std::size_t window = 8) {
+  MeshSurvey survey(window);
+  for (const Triangle& t : triangles) survey.add(t);
+  return survey;
+}
+
+// By the definition: no triangle has more than `room` before it that are higher.
+bool fits_window(const std::vector<Triangle>& triangles, std::size_t room) {
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const auto higher =
+        std::count_if(triangles.begin(), triangles.begin() + static_cast<std::ptrdiff_t>(i),
+                      [&](const Triangle& t) { return t.lowest_z() > triangles[i].lowest_z(); });
+    if (higher > static_cast<std::ptrdiff_t>(room)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+TEST_CASE("closed surfaces are told from open ones") {
+  for (const parts::NamedPart& named : parts::all_parts(40, 0.1)) {
+    CAPTURE(named.name);
+    // What is wrong with these is in their surface.
+    const std::set<std::string> open = {"hole", "flipped_some", "doubled", "zero_area"};
+    CHECK_EQ(surveyed(test::triangles_of(named.part)).closed(), !open.contains(named.name));
+  }
+  std::vector<Triangle> dome = test::triangles_of(parts::dome(10));
+  for (const std::size_t i : {std::size_t{0}, dome.size() / 2, dome.size() - 1}) {
+    std::vector<Triangle> holed = dome;
+    holed.erase(holed.begin() + static_cast<std::ptrdiff_t>(i));
+    CHECK_FALSE(surveyed(holed).closed());
+    holed = dome;
+    std::swap(holed[i].corners[0], holed[i].corners[1]);
+    CHECK_FALSE(surveyed(holed).closed());
+    holed = dome;
+    ++holed[i].corners[1].x;
+    CHECK_FALSE(surveyed(holed).closed());
+  }
+}
+
+TEST_CASE("what the gauge calls in order, a window of that size puts in order") {
+  test::Random random(1);
+  int yes = 0, no_although_it_fits = 0;
+  for (int seed = 0; seed < 2'000; ++seed) {
+    const int count = random.integer(1, 60), jumble = random.integer(0, 12);
+    std::vector<Triangle> triangles;
+    for (int i = 0; i < count; ++i) {
+      const std::int64_t z = i + random.integer(0, jumble);
+      triangles.push_back({{core::Vertex{0, 0, z}, {1, 0, z + 3}, {0, 1, z + 2}}});
+    }
+    const bool in_order = surveyed(triangles, 8).in_order(), fits = fits_window(triangles, 8);
+    if (in_order) CHECK(fits);
+    yes += in_order ? 1 : 0;
+    no_although_it_fits += fits && !in_order ? 1 : 0;
+    host::ReorderWindow window;
+    std::int64_t last = INT64_MIN;
+    bool sorted = true;
+    std::size_t next = 0;
+    while (next < triangles.size() || !window.empty()) {
+      while (next < triangles.size() && window.size() <= 8) window.push(triangles[next++]);
+      const std::int64_t z = window.pop().lowest_z();
+      sorted = sorted && z >= last;
+      last = z;
+    }
+    CHECK_EQ(sorted, fits);
+  }
+  CHECK_GT(yes, 200);
+  CHECK_GT(no_although_it_fits, 0);
+}
+
+TEST_CASE("layers that hold nothing are found, whatever the order of the facets") {
+  test::Random random(2);
+  const Length layer = Length::from_mm(0.2);
+  for (int seed = 0; seed < 60; ++seed) {
+    CAPTURE(seed);
+    std::vector<parts::Part> boxes;
+    double z = 0;
+    const int count = random.integer(1, 30);
+    for (int i = 0; i < count; ++i) {
+      const double height = 0.01 * random.integer(1, 200);
+      boxes.push_back(parts::box({0, 0, z}, 5, 5, height));
+      z += height + 0.01 * random.integer(-5, 60);
+    }
+    std::vector<Triangle> triangles = test::triangles_of(parts::together(boxes));
+    const auto slices = test::sweep(triangles, test::exact_options()).slices;
+    core::LayerIndex empty = 0, first = 0;
+    for (const core::Slice& slice : slices) {
+      if (!slice.region.empty()) continue;
+      if (empty++ == 0) first = slice.index;
+    }
+    test::shuffle(triangles, random);
+    MeshSurvey survey = surveyed(triangles);
+    const MeshSurvey::EmptyLayers found = survey.empty_layers(layer);
+    CHECK_EQ(found.count, empty);
+    CHECK_EQ(found.first, first);
+  }
+}
+
+TEST_CASE("more gaps than it keeps: it tells fewer, and none that is not there") {
+  std::vector<parts::Part> boxes;
+  for (int i = 0; i < 700; ++i) boxes.push_back(parts::box({0, 0, 2.0 * i}, 5, 5, 1));
+  test::Random random(3);
+  std::vector<Triangle> triangles = test::triangles_of(parts::together(boxes));
+  test::shuffle(triangles, random);
+  MeshSurvey survey = surveyed(triangles);
+  const core::LayerIndex found = survey.empty_layers(Length::from_mm(0.2)).count;
+  CHECK_GT(found, 200 * 5);
+  CHECK_LE(found, 699 * 5);
+}
+
+TEST_CASE("a size that no print has makes one think of another unit") {
+  const auto warning_of = [](double mm) {
+    return host::unit_warning(
+               surveyed(test::triangles_of(parts::box({0, 0, 0}, mm, mm, mm))).extent())
+        .value_or("none");
+  };
+  CHECK_NE(warning_of(0.03).find("metres"), std::string::npos);
+  CHECK_NE(warning_of(3).find("inches"), std::string::npos);
+  CHECK_EQ(warning_of(6), "none");
+}

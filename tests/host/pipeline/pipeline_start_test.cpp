@@ -1,0 +1,94 @@
+// A print that is computed from the middle on: its commands are the whole print's, from there on.
+#include <doctest/doctest.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "firmware_link/line_codec.h"
+#include "host/pipeline/pipeline.h"
+#include "tests/host/print_rig.h"
+#include "tests/support/part_folder.h"
+
+using core::Length;
+
+namespace {
+
+struct Computed {
+  std::vector<std::string> texts;
+  std::vector<host::Checkpoint> checkpoints;
+  std::int64_t layers_held = 0;
+};
+
+Computed compute(const core::Settings& settings, const std::string& path,
+                 const std::optional<host::Checkpoint>& start) {
+  host::Job job = print_test::open(settings, path);
+  job.start = start;
+  Computed computed;
+  host::PipelineOutputs outputs;
+  outputs.on_checkpoint = [&](const host::Checkpoint& checkpoint) {
+    computed.checkpoints.push_back(checkpoint);
+  };
+  outputs.on_motion = [&](const core::Motion&,
+                          const std::optional<firmware_link::Command>& command) {
+    firmware_link::TextBuffer buffer;
+    if (command) computed.texts.emplace_back(firmware_link::encode(*command, buffer));
+    return true;
+  };
+  host::PipelineSignals signals;
+  host::GeometryStatistics statistics;
+  const auto end = host::run_pipeline(job, outputs, signals, statistics);
+  REQUIRE(end.ok());
+  computed.layers_held = statistics.peak_layers_held;
+  return computed;
+}
+
+core::Settings settings_of(core::WallShape shape, core::BuildStyle style) {
+  core::Settings settings;
+  settings.layer_height = Length::from_mm(0.3);
+  settings.wall_thickness = Length::from_mm(0.9);
+  settings.wall_shape = shape;
+  settings.style = style;
+  settings.nozzle_first_layer_celsius = 215;
+  settings.retraction_lift = Length::from_mm(0.2);
+  return settings;
+}
+
+}  // namespace
+
+TEST_CASE("from any layer on, the commands are those of the whole print") {
+  const test::PartFolder folder;
+  const parts::Part tower = parts::together(
+      {parts::box({5, 5, 0}, 14, 12, 4), parts::box({8, 7, 0}, 6, 5, 8), parts::tube(8, 4, 6, 40)});
+  const std::string path = folder.add("tower.stl", tower);
+  using core::BuildStyle;
+  using core::WallShape;
+  const std::vector<std::pair<WallShape, BuildStyle>> walls = {
+      {WallShape::kBall, BuildStyle::kThinWall},
+      {WallShape::kCylinder, BuildStyle::kThinWall},
+      {WallShape::kCylinder, BuildStyle::kFast},
+      {WallShape::kBall, BuildStyle::kRegular}};
+  for (const auto& wall : walls) {
+    const auto shape = wall.first;
+    const auto style = wall.second;
+    CAPTURE(static_cast<int>(shape));
+    CAPTURE(static_cast<int>(style));
+    const core::Settings settings = settings_of(shape, style);
+    const Computed whole = compute(settings, path, {});
+    REQUIRE_GT(whole.checkpoints.size(), 20);
+    CHECK_EQ(whole.checkpoints.front().commands, 0);
+    for (std::size_t i = 0; i < whole.checkpoints.size(); i += i < 6 ? 1 : 5) {
+      CAPTURE(i);
+      const host::Checkpoint& start = whole.checkpoints[i];
+      const Computed tail = compute(settings, path, start);
+      REQUIRE_EQ(tail.texts.size() + static_cast<std::size_t>(start.commands), whole.texts.size());
+      for (std::size_t k = 0; k < tail.texts.size(); ++k) {
+        CAPTURE(k);
+        REQUIRE_EQ(tail.texts[k], whole.texts[k + static_cast<std::size_t>(start.commands)]);
+      }
+      CHECK_LE(tail.layers_held, whole.layers_held);
+      REQUIRE_EQ(tail.checkpoints.size(), whole.checkpoints.size() - i);
+      CHECK_EQ(tail.checkpoints.back().commands, whole.checkpoints.back().commands);
+    }
+  }
+}

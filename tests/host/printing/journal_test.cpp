@@ -1,0 +1,208 @@
+// A journal: what is written is what is read, and a cut at any byte costs at most the record that
+// was being written.
+#include "host/printing/journal.h"
+
+#include <doctest/doctest.h>
+
+#include <fstream>
+#include <iterator>
+#include <random>
+#include <string>
+
+#include "host/part/content_hash.h"
+#include "tests/support/temporary_folder.h"
+
+namespace {
+
+host::JournalHead some_head() {
+  host::JournalHead head;
+  head.version = "1.2.3";
+  head.part = "/parts/with space \"and\" quotes.stl";
+  head.part_title = "with space";
+  head.part_hash = 0xfedcba9876543210U;
+  head.part_bytes = 123'456'789'012;
+  head.settings = {{"layer_height", "0.2"}, {"start_gcode", "G28\\nM83"}};
+  head.on_bad_layer = "repair";
+  head.port = "/dev/ttyUSB0";
+  head.usb = "1a86:7523, serial 1";
+  head.baud = 250'000;
+  head.boot = "boot";
+  return head;
+}
+
+host::JournalRecord record_of(std::mt19937_64& random) {
+  const auto any = [&random] { return static_cast<std::int64_t>(random() >> 8); };
+  const auto maybe = [&]() -> std::optional<std::int64_t> {
+    if (random() % 2 == 0) return std::nullopt;
+    return -any();
+  };
+  host::JournalRecord record;
+  record.checkpoint.layer = any();
+  record.checkpoint.bottom = core::Length::from_units(any());
+  record.checkpoint.commands = any();
+  record.checkpoint.filament_mm = static_cast<double>(any()) / 3;
+  record.checkpoint.motions = {true, random() % 2 == 0, true, false, {-5, 7}, {}, 0.1, 210, {}};
+  if (random() % 3 > 0) record.checkpoint.motions.arcs = random() % 2 == 0;
+  if (random() % 2 == 0) record.checkpoint.motions.nozzle_z = core::Length::from_units(any());
+  record.checkpoint.encoder = {maybe(), maybe(), maybe(), maybe(), -0.25};
+  record.sure = any();
+  record.sure_hash = random();
+  record.accepted = record.sure + 4;
+  record.line = static_cast<std::int32_t>(random() >> 34);
+  record.lines_more = 32;
+  record.line_kinds = static_cast<std::uint32_t>(random());
+  record.machine = {maybe(), maybe(), maybe(), maybe(), any(), 2'100, 600, 255};
+  record.nozzle_z_um = any();
+  record.state = static_cast<host::PrintState>(random() % 5);
+  return record;
+}
+
+// By their bytes, which the first test holds to tell all of it.
+bool same(const host::JournalRecord& a, const host::JournalRecord& b) {
+  return host::record_bytes(a, 0) == host::record_bytes(b, 0);
+}
+
+std::string bytes_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+}  // namespace
+
+TEST_CASE("a record is read back as it was written") {
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 1'000; ++i) {
+    const host::JournalRecord record = record_of(random);
+    const std::string bytes = host::record_bytes(record, i);
+    REQUIRE_EQ(bytes.size(), host::kRecordBytes);
+    const auto read = host::read_record(bytes);
+    REQUIRE(read.has_value());
+    CHECK_EQ(read->sequence, i);
+    REQUIRE_EQ(host::record_bytes(read->record, i), bytes);
+    CHECK_EQ(read->record.checkpoint.layer, record.checkpoint.layer);
+    CHECK_EQ(read->record.checkpoint.encoder.z_um, record.checkpoint.encoder.z_um);
+    CHECK_EQ(read->record.checkpoint.encoder.filament_rest_10nm, -0.25);
+    CHECK_EQ(read->record.checkpoint.motions.position.x, -5);
+    CHECK(read->record.checkpoint.motions.arcs == record.checkpoint.motions.arcs);
+    CHECK_EQ(read->record.sure_hash, record.sure_hash);
+    CHECK_EQ(read->record.line_kinds, record.line_kinds);
+    CHECK_EQ(read->record.machine.f_mm_min, record.machine.f_mm_min);
+    CHECK_EQ(read->record.machine.fan, 255);
+    CHECK(read->record.state == record.state);
+  }
+}
+
+TEST_CASE("any damaged byte is noticed") {
+  std::mt19937_64 random(2);
+  const std::string bytes = host::record_bytes(record_of(random), 7);
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    std::string damaged = bytes;
+    damaged[i] = static_cast<char>(damaged[i] ^ 0x10);
+    CAPTURE(i);
+    CHECK_FALSE(host::read_record(damaged).has_value());
+  }
+  CHECK_FALSE(host::read_record(bytes.substr(1)).has_value());
+  CHECK_FALSE(host::read_record(std::string(host::kRecordBytes, '\0')).has_value());
+}
+
+TEST_CASE("after a cut at any byte of any write the last whole record is found") {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.path("print.journal");
+  std::mt19937_64 random(3);
+  core::Result<host::Journal> created = host::Journal::create(path, some_head());
+  REQUIRE(created.ok());
+  host::Journal& journal = created.value();
+  std::string before = bytes_of(path);
+  CHECK_FALSE(host::read_journal_bytes(before, path).ok());
+
+  std::optional<host::JournalRecord> last;
+  for (int i = 0; i < 12; ++i) {
+    CAPTURE(i);
+    const host::JournalRecord record = record_of(random);
+    if (i % 5 == 4) {
+      journal.note_last(record);
+    } else {
+      journal.note(record, i % 3 == 0);
+    }
+    REQUIRE(journal.failed().empty());
+    const std::string after = bytes_of(path);
+    REQUIRE_EQ(after.size(), before.size());
+    const auto [from, unused] = std::mismatch(before.begin(), before.end(), after.begin());
+    const auto first = static_cast<std::size_t>(from - before.begin());
+    const std::size_t begin = first / host::kJournalBlockBytes * host::kJournalBlockBytes;
+    std::string cut = before;
+    bool new_one = false;
+    for (std::size_t k = 0; k <= host::kRecordBytes; ++k) {
+      if (k > 0) cut[begin + k - 1] = after[begin + k - 1];
+      const auto read = host::read_journal_bytes(cut, path);
+      CAPTURE(k);
+      if (!last && !read.ok()) continue;
+      REQUIRE(read.ok());
+      const bool is_new = same(read.value().record, record);
+      REQUIRE((is_new || (last && same(read.value().record, *last) && !new_one)));
+      new_one = new_one || is_new;
+    }
+    CHECK(new_one);
+    CHECK_EQ(cut, after);
+    before = after;
+    last = record;
+  }
+  const auto read = host::read_journal(path);
+  REQUIRE(read.ok());
+  CHECK_EQ(read.value().head.part, some_head().part);
+  CHECK_EQ(read.value().head.part_hash, some_head().part_hash);
+  CHECK_EQ(read.value().head.part_bytes, some_head().part_bytes);
+  CHECK_EQ(read.value().head.baud, 250'000);
+  CHECK(read.value().head.settings == some_head().settings);
+}
+
+TEST_CASE("a journal is held by one program, taken up behind its newest record, and removed") {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.path("state/rind/print.journal");
+  std::mt19937_64 random(4);
+  host::JournalRecord last;
+  {
+    core::Result<host::Journal> journal = host::Journal::create(path, some_head());
+    REQUIRE(journal.ok());
+    CHECK_FALSE(host::Journal::create(path, some_head()).ok());
+    CHECK_FALSE(host::Journal::go_on(path).ok());
+    for (int i = 0; i < 7; ++i) journal.value().note(last = record_of(random), false);
+  }
+  core::Result<host::Journal> again = host::Journal::go_on(path);
+  REQUIRE(again.ok());
+  REQUIRE(same(host::read_journal(path).value().record, last));
+  for (int i = 0; i < 5; ++i) {
+    last = record_of(random);
+    again.value().note(last, i == 2);
+    CHECK(same(host::read_journal(path).value().record, last));
+  }
+  again.value().remove();
+  CHECK_FALSE(host::read_journal(path).ok());
+}
+
+TEST_CASE("what is no journal is refused") {
+  const std::string good = host::head_bytes(some_head());
+  CHECK_FALSE(host::read_journal_bytes("", "x").ok());
+  CHECK_FALSE(host::read_journal_bytes("solid part", "x").ok());
+  for (std::size_t size = 0; size < good.size(); size += 7) {
+    CHECK_FALSE(host::read_journal_bytes(good.substr(0, size), "x").ok());
+  }
+  std::string damaged = good;
+  damaged[100] = static_cast<char>(damaged[100] ^ 1);
+  const auto read = host::read_journal_bytes(damaged, "x");
+  REQUIRE_FALSE(read.ok());
+  CHECK_NE(read.error().message.find("damaged"), std::string::npos);
+}
+
+TEST_CASE("content is told apart") {
+  CHECK_EQ(host::hash_of(""), 0xcbf29ce484222325U);  // the standard's own examples
+  CHECK_EQ(host::hash_of("a"), 0xaf63dc4c8601ec8cU);
+  CHECK_EQ(host::hash_of("foobar"), 0x85944171f73967e8U);
+  const test::TemporaryFolder folder;
+  const std::string path = folder.path("part");
+  std::ofstream(path) << "foobar";
+  const auto content = host::content_of(path);
+  REQUIRE(content.ok());
+  CHECK_EQ(content.value().hash, 0x85944171f73967e8U);
+  CHECK_EQ(content.value().bytes, 6);
+}

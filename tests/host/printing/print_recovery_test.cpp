@@ -1,0 +1,350 @@
+// Prints that are interrupted, and go on: paused, unplugged, reset, resumed from the journal. What
+// is laid in all is what the whole print lays.
+//
+// RIND_MOMENTS=50 interrupts each kind at 50 random moments instead of the few that fit into every
+// run.
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <optional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "host/exit_codes.h"
+#include "host/printing/detour.h"
+#include "host/printing/journal.h"
+#include "tests/host/print_rig.h"
+#include "tests/support/laid_roads.h"
+#include "tests/support/temporary_folder.h"
+
+using core::Length;
+using host::Wish;
+using print_test::BreakablePort;
+using print_test::Rig;
+using test::laid_by;
+using test::LaidPiece;
+using test::PartFolder;
+
+namespace {
+
+int moments(int few) {
+  const char* told = std::getenv("RIND_MOMENTS");
+  return told != nullptr ? std::atoi(told) : few;
+}
+
+core::Settings coarse() {
+  core::Settings settings;
+  settings.layer_height = Length::from_mm(0.3);
+  settings.wall_thickness = Length::from_mm(0.9);
+  return settings;
+}
+
+std::string small_part(const PartFolder& folder) {
+  return folder.add("part.stl", parts::together({parts::box({5, 5, 0}, 9, 8, 3),
+                                                 parts::box({6, 6, 0}, 3, 3, 4)}));
+}
+
+// Round beside it: arcs begin where the one before ended, wherever that was.
+std::string round_part(const PartFolder& folder) {
+  return folder.add("part.stl",
+                    parts::together({parts::box({8, 8, 0}, 6, 5, 3), parts::tube(6, 4, 3, 180)}));
+}
+
+void check_same(const std::vector<LaidPiece>& laid, const std::vector<LaidPiece>& wanted) {
+  REQUIRE_EQ(laid.size(), wanted.size());
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    CAPTURE(i);
+    REQUIRE((laid[i] == wanted[i]));
+  }
+}
+
+host::JournalHead some_head() {
+  host::JournalHead head;
+  head.version = "test";
+  return head;
+}
+
+// Unplugs, and gives the same controller back as another port.
+void make_pluggable(Rig& rig) {
+  rig.link.lost_port.wait_s = 20;
+  rig.link.lost_port.reopen = [&rig]() -> std::unique_ptr<firmware_link::BytePort> {
+    return std::make_unique<BreakablePort>(*rig.port);
+  };
+}
+
+}  // namespace
+
+TEST_CASE("a print that is paused lays the same roads, and the nozzle waits off the part") {
+  const PartFolder folder;
+  const std::string path = round_part(folder);
+  const std::vector<LaidPiece> whole = laid_by(print_test::sliced_lines(coarse(), path));
+  CHECK_GT(std::count_if(whole.begin(), whole.end(), [](const auto& at) { return at.turn != 0; }),
+           50);
+  std::mt19937 random(11);
+  for (int i = 0; i < moments(6); ++i) {
+    Rig rig(coarse(), path);
+    const std::size_t at = 30 + random() % 400;
+    const bool cools = i % 2 == 0;
+    CAPTURE(at);
+    rig.link.hot_s = cools ? 0 : 100;
+    bool paused = false;
+    bool away = false;
+    bool gone_on = false;
+    rig.link.wish = [&]() -> std::optional<Wish> {
+      if (!paused && rig.executed.size() >= at) {
+        paused = true;
+        return i == 5 ? Wish::kToggle : Wish::kPause;
+      }
+      if (!paused || gone_on) return std::nullopt;
+      const auto state = rig.controller();
+      away = away || (state.x_mm == 5 && state.y_mm == 5 && state.z_mm > 10);
+      const bool cooled = !cools || state.nozzle_target_celsius == 0;
+      if (!away || !cooled) return std::nullopt;
+      CHECK_EQ(state.bed_target_celsius, 60);
+      gone_on = true;
+      return i == 5 ? Wish::kToggle : Wish::kGoOn;
+    };
+    const host::PrintOutcome outcome = rig.print();
+    CAPTURE(outcome.message);
+    CHECK_EQ(outcome.exit_code, host::kExitDone);
+    CHECK(gone_on);
+    check_same(laid_by(rig.executed), whole);
+    CHECK_EQ(rig.port->controller().totals().cold_extrusions, 0);
+    CHECK_EQ(rig.count("G28"), 1);
+  }
+}
+
+TEST_CASE("pause, going on and cancelling at the printer are obeyed") {
+  const PartFolder folder;
+  const std::string path = small_part(folder);
+  const std::vector<LaidPiece> whole = laid_by(print_test::sliced_lines(coarse(), path));
+  for (const bool cancels : {false, true}) {
+    CAPTURE(cancels);
+    Rig rig(coarse(), path);
+    int said = 0;
+    rig.wire->on_read = [&] {
+      if (said == 0 && rig.executed.size() > 100) {
+        rig.wire->say("//action:pause\r\n");
+        ++said;
+      } else if (said == 1 && rig.controller().x_mm == 5 && rig.controller().z_mm > 10) {
+        rig.wire->say(cancels ? "//action:cancel\n" : "// action:resume\n");
+        ++said;
+      }
+    };
+    const host::PrintOutcome outcome = rig.print();
+    CAPTURE(outcome.message);
+    CHECK_EQ(said, 2);
+    CHECK_EQ(outcome.exit_code, cancels ? host::kExitStopped : host::kExitDone);
+    if (!cancels) check_same(laid_by(rig.executed), whole);
+    CHECK_EQ(rig.controller().nozzle_target_celsius, 0);
+  }
+}
+
+TEST_CASE("feed and flow go to the controller; a stop by key is a safe one") {
+  const PartFolder folder;
+  Rig rig(coarse(), small_part(folder));
+  std::vector<Wish> wishes = {Wish::kStop, Wish::kFlowDown, Wish::kFeedUp, Wish::kFeedUp};
+  std::size_t next_at = 50;
+  rig.link.wish = [&]() -> std::optional<Wish> {
+    if (wishes.empty() || rig.executed.size() < next_at) return std::nullopt;
+    const Wish wish = wishes.back();
+    wishes.pop_back();
+    next_at = rig.executed.size() + 20;
+    return wish;
+  };
+  const host::PrintOutcome outcome = rig.print();
+  CHECK_EQ(outcome.exit_code, host::kExitStopped);
+  CHECK_EQ(rig.count("M220 S110"), 1);
+  CHECK_EQ(rig.count("M220 S120"), 1);
+  CHECK_EQ(rig.count("M221 S90"), 1);
+  CHECK_EQ(rig.controller().nozzle_target_celsius, 0);
+  CHECK_GT(rig.controller().z_mm, 10);
+}
+
+TEST_CASE("a port that vanishes and comes back loses no road and doubles none") {
+  const PartFolder folder;
+  const std::string path = round_part(folder);
+  const std::vector<LaidPiece> whole = laid_by(print_test::sliced_lines(coarse(), path));
+  std::mt19937 random(12);
+  for (int i = 0; i < moments(3); ++i) {
+    Rig rig(coarse(), path);
+    make_pluggable(rig);
+    const std::size_t at = 20 + random() % 450;
+    CAPTURE(at);
+    rig.wire->on_read = [&] {
+      if (rig.executed.size() >= at) rig.wire->unplug();
+    };
+    const host::PrintOutcome outcome = rig.print();
+    CAPTURE(outcome.message);
+    CHECK_EQ(outcome.exit_code, host::kExitDone);
+    CHECK_EQ(outcome.link.recoveries, 1);
+    check_same(laid_by(rig.executed), whole);
+    CHECK_EQ(rig.count("G28"), 1);  // it lived: nothing was homed anew
+  }
+}
+
+TEST_CASE("after a controller's reset what its planner lost is laid once more") {
+  const PartFolder folder;
+  const std::string path = small_part(folder);
+  const std::vector<LaidPiece> whole = laid_by(print_test::sliced_lines(coarse(), path));
+  std::mt19937 random(13);
+  for (int i = 0; i < moments(2); ++i) {
+    firmware_link::VirtualControllerOptions options;
+    options.advanced_ok = true;
+    Rig rig(coarse(), path, options);
+    rig.link.lost_port.wait_s = 20;
+    std::int64_t asked_um = -1;
+    rig.link.lost_port.nozzle_height = [&](std::int64_t z_um) { return asked_um = z_um; };
+    const std::size_t at = 60 + random() % 400;
+    CAPTURE(at);
+    std::vector<std::string> before;
+    std::size_t lost = 0;
+    rig.wire->on_read = [&] {
+      if (!before.empty() || rig.executed.size() < at) return;
+      lost = rig.controller().planner_blocks;  // lets it do all it can
+      before = rig.executed;
+      rig.port->controller().reset(rig.port->simulated_now());
+    };
+    const host::PrintOutcome outcome = rig.print();
+    CAPTURE(outcome.message);
+    CHECK_EQ(outcome.exit_code, host::kExitDone);
+    CHECK_EQ(outcome.link.recoveries, 1);
+    CHECK_GE(asked_um, 300);
+    CHECK_EQ(rig.count("G28 X Y"), 1);
+    CHECK_EQ(rig.count("G28"), 2);
+    CHECK_EQ(rig.port->controller().totals().cold_extrusions, 0);
+
+    std::vector<std::string> moved = before;
+    for (std::size_t moves = lost; moves > 0 && !moved.empty(); moved.pop_back()) {
+      const std::string& text = moved.back();
+      moves -= text.compare(0, 2, "G0") == 0 || text.compare(0, 2, "G1") == 0 ? 1 : 0;
+    }
+    const std::size_t laid_before = laid_by(moved).size();
+    const std::size_t taken_before = laid_by(before).size();
+    const std::vector<LaidPiece> all = laid_by(rig.executed);
+    REQUIRE_GE(all.size(), whole.size());
+    const std::size_t again = all.size() - whole.size();  // of what had been taken
+    CAPTURE(lost);
+    CHECK_LE(again, firmware_link::kPlannerBlocks + firmware_link::kWindowLinesMax);
+    REQUIRE_LE(again, taken_before);
+    CHECK_LE(taken_before - again, laid_before);  // nothing that was lost is missing
+    const auto cut = static_cast<std::ptrdiff_t>(taken_before);
+    check_same({all.begin(), all.begin() + cut}, {whole.begin(), whole.begin() + cut});
+    check_same({all.begin() + cut, all.end()},
+               {whole.begin() + cut - static_cast<std::ptrdiff_t>(again), whole.end()});
+  }
+}
+
+TEST_CASE("nobody says where the nozzle is: nothing moves any more") {
+  const PartFolder folder;
+  const test::TemporaryFolder state;
+  Rig rig(coarse(), small_part(folder));
+  rig.link.lost_port.wait_s = 20;
+  rig.link.lost_port.nozzle_height = [](std::int64_t) { return std::nullopt; };
+  std::size_t before = 0;
+  rig.wire->on_read = [&] {
+    if (before > 0 || rig.executed.size() < 200) return;
+    (void)rig.controller();  // lets it do all it can
+    before = rig.executed.size();
+    rig.port->controller().reset(rig.port->simulated_now());
+  };
+  const host::PrintOutcome outcome = rig.print();
+  CHECK_EQ(outcome.exit_code, host::kExitLinkFault);
+  CHECK_EQ(
+      laid_by(rig.executed).size(),
+      laid_by({rig.executed.begin(), rig.executed.begin() + static_cast<long>(before)}).size());
+}
+
+TEST_CASE("stopped while its port is back but not greeted yet: the heaters go off") {
+  const PartFolder folder;
+  Rig rig(coarse(), small_part(folder));
+  make_pluggable(rig);
+  bool back = false;
+  const auto reopen = rig.link.lost_port.reopen;
+  rig.link.lost_port.reopen = [&] {
+    back = true;
+    return reopen();
+  };
+  rig.stop_count = [&] { return back ? 1 : 0; };
+  rig.wire->on_read = [&] {
+    if (rig.executed.size() >= 200) rig.wire->unplug();
+  };
+  const host::PrintOutcome outcome = rig.print();
+  CAPTURE(outcome.message);
+  CHECK_EQ(outcome.exit_code, host::kExitStopped);
+  CHECK_EQ(rig.controller().nozzle_target_celsius, 0);
+  CHECK_EQ(rig.controller().bed_target_celsius, 0);
+}
+
+TEST_CASE("a print that ended goes on from its journal, in another program") {
+  const PartFolder folder;
+  const test::TemporaryFolder state;
+  const std::string path = round_part(folder);
+  const std::string journal_path = state.path("print.journal");
+  const std::vector<LaidPiece> whole = laid_by(print_test::sliced_lines(coarse(), path));
+  std::mt19937 random(14);
+  for (int i = 0; i < moments(2); ++i) {
+    const std::size_t at = 100 + random() % 380;
+    CAPTURE(at);
+    CAPTURE(i);
+    Rig rig(coarse(), path);
+    const bool stopped = i % 2 == 0;
+    {
+      core::Result<host::Journal> journal = host::Journal::create(journal_path, some_head());
+      REQUIRE(journal.ok());
+      rig.link.journal = [&journal] { return &journal.value(); };
+      rig.stop_count = [&] { return stopped && rig.executed.size() >= at ? 1 : 0; };
+      rig.wire->on_read = [&] {
+        if (!stopped && rig.executed.size() >= at) rig.wire->unplug();
+      };
+      const host::PrintOutcome outcome = rig.print();
+      CHECK_EQ(outcome.exit_code, stopped ? host::kExitStopped : host::kExitLinkFault);
+    }
+    const auto read = host::read_journal(journal_path);
+    REQUIRE(read.ok());
+    core::Result<host::Journal> journal = host::Journal::go_on(journal_path);
+    REQUIRE(journal.ok());
+    rig.wire = std::make_unique<BreakablePort>(*rig.port);
+    rig.job = print_test::open(coarse(), path);
+    rig.stop_count = [] { return 0; };
+    rig.link.journal = [&journal] { return &journal.value(); };
+    rig.link.resumption =
+        host::Resumption{read.value().record, true, read.value().record.nozzle_z_um};
+    const host::PrintOutcome outcome = rig.print();
+    CAPTURE(outcome.message);
+    CHECK_EQ(outcome.exit_code, host::kExitDone);
+    check_same(laid_by(rig.executed), whole);
+    CHECK_EQ(rig.count("G28 X Y"), 1);
+    CHECK_EQ(rig.count("G28"), 2);
+    CHECK_EQ(rig.count("G92 Z"), 0);                     // it knows its height
+    CHECK_FALSE(host::read_journal(journal_path).ok());  // done: nothing is left to resume
+  }
+}
+
+TEST_CASE("another print than the one that was begun is refused before anything moves") {
+  const PartFolder folder;
+  const test::TemporaryFolder state;
+  const std::string path = small_part(folder);
+  const std::string journal_path = state.path("print.journal");
+  Rig rig(coarse(), path);
+  core::Result<host::Journal> journal = host::Journal::create(journal_path, some_head());
+  REQUIRE(journal.ok());
+  rig.link.journal = [&journal] { return &journal.value(); };
+  rig.stop_count = [&] { return rig.executed.size() >= 300 ? 1 : 0; };
+  (void)rig.print();
+  const auto read = host::read_journal(journal_path);
+  REQUIRE(read.ok());
+
+  core::Settings other = coarse();
+  other.perimeter_speed_mm_s = 61;
+  rig.job = print_test::open(other, path);
+  rig.stop_count = [] { return 0; };
+  rig.link.resumption = host::Resumption{read.value().record, true, 0};
+  const std::size_t before = rig.executed.size();
+  const host::PrintOutcome outcome = rig.print();
+  CAPTURE(outcome.message);
+  CHECK_EQ(outcome.exit_code, host::kExitBadInput);
+  CHECK_NE(outcome.message.find("not the one"), std::string::npos);
+  CHECK_EQ(rig.executed.size(), before);
+}

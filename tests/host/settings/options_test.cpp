@@ -1,0 +1,219 @@
+#include "host/settings/options.h"
+
+#include <doctest/doctest.h>
+
+#include <string>
+#include <vector>
+
+#include "host/exit_codes.h"
+
+using host::Options;
+using host::OptionsExit;
+using host::OutputFormat;
+using host::Subcommand;
+
+namespace {
+
+std::variant<Options, OptionsExit> parse(std::vector<const char*> words) {
+  words.insert(words.begin(), "rind");
+  return host::parse_options(static_cast<int>(words.size()), words.data());
+}
+
+Options parse_good(const std::vector<const char*>& words) {
+  const auto parsed = parse(words);
+  if (const auto* refused = std::get_if<OptionsExit>(&parsed)) FAIL(refused->text);
+  return std::get<Options>(parsed);
+}
+
+OptionsExit parse_bad(const std::vector<const char*>& words) {
+  const auto parsed = parse(words);
+  REQUIRE(std::holds_alternative<OptionsExit>(parsed));
+  return std::get<OptionsExit>(parsed);
+}
+
+bool says(const OptionsExit& refused, const std::string& text) {
+  return refused.text.find(text) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("print takes a part, a port and settings in the order typed") {
+  const Options options =
+      parse_good({"print", "part.stl", "--port", "/dev/ttyUSB0", "--baud", "250000", "--set",
+                  "perimeters=3", "--wall-thickness", "1.2", "--set", "perimeters=1", "--quiet"});
+  CHECK_EQ(options.subcommand, Subcommand::kPrint);
+  CHECK_EQ(options.part, "part.stl");
+  CHECK_EQ(options.port, "/dev/ttyUSB0");
+  CHECK_EQ(options.baud, 250'000);
+  CHECK(options.quiet);
+  REQUIRE_EQ(options.assignments.size(), 3);
+  CHECK_EQ(options.assignments[0], std::pair<std::string, std::string>("perimeters", "3"));
+  CHECK_EQ(options.assignments[1], std::pair<std::string, std::string>("wall_thickness", "1.2"));
+  CHECK_EQ(options.assignments[2], std::pair<std::string, std::string>("perimeters", "1"));
+}
+
+TEST_CASE("--set takes one assignment and leaves the part alone") {
+  const Options options =
+      parse_good({"slice", "--set", "perimeters=3", "part.stl", "-o", "out.gcode"});
+  CHECK_EQ(options.part, "part.stl");
+  REQUIRE_EQ(options.assignments.size(), 1);
+}
+
+TEST_CASE("the form of the output follows its name, or --format") {
+  CHECK_EQ(parse_good({"slice", "p.stl", "-o", "a.gcode"}).format, OutputFormat::kGcode);
+  CHECK_EQ(parse_good({"slice", "p.stl", "-o", "a.CLI"}).format, OutputFormat::kCli);
+  CHECK_EQ(parse_good({"slice", "p.stl", "-o", "-", "--format", "cli"}).format, OutputFormat::kCli);
+  CHECK_EQ(parse_good({"slice", "-", "-o", "-", "--format", "gcode"}).part, "-");
+
+  CHECK_EQ(parse_good({"slice", "p.stl", "-o", "-"}).format, OutputFormat::kGcode);
+  CHECK_EQ(parse_good({"slice", "p.stl", "-o", "/dev/null"}).format, OutputFormat::kGcode);
+
+  CHECK_EQ(parse_good({"slice", "p.stl", "-o", "a.lsif"}).format, OutputFormat::kLsif);
+  CHECK_EQ(parse_good({"slice", "p.stl", "-o", "a.ssl"}).format, OutputFormat::kSliceV0);
+  CHECK_EQ(parse_good({"slice", "p.stl", "-o", "a.svg"}).format, OutputFormat::kSvg);
+  const Options roads = parse_good({"slice", "p.stl", "-o", "a.cli", "--format", "cli-roads"});
+  CHECK_EQ(roads.format, OutputFormat::kCliRoads);
+
+  CHECK(says(parse_bad({"slice", "p.stl", "-o", "a.stl"}), "what 'a.stl' is to be"));
+  CHECK(says(parse_bad({"slice", "p.stl", "-o", "a"}), "--format"));
+}
+
+TEST_CASE("a layer file holds walls where it can tell them apart, or what is asked for") {
+  using host::LayerContents;
+  const auto contents = [](const char* output, const char* asked) {
+    if (asked == nullptr) return parse_good({"slice", "p.stl", "-o", output}).contents;
+    return parse_good({"slice", "p.stl", "-o", output, "--contents", asked}).contents;
+  };
+  CHECK_EQ(contents("a.cli", nullptr), LayerContents::kWalls);
+  CHECK_EQ(contents("a.lsif", nullptr), LayerContents::kWalls);
+  CHECK_EQ(contents("a.ssl", nullptr), LayerContents::kSlices);
+  CHECK_EQ(contents("a.svg", nullptr), LayerContents::kSlices);
+  CHECK_EQ(contents("a.cli", "slices"), LayerContents::kSlices);
+  CHECK_EQ(contents("a.ssl", "quickslice"), LayerContents::kWallsForQuickSlice);
+  CHECK_EQ(parse_good({"formats"}).subcommand, host::Subcommand::kFormats);
+}
+
+TEST_CASE("a cut is asked for by axis, in mm or per cent") {
+  const auto section = [](const char* text) {
+    const Options options = parse_good({"show", "p.stl", "-o", "a.svg", "--section", text});
+    CHECK_EQ(options.layer, 0);
+    return options.section.value();
+  };
+  CHECK_EQ(section("Y=12.5").axis, 'Y');
+  CHECK_EQ(section("Y=12.5").value, 12.5);
+  CHECK_FALSE(section("Y=12.5").percent);
+  CHECK_EQ(section("y=3 mm").value, 3);
+  CHECK_EQ(section("x=50%").axis, 'X');
+  CHECK_EQ(section("x=50%").value, 50);
+  CHECK(section("x=50%").percent);
+  CHECK_FALSE(parse_good({"show", "p.stl", "-o", "a.svg", "--layer", "2"}).section.has_value());
+  const Options zoomed =
+      parse_good({"show", "p.stl", "-o", "a.svg", "--section", "Y=1", "--zoom", "4,10.5,6"});
+  CHECK_EQ(zoomed.zoom.value().along, 4);
+  CHECK_EQ(zoomed.zoom.value().height, 10.5);
+  CHECK_EQ(zoomed.zoom.value().size, 6);
+}
+
+TEST_CASE("what can't be understood is refused with exit code 2 and the reason") {
+  const std::vector<std::pair<std::vector<const char*>, std::string>> cases = {
+      {{}, "subcommand"},
+      {{"prnt", "p.stl"}, "prnt"},
+      {{"print"}, "PART"},
+      {{"slice", "p.stl"}, "--output"},
+      {{"show", "p.stl", "-o", "a.svg"}, "--layer"},
+      {{"show", "p.stl", "-o", "a.svg", "--layer", "0"}, "--layer"},
+      {{"show", "p.stl", "-o", "a.svg", "--layer", "3", "--section", "Y=1"}, "--section"},
+      {{"show", "p.stl", "-o", "a.svg", "--section", "Z=1"}, "'Z=1' is no place to cut"},
+      {{"show", "p.stl", "-o", "a.svg", "--section", "Y="}, "Y=12.5"},
+      {{"show", "p.stl", "-o", "a.svg", "--section", "Y=1inch"}, "Y=12.5"},
+      {{"show", "p.stl", "-o", "a.svg", "--section", "X=nan"}, "X=50%"},
+      {{"show", "p.stl", "-o", "a.svg", "--layer", "3", "--zoom", "1,2,3"}, "--section"},
+      {{"show", "p.stl", "-o", "a.svg", "--section", "Y=1", "--zoom", "1,2"}, "4,10,6"},
+      {{"show", "p.stl", "-o", "a.svg", "--section", "Y=1", "--zoom", "1,2,3,4"}, "4,10,6"},
+      {{"show", "p.stl", "-o", "a.svg", "--section", "Y=1", "--zoom", "1,b,3"}, "4,10,6"},
+      {{"show", "p.stl", "-o", "a.svg", "--section", "Y=1", "--zoom", "1,2,0"}, "4,10,6"},
+      {{"print", "p.stl", "--baud", "fast"}, "--baud"},
+      {{"print", "p.stl", "--baud", "7"}, "--baud"},
+      {{"print", "p.stl", "--virtual-speed", "-1"}, "--virtual-speed"},
+      {{"plan", "p.stl", "--set", "perimeters"}, "KEY=VALUE"},
+      {{"plan", "p.stl", "--set", "=3"}, "KEY=VALUE"},
+      {{"plan", "p.stl", "--colour"}, "--colour"},
+      {{"plan", "p.stl", "q.stl"}, "q.stl"},
+  };
+  for (const auto& each : cases) {
+    const OptionsExit refused = parse_bad(each.first);
+    const std::string& reason = each.second;
+    CAPTURE(refused.text);
+    CAPTURE(reason);
+    CHECK_EQ(refused.exit_code, host::kExitUsage);
+    CHECK(says(refused, reason));
+    CHECK(says(refused, "rind --help"));
+  }
+}
+
+TEST_CASE("help and version end well and say what they should") {
+  CHECK_EQ(parse_bad({"--help"}).exit_code, host::kExitDone);
+  for (const char* word : {"print", "slice", "plan", "show", "ports", "settings"}) {
+    CHECK(says(parse_bad({"--help"}), word));
+  }
+  CHECK(says(parse_bad({"--help"}), "resume"));
+  CHECK(says(parse_bad({"print", "--help"}), "--virtual-speed"));
+  CHECK_EQ(parse_bad({"--version"}).exit_code, host::kExitDone);
+  CHECK(says(parse_bad({"--version"}), "rind 0.1.0"));
+}
+
+TEST_CASE("bounds of memory, the order of a pipe, bad layers and a log") {
+  const Options plain = parse_good({"print", "part.stl", "--port", "virtual"});
+  CHECK_EQ(plain.sort_bytes, std::size_t{8} << 20);
+  CHECK_EQ(plain.memory_limit_bytes, 0);
+  CHECK_EQ(plain.sorted, host::PipeSorted::kAuto);
+  CHECK_EQ(plain.on_bad_layer, host::OnBadLayer::kRepair);
+  CHECK(plain.log.empty());
+  const Options options =
+      parse_good({"print", "-", "--port", "virtual", "--memory", "512k", "--memory-limit", "64M",
+                  "--sorted", "yes", "--on-bad-layer", "neighbour", "--log", "rind.log"});
+  CHECK_EQ(options.sort_bytes, std::size_t{512} << 10);
+  CHECK_EQ(options.memory_limit_bytes, std::size_t{64} << 20);
+  CHECK_EQ(options.sorted, host::PipeSorted::kYes);
+  CHECK_EQ(options.on_bad_layer, host::OnBadLayer::kNeighbour);
+  CHECK_EQ(options.log, "rind.log");
+  CHECK_EQ(parse_good({"slice", "-", "-o", "a.gcode", "--sorted", "no"}).sorted,
+           host::PipeSorted::kNo);
+  CHECK_EQ(parse_bad({"plan", "a.stl", "--memory", "63k"}).exit_code, host::kExitUsage);
+  CHECK_EQ(parse_bad({"plan", "a.stl", "--memory", "much"}).exit_code, host::kExitUsage);
+  CHECK_EQ(parse_bad({"slice", "-", "-o", "a.gcode", "--sorted", "maybe"}).exit_code,
+           host::kExitUsage);
+  CHECK_EQ(parse_bad({"plan", "a.stl", "--on-bad-layer", "weep"}).exit_code, host::kExitUsage);
+}
+
+TEST_CASE("resume takes a journal; the rest is in it") {
+  const Options options = parse_good({"resume", "p.journal", "--yes", "--nozzle-height", "12.5"});
+  CHECK_EQ(options.subcommand, Subcommand::kResume);
+  CHECK_EQ(options.journal, "p.journal");
+  CHECK(options.part.empty());
+  CHECK(options.port.empty());
+  CHECK(options.yes);
+  CHECK_EQ(options.nozzle_height_mm, 12.5);
+  CHECK_FALSE(options.baud_told);
+  CHECK_FALSE(options.bad_layer_told);
+  const Options told = parse_good({"resume", "p.journal", "--port", "/dev/x", "--baud", "250000",
+                                   "--on-bad-layer", "repair", "--part", "q.stl"});
+  CHECK(told.baud_told);
+  CHECK(told.bad_layer_told);
+  CHECK_EQ(told.part, "q.stl");
+  CHECK_EQ(parse_bad({"resume"}).exit_code, host::kExitUsage);
+}
+
+TEST_CASE("what a print does when the line is lost, and where its journal is") {
+  const Options plain = parse_good({"print", "part.stl"});
+  CHECK_EQ(plain.on_lost_port, host::OnLostPort::kWait);
+  CHECK_FALSE(plain.no_journal);
+  const Options told = parse_good({"print", "part.stl", "--on-lost-port", "stop", "--journal", "j",
+                                   "--lost-port-wait", "5", "--pause-heat", "7"});
+  CHECK_EQ(told.on_lost_port, host::OnLostPort::kStop);
+  CHECK_EQ(told.journal, "j");
+  CHECK_EQ(told.lost_port_wait_s, 5);
+  CHECK_EQ(told.pause_heat_s, 7);
+  CHECK_EQ(parse_bad({"print", "part.stl", "--journal", "j", "--no-journal"}).exit_code,
+           host::kExitUsage);
+}

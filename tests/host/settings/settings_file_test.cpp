@@ -1,0 +1,184 @@
+#include "host/settings/settings_file.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "core/settings.h"
+#include "host/settings/settings_table.h"
+
+using core::Length;
+using core::Settings;
+using host::LoadedSettings;
+
+namespace {
+
+LoadedSettings loaded(const std::string& text) {
+  const core::Result<LoadedSettings> result = host::read_settings(text, "my.ini", Settings());
+  if (!result.ok()) FAIL(result.error().message);
+  return result.value();
+}
+
+std::string error_of(const std::string& text) {
+  const core::Result<LoadedSettings> result = host::read_settings(text, "my.ini", Settings());
+  REQUIRE_FALSE(result.ok());
+  return result.error().message;
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  const bool found = text.find(part) != std::string::npos;
+  if (!found) MESSAGE("\"" << part << "\" is missing in: " << text);
+  return found;
+}
+
+// Whether a list holds exactly this text.
+bool lists(const std::vector<std::string>& list, const std::string& text) {
+  return std::find(list.begin(), list.end(), text) != list.end();
+}
+
+constexpr const char* kPrusaBody =
+    "avoid_crossing_perimeters = 0\n"
+    "bed_shape = 0x0,250x0,250x210,0x210\n"
+    "bottom_solid_layers = 3\n"
+    "brim_width = 0\n"
+    "end_gcode = G1 X0\\nM84 ; off\n"
+    "extrusion_width = 0\n"
+    "fill_density = 15%\n"
+    "first_layer_speed = 50%\n"
+    "layer_height = 0.15\n"
+    "nozzle_diameter = 0.4,0.4\n"
+    "post_process = /bin/rm -rf /\n"
+    "start_gcode = M109 S[first_layer_temperature]\\nG28\n"
+    "temperature = 215\n"
+    "top_solid_layers = 3\n";
+
+}  // namespace
+
+TEST_CASE("a file of ours, with comments, section, white space and either line end") {
+  for (const std::string end : {"\n", "\r\n"}) {
+    const LoadedSettings result =
+        loaded("# mine" + end + end + "[rind]" + end + "layer_height = 0.1 ; fine" + end +
+               "  perimeters=4" + end + "; loose_density = 1" + end +
+               "start_gcode = G28 ; home\\nG92 E0" + end + "bed_x: 200 # small");
+    CHECK_EQ(result.settings.layer_height, Length::from_units(1'000));
+    CHECK_EQ(result.settings.perimeters, 4);
+    CHECK_EQ(result.settings.loose_density, Settings().loose_density);
+    CHECK_EQ(result.settings.start_gcode, std::vector<std::string>{"G28", "G92 E0"});
+    CHECK_EQ(result.settings.bed_x.mm(), 200);
+    CHECK_EQ(result.set_count, 4);
+    CHECK_FALSE(result.from_prusa);
+    CHECK(result.ignored.empty());
+  }
+}
+
+TEST_CASE("an empty file sets nothing, a byte-order mark is no harm") {
+  CHECK_EQ(loaded("").set_count, 0);
+  CHECK_EQ(loaded("\n\n# nothing\n").set_count, 0);
+  CHECK_EQ(loaded("\xef\xbb\xbfperimeters = 5\n").settings.perimeters, 5);
+}
+
+TEST_CASE("errors name file and line") {
+  CHECK(
+      contains(error_of("perimeters = 3\n\nlayer_heigth = 1\n"), "my.ini:3: there is no setting"));
+  CHECK(contains(error_of("perimeters = many"), "my.ini:1: perimeters: \"many\""));
+  CHECK(contains(error_of("\n\n\nlayer_height = 9"), "my.ini:4: layer_height = 9 is out of range"));
+  CHECK(contains(error_of("perimeters = 3\nnonsense\n"), "my.ini:2: neither"));
+  CHECK(contains(error_of("[rind\nperimeters = 3\n"), "my.ini:1: neither"));
+  CHECK(contains(error_of("[print:fast]\nperimeters = 3\n"), "my.ini:2: section [print:fast]"));
+  CHECK(contains(error_of(std::string("perimeters\0 = 3", 15)), "zero byte"));
+  CHECK(contains(error_of(std::string(host::kSettingsBytesMax + 1, '\n')), "more than"));
+}
+
+TEST_CASE("lines longer than inih's own 200 bytes are read whole, and counted right") {
+  std::string gcode;
+  std::size_t lines = 0;
+  for (; gcode.size() < 20'000; ++lines) gcode += "G1 X" + std::to_string(lines) + "\\n";
+  const std::string text = "#" + std::string(5'000, 'c') + "\nstart_gcode = " + gcode + "\n";
+  // 20,000 bytes are more than 1,000 lines: said, not cut.
+  CHECK(contains(error_of(text), "my.ini:2: start_gcode: more than 1000 lines"));
+  const std::string half = "start_gcode = " + gcode.substr(0, 7'000) + "\nperimeters = x\n";
+  CHECK(contains(error_of(half), "my.ini:2: perimeters"));
+  const auto result = loaded("start_gcode = " + gcode.substr(0, gcode.find("G1 X700")) + "\n");
+  CHECK_EQ(result.settings.start_gcode.size(), 700);
+  CHECK_EQ(result.settings.start_gcode.back(), "G1 X699");
+}
+
+TEST_CASE("a file cut at any byte is read or refused, never more") {
+  const std::string whole = "[rind]\nlayer_height = 0.1\nstart_gcode = G28\\nG1\nperimeters = 4\n";
+  for (std::size_t length = 0; length <= whole.size(); ++length) {
+    CAPTURE(length);
+    const auto result = host::read_settings(whole.substr(0, length), "cut.ini", Settings());
+    if (!result.ok()) CHECK(contains(result.error().message, "cut.ini:"));
+  }
+}
+
+TEST_CASE("PrusaSlicer's files load, known by their first line or by their keys") {
+  const std::string header = "# generated by PrusaSlicer 2.5.0+dfsg on 2026-11-22\n";
+  for (const std::string& text : {header + kPrusaBody, std::string(kPrusaBody)}) {
+    const LoadedSettings result = loaded(text);
+    CHECK(result.from_prusa);
+    CHECK_EQ(result.settings.layer_height, Length::from_units(1'500));
+    CHECK_EQ(result.settings.loose_density, doctest::Approx(0.15));
+    CHECK_EQ(result.settings.nozzle_celsius, 215);
+    CHECK_EQ(result.settings.nozzle_diameter, Length::from_units(4'000));
+    CHECK_EQ(result.settings.bed_y.mm(), 210);
+    CHECK_EQ(result.settings.end_gcode, std::vector<std::string>{"G1 X0", "M84"});
+    CHECK_EQ(result.set_count, 6);
+    // Neither automatic widths nor percentages nor placeholders have a counterpart.
+    CHECK_EQ(result.settings.road_width, Settings().road_width);
+    CHECK_EQ(result.settings.start_gcode, Settings().start_gcode);
+    CHECK_EQ(result.ignored.size(), 8);
+    CHECK(lists(result.ignored, "extrusion_width = 0"));
+    CHECK(lists(result.ignored, "first_layer_speed = 50%"));
+    CHECK(lists(result.ignored, "post_process"));
+    CHECK(lists(result.ignored, "top_solid_layers"));
+  }
+  // The header alone makes the difference for a key that is not known here.
+  CHECK(loaded(header + "wipe = 0\n").from_prusa);
+  CHECK(contains(error_of("wipe = 0\n"), "there is no setting \"wipe\""));
+  CHECK(contains(error_of("# generated by hand, not PrusaSlicer's\nwipe = 0\n"), "wipe"));
+  // A value that is wrong is wrong there too.
+  CHECK(contains(error_of(header + "layer_height = -1\n"), "my.ini:2: layer_height = -1"));
+}
+
+TEST_CASE("our own keys in a PrusaSlicer file would be misread: they are ignored and named") {
+  const LoadedSettings result = loaded(std::string(kPrusaBody) + "wall_thickness = 9\n");
+  CHECK_EQ(result.settings.wall_thickness, Settings().wall_thickness);
+  CHECK(lists(result.ignored, "wall_thickness"));
+}
+
+TEST_CASE("files on disk, and what is none") {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::path(RIND_BINARY_DIR) / "settings_file_test";
+  fs::create_directories(folder);
+  const std::string path = (folder / "a.ini").string();
+  std::ofstream(path) << "perimeters = 7\n";
+  const auto result = host::load_settings(path, Settings());
+  REQUIRE(result.ok());
+  CHECK_EQ(result.value().settings.perimeters, 7);
+
+  const auto cause = [](const std::string& name) {
+    const auto missing = host::load_settings(name, Settings());
+    REQUIRE_FALSE(missing.ok());
+    CHECK_EQ(missing.error().code, core::ErrorCode::kUnreadable);
+    CHECK(contains(missing.error().message, name));
+    return missing.error().message;
+  };
+  CHECK(contains(cause((folder / "none.ini").string()), "No such file"));
+  CHECK(contains(cause(folder.string()), "folder"));
+}
+
+TEST_CASE("what rind settings prints is a profile") {
+  std::string text = "[rind]\n";
+  for (const host::SettingRow& row : host::describe_settings(Settings())) {
+    text += row.key + " = " + row.value + "\n";
+  }
+  const LoadedSettings result = loaded(text);
+  CHECK_FALSE(result.from_prusa);
+  const auto rows = host::describe_settings(result.settings);
+  for (const host::SettingRow& row : rows) CHECK_EQ(row.value, row.default_value);
+  CHECK_EQ(result.set_count, static_cast<int>(rows.size()));
+}

@@ -1,0 +1,266 @@
+#include "host/settings/settings_table.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <fstream>
+#include <limits>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/limits.h"
+#include "core/settings.h"
+#include "host/settings/settings_text.h"
+#include "tests/support/random_regions.h"
+
+using core::Length;
+using core::Settings;
+using host::set_setting;
+using host::SettingRow;
+
+namespace {
+
+std::string error_of(const core::Status& status) {
+  REQUIRE_FALSE(status.ok());
+  CHECK_EQ(status.error().code, core::ErrorCode::kBadSetting);
+  return status.error().message;
+}
+
+std::string error_of(const std::string& key, const std::string& text) {
+  Settings settings;
+  const std::string message = error_of(set_setting(settings, key, text));
+  // After an error everything is as it was.
+  const std::vector<SettingRow> rows = host::describe_settings(settings);
+  for (const SettingRow& row : rows) CHECK_EQ(row.value, row.default_value);
+  return message;
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  const bool found = text.find(part) != std::string::npos;
+  if (!found) MESSAGE("\"" << part << "\" is missing in: " << text);
+  return found;
+}
+
+Settings set_to(const std::string& key, const std::string& text) {
+  Settings settings;
+  const core::Status status = set_setting(settings, key, text);
+  if (!status.ok()) FAIL(status.error().message);
+  return settings;
+}
+
+// The smallest and largest number in a range "a … b unit".
+std::pair<double, double> ends_of(const SettingRow& row) {
+  std::smatch match;
+  REQUIRE(std::regex_search(row.range, match, std::regex("^(\\S+) … (\\S+)")));
+  return {std::stod(match[1]), std::stod(match[2])};
+}
+
+bool has_number(const SettingRow& row) { return row.range.find("…") != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE("every field of core::Settings has its row, in the same order") {
+  std::ifstream header(std::string(RIND_SOURCE_DIR) + "/core/settings.h");
+  REQUIRE(header.good());
+  std::vector<std::string> fields;
+  const std::regex field(
+      "^  (?:Length|double|int|bool|WallShape|BuildStyle|ArcUse|PackUse|std::vector<std::string>) "
+      "([a-z0-9_]+)(?: = .*)?(?:;.*)?$");
+  for (std::string line; std::getline(header, line);) {
+    std::smatch match;
+    if (std::regex_match(line, match, field)) fields.push_back(match[1]);
+  }
+  std::vector<std::string> keys;
+  for (const SettingRow& row : host::describe_settings(Settings())) {
+    keys.push_back(row.key);
+    CHECK_FALSE(row.help.empty());
+    CHECK_FALSE(row.range.empty());
+  }
+  CHECK_GE(fields.size(), 43);
+  CHECK_EQ(keys.size(), fields.size());
+  for (std::size_t i = 0; i < std::min(keys.size(), fields.size()); ++i) {
+    CHECK_EQ(keys[i], fields[i]);
+  }
+}
+
+TEST_CASE("the defaults are in range, fit together, and read back") {
+  CHECK(host::validate_settings(Settings()).ok());
+  for (const SettingRow& row : host::describe_settings(Settings())) {
+    CAPTURE(row.key);
+    Settings settings;
+    CHECK(set_setting(settings, row.key, row.default_value).ok());
+    CHECK_EQ(row.value, row.default_value);
+  }
+}
+
+TEST_CASE("what describe_settings writes, set_setting reads back") {
+  constexpr unsigned kSeed = 7;
+  CAPTURE(kSeed);
+  test::Random random(kSeed);
+  Settings settings;
+  for (const SettingRow& row : host::describe_settings(Settings())) {
+    if (!has_number(row)) continue;
+    const auto [min, max] = ends_of(row);
+    const bool whole = row.unit.empty();
+    for (int i = 0; i < 20; ++i) {
+      const double value = random.between(min, max);
+      const std::string text = host::write_number(whole ? std::floor(value) : value);
+      CAPTURE(row.key);
+      CAPTURE(text);
+      REQUIRE(set_setting(settings, row.key, text).ok());
+    }
+  }
+  REQUIRE(set_setting(settings, "start_gcode", "M117 a\\\\b\\nG28 X ; home\\n\\n ;only\\nG1").ok());
+  CHECK_EQ(settings.start_gcode, std::vector<std::string>{"M117 a\\b", "G28 X", "G1"});
+  Settings again;
+  for (const SettingRow& row : host::describe_settings(settings)) {
+    REQUIRE(set_setting(again, row.key, row.value).ok());
+  }
+  const auto first = host::describe_settings(settings), second = host::describe_settings(again);
+  for (std::size_t i = 0; i < first.size(); ++i) CHECK_EQ(first[i].value, second[i].value);
+  CHECK_EQ(settings.start_gcode, again.start_gcode);
+  CHECK_EQ(settings.bed_x, again.bed_x);
+}
+
+TEST_CASE(
+    "both ends of every range are in it, and what lies beyond is refused with range and unit") {
+  for (const SettingRow& row : host::describe_settings(Settings())) {
+    if (!has_number(row)) continue;
+    CAPTURE(row.key);
+    const auto [min, max] = ends_of(row);
+    Settings settings;
+    CHECK(set_setting(settings, row.key, host::write_number(min)).ok());
+    CHECK(set_setting(settings, row.key, host::write_number(max)).ok());
+    const double step = row.unit.empty() ? 1 : 1e-5;
+    for (const double value : {min - step, max + std::max(step, max * 1e-9)}) {
+      const std::string message = error_of(row.key, host::write_number(value));
+      CHECK(contains(message, row.key));
+      CHECK(contains(message, row.range));
+      if (row.unit == "mm") CHECK(contains(message, " mm"));
+    }
+    for (const char* text :
+         {"nan", "inf", "-inf", "1e999", "-1e999", "99999999999999999999999",
+          "-99999999999999999999999", "", " ", "x", "1x", "0x10", "1,5", "--1", "+-1", "1 2"}) {
+      CAPTURE(text);
+      CHECK(contains(error_of(row.key, text), row.key));
+    }
+  }
+}
+
+TEST_CASE("numbers as users write them") {
+  CHECK_EQ(set_to("layer_height", "0.1").layer_height, Length::from_units(1'000));
+  CHECK_EQ(set_to("layer-height", " +0.15 mm ").layer_height, Length::from_units(1'500));
+  CHECK_EQ(set_to("layer_height", "1e-1").layer_height, Length::from_units(1'000));
+  CHECK_EQ(set_to("loose_density", "15%").loose_density, doctest::Approx(0.15));
+  CHECK_EQ(set_to("loose_density", "0.15").loose_density, doctest::Approx(0.15));
+  CHECK_EQ(set_to("nozzle_celsius", "215 °C").nozzle_celsius, 215);
+  CHECK_EQ(set_to("travel_speed_mm_s", "150mm/s").travel_speed_mm_s, 150);
+  CHECK_EQ(set_to("perimeters", "+3").perimeters, 3);
+  for (const char* no : {"0", "false", "No", "OFF"}) CHECK_FALSE(set_to("centre", no).centre);
+  for (const char* yes : {"1", "TRUE", "yes", "on"}) CHECK(set_to("centre", yes).centre);
+  CHECK_EQ(set_to("wall_shape", "cylinder").wall_shape, core::WallShape::kCylinder);
+  CHECK_EQ(set_to("wall_shape", " ball ").wall_shape, core::WallShape::kBall);
+  CHECK_EQ(set_to("style", "regular").style, core::BuildStyle::kRegular);
+  CHECK_EQ(set_to("style", "fast").style, core::BuildStyle::kFast);
+}
+
+TEST_CASE("an error says what was read") {
+  CHECK(contains(error_of("layer_height", "0,2"), "could not go on at \",2\""));
+  CHECK(contains(error_of("layer_height", "0.2 inch"), "\"inch\""));
+  CHECK(contains(error_of("layer_height", "thin"), "\"thin\" is not a number"));
+  CHECK(contains(error_of("layer_height", ""), "missing"));
+  CHECK(contains(error_of("layer_height", "1e999"), "beyond what a number can hold"));
+  CHECK(contains(error_of("perimeters", "2.5"), "\"2.5\" is not a whole number"));
+  CHECK(contains(error_of("perimeters", "3%"), "\"3%\" is not a whole number"));
+  CHECK(contains(error_of("loose_density", "20"), "0% … 100%"));
+  CHECK(contains(error_of("wall_shape", "cube"), "\"cube\" is not one of: ball, cylinder"));
+  CHECK(contains(error_of("centre", "maybe"), "\"maybe\""));
+  CHECK(contains(error_of("road_width", "50%"), "\"%\""));
+}
+
+TEST_CASE("an unknown key names the nearest known one") {
+  CHECK(contains(error_of("layer_heigth", "0.2"), "\"layer_height\""));
+  CHECK(contains(error_of("wallthickness", "1"), "\"wall_thickness\""));
+  CHECK(contains(error_of("perimeter", "1"), "\"perimeters\""));
+  CHECK(contains(error_of("fil_density", "1"), "\"fill_density\""));
+  CHECK(contains(error_of("", "1"), "there is no setting \"\""));
+  CHECK(contains(error_of(std::string(3'000, 'x'), "1"), "nearest"));
+}
+
+TEST_CASE("G-code that the link could not send is refused") {
+  CHECK(contains(error_of("start_gcode", std::string(host::kVerbatimBytesMax + 1, 'G')), "bytes"));
+  CHECK_EQ(set_to("start_gcode", std::string(host::kVerbatimBytesMax, 'G')).start_gcode.size(), 1);
+  CHECK(contains(error_of("start_gcode", "G28\\nM117 gr\xc3\xbc\xc3\x9f"), "line 2"));
+  CHECK(contains(error_of("start_gcode", "N12 G28"), "line number"));
+  CHECK(contains(error_of("end_gcode", "m110 N0"), "line number"));
+  CHECK_EQ(set_to("end_gcode", "M1100\\nNotice").end_gcode.size(), 2);
+  std::string many;
+  for (std::size_t i = 0; i <= host::kVerbatimLinesMax; ++i) many += "G4\\n";
+  CHECK(contains(error_of("start_gcode", many), "lines"));
+  CHECK(set_to("start_gcode", "").start_gcode.empty());
+  CHECK(host::is_gcode_setting("start_gcode"));
+  CHECK_FALSE(host::is_gcode_setting("layer_height"));
+}
+
+TEST_CASE("PrusaSlicer's keys of the same meaning") {
+  CHECK_EQ(set_to("extrusion_width", "0.5").road_width, Length::from_units(5'000));
+  CHECK_EQ(set_to("fill_density", "35%").loose_density, doctest::Approx(0.35));
+  CHECK_EQ(set_to("temperature", "205,200").nozzle_celsius, 205);
+  CHECK_EQ(set_to("max_fan_speed", "80").fan_share, doctest::Approx(0.8));
+  CHECK_EQ(set_to("disable_fan_first_layers", "3").fan_from_layer, 4);
+  const Settings bed = set_to("bed_shape", "0x0,250x0,250x210,0x210");
+  CHECK_EQ(bed.bed_x.mm(), 250);
+  CHECK_EQ(bed.bed_y.mm(), 210);
+  CHECK(contains(error_of("extrusion_width", "0"), "no counterpart"));
+  CHECK(contains(error_of("extrusion_width", "105%"), "no counterpart"));
+  CHECK(contains(error_of("first_layer_speed", "50%"), "no counterpart"));
+  CHECK(contains(error_of("extrusion_width", "wide"), "\"wide\" is not a number"));
+  for (const char* shape : {"-100x-100,100x-100,100x100,-100x100", "0x0,9x0,9x9", "round", "",
+                            "0x0,250x0,250x210,0x210,9x9", "1x", "0x0,nanx0,nanxnan,0xnan"}) {
+    CAPTURE(shape);
+    CHECK(contains(error_of("bed_shape", shape), "no counterpart"));
+  }
+  // The second half is out of range: the first is not set either.
+  CHECK(contains(error_of("bed_shape", "0x0,250x0,250x0.5,0x0.5"), "bed_y"));
+}
+
+TEST_CASE("settings that do not fit together") {
+  const auto message_with = [](auto change) {
+    Settings settings;
+    change(settings);
+    return error_of(host::validate_settings(settings));
+  };
+  using core::kWallLayersMax;
+  const Length most = Settings().layer_height * kWallLayersMax;
+  Settings thickest;
+  thickest.wall_thickness = most;
+  CHECK(host::validate_settings(thickest).ok());
+  CHECK(contains(message_with([&](Settings& s) { s.wall_thickness = most + s.layer_height; }),
+                 "is 65 layers"));
+  CHECK(contains(message_with([](Settings& s) { s.road_width = s.layer_height; }), "road_width"));
+  CHECK(contains(message_with([](Settings& s) { s.road_width = Length::from_mm(1.01); }), "2.5"));
+  CHECK(contains(message_with([](Settings& s) { s.layer_height = Length::from_mm(0.41); }),
+                 "nozzle_diameter"));
+  CHECK(contains(message_with([](Settings& s) { s.road_width_min = Length::from_mm(0.46); }),
+                 "road_width_min"));
+  CHECK(contains(message_with([](Settings& s) { s.part_x = Length::from_mm(5); }), "centre"));
+  CHECK(contains(message_with([](Settings& s) {
+                   s.centre = false;
+                   s.part_y = s.bed_y;
+                 }),
+                 "not on the bed"));
+  CHECK(contains(message_with([](Settings& s) { s.axis_z = Length::from_mm(0.1); }), "axis_z"));
+  // Whoever fills in the struct by hand is checked like who types.
+  CHECK(contains(message_with([](Settings& s) { s.bed_x = Length(); }), "bed_x"));
+  CHECK(contains(message_with([](Settings& s) { s.layer_height = Length(); }), "layer_height"));
+  CHECK(contains(message_with([](Settings& s) { s.perimeters = -1; }), "perimeters"));
+  CHECK(contains(message_with([](Settings& s) {
+                   s.travel_speed_mm_s = std::numeric_limits<double>::quiet_NaN();
+                 }),
+                 "travel_speed_mm_s"));
+  CHECK(contains(message_with([](Settings& s) { s.end_gcode = {std::string(99, 'G')}; }),
+                 "end_gcode"));
+}
