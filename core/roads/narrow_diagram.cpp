@@ -150,8 +150,9 @@ class NarrowDiagram {
     const double turn = dot(edge.along, to.along);
     const bool own_corner = other == edge.after || other == site;
     if (to.corner != UINT32_MAX && !own_corner && h > 0 && h < 2 * clearance_max_) {
-      edge_curves_.push_back({1 / (2 * h), -u / h, (u * u + h * h) / (2 * h)});
-      edge_curves_.back().site = to.corner;
+      EdgeCurve curve{1 / (2 * h), -u / h, (u * u + h * h) / (2 * h)};
+      curve.site = to.corner;
+      add_low(curve, std::clamp(u, 0.0, edge.length), edge.length);
     }
     const double h_end = h + to.length * dot(to.along, normal);
     if (1 - turn < 1e-12 || std::max(h, h_end) <= 0) return;
@@ -172,7 +173,15 @@ class NarrowDiagram {
     // Neighbours are touched up to the corner they share, whatever rounding says.
     if (other == edge.before) curve.low = std::numeric_limits<double>::lowest();
     if (other == edge.after) curve.high = std::numeric_limits<double>::max();
-    if (curve.low < curve.high) edge_curves_.push_back(curve);
+    add_low(curve, curve.b > 0 ? 0 : edge.length, edge.length);
+  }
+
+  // Adds the curve unless it stays above the clearance all along the edge. It is lowest at
+  // `lowest`, or where it begins or ceases to count.
+  void add_low(const EdgeCurve& curve, double lowest, double length) {
+    const double low = std::max(curve.low, 0.0), high = std::min(curve.high, length);
+    if (!(low < high)) return;
+    if (curve.value(std::clamp(lowest, low, high)) < clearance_max_) edge_curves_.push_back(curve);
   }
 
   // Counts only where slope · u + start >= 0.
@@ -221,20 +230,27 @@ class NarrowDiagram {
     const Vector away = minus(to.from, edges_[own].from);
     if (to.corner != UINT32_MAX && other != own) {
       const double share = 2 / dot(away, away);
-      corner_curves_.push_back({0, share * dot(away, middle), share * dot(away, across)});
-      corner_curves_.back().site = to.corner;
+      CornerCurve curve{0, share * dot(away, middle), share * dot(away, across)};
+      curve.site = to.corner;
+      if (reaches(curve)) corner_curves_.push_back(curve);
     }
     const Vector normal = left_of(to.along);
     const double h = -dot(away, normal);
     if (other == own || h <= 0 || h >= 2 * clearance_max_) return;
     CornerCurve curve{1 / h, -dot(normal, middle) / h, -dot(normal, across) / h};
     curve.site = other;
+    if (!reaches(curve)) return;
     // Touched at v = v0 + r n·along: v / r is of the same form as 1 / r, and so is (length − v) /
     // r.
     const double v0 = -dot(away, to.along);
     const double x = dot(to.along, middle), y = dot(to.along, across);
     add_where(v0 * curve.k, v0 * curve.x + x, v0 * curve.y + y, (to.length - v0) * curve.k,
               (to.length - v0) * curve.x - x, (to.length - v0) * curve.y - y, curve);
+  }
+
+  // Whether it gets below the clearance at any angle.
+  [[nodiscard]] bool reaches(const CornerCurve& curve) const {
+    return curve.k + std::hypot(curve.x, curve.y) > 1 / clearance_max_;
   }
 
   // Adds the curve for the angles at which both k + x cos φ + y sin φ are at least 0.
