@@ -36,7 +36,7 @@ struct ThickPolyline {
 // REQUIRES: 0 < width_min <= width_max.
 // ENSURES: points.size() == widths.size() >= 2 (3 when closed), neighbours differ; every point
 // lies within the region and its width is twice its distance to the boundary, both to a unit, or to
-// 8 units where two vertices of the diagram nearly meet (narrow_diagram.h).
+// 10 units where two vertices of the diagram nearly meet (narrow_diagram.h).
 // Should every Voronoi diagram of the region fail its checks, however turned (never seen), there
 // are no lines: the gap stays open.
 // COSTS: as make_narrow_diagram(); where that has no answer, as VoronoiMountain.

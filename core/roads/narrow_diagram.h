@@ -18,7 +18,7 @@
 
 namespace core {
 
-// Vertices nearer to one another than 4 units in x and y are one: places and heights are true to 8
+// Vertices nearer to one another than 4 units in x and y are one: places and heights are true to 10
 // units. Edges end at vertices of height `clearance_max` where the region is wider. Of each edge,
 // its site and its twin's are set, and where it begins; cells are not linked. nullopt: contours
 // touch, or a near tie; ask for the whole diagram. REQUIRES: a clean region's rings; clearance_max
