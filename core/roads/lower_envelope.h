@@ -35,6 +35,7 @@ class LowerEnvelope {
   // COSTS: O(curves²) at worst; keeps its memory.
   const std::vector<EnvelopePiece>& find(const std::vector<Curve>& curves, double from, double to) {
     curves_ = &curves;
+    splits_left_ = kSplitsPerCurve * curves.size();
     pieces_.clear();
     stops_.assign({from, to});
     for (const Curve& curve : curves) {
@@ -48,8 +49,8 @@ class LowerEnvelope {
   }
 
  private:
-  // Breaks that rounding makes up are cut short here.
-  static constexpr int kSplitsMax = 64;
+  // Breaks that rounding makes up are cut short here: true ones are fewer.
+  static constexpr std::size_t kSplitsPerCurve = 8;
 
   // No curve's limit lies between.
   void between(double from, double to) {
@@ -59,7 +60,7 @@ class LowerEnvelope {
     for (std::uint32_t i = 0; i < curves_->size(); ++i) {
       if ((*curves_)[i].low <= middle && middle <= (*curves_)[i].high) open_.push_back(i);
     }
-    split(from, lowest(from), to, lowest(to), 0);
+    split(from, lowest(from), to, lowest(to));
   }
 
   [[nodiscard]] std::uint32_t lowest(double t) const {
@@ -78,7 +79,7 @@ class LowerEnvelope {
     return (*curves_)[curve].value(t);
   }
 
-  void split(double from, std::uint32_t first, double to, std::uint32_t last, int depth) {
+  void split(double from, std::uint32_t first, double to, std::uint32_t last) {
     // Curves that touch where one of them ceases to count are no crossing.
     if (value(first, to) <= value(last, to) + Curve::kSame) {
       last = first;
@@ -91,23 +92,25 @@ class LowerEnvelope {
       const std::uint32_t there = lowest(at);
       const bool other =
           there != first && there != last && value(there, at) < a.value(at) - Curve::kSame;
-      if (!other || depth == kSplitsMax || !(from < at && at < to)) {
+      if (!other || splits_left_ == 0 || !(from < at && at < to)) {
         add(at, first);
         add(to, last);
         return;
       }
-      split(from, first, at, there, depth + 1);
-      split(at, there, to, last, depth + 1);
+      --splits_left_;
+      split(from, first, at, there);
+      split(at, there, to, last);
       return;
     }
     for (const std::uint32_t i : open_) {
-      if (i == first || depth == kSplitsMax) continue;
+      if (i == first || splits_left_ == 0) continue;
       const double at = a.closest((*curves_)[i], from, to);
       if (!(from < at && at < to)) continue;
       if (value(i, at) >= a.value(at) - Curve::kSame) continue;
       const std::uint32_t there = lowest(at);
-      split(from, first, at, there, depth + 1);
-      split(at, there, to, last, depth + 1);
+      --splits_left_;
+      split(from, first, at, there);
+      split(at, there, to, last);
       return;
     }
     add(to, first);
@@ -122,6 +125,7 @@ class LowerEnvelope {
   }
 
   const std::vector<Curve>* curves_ = nullptr;
+  std::size_t splits_left_ = 0;
   std::vector<double> stops_;
   std::vector<std::uint32_t> open_;
   std::vector<EnvelopePiece> pieces_;

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 #include "core/regions/contact_check.h"  // surely_clean
 #include "core/regions/segment_grid.h"   // SegmentGrid
@@ -15,6 +17,9 @@ namespace {
 
 // Ends nearer than this are one vertex. Units.
 constexpr double kSameVertex = 4;
+
+// Edges are looked at in stretches of so many clearances.
+constexpr double kStretchClearances = 4;
 
 // A vertex lower than this may end a line: a corner of the contour.
 constexpr double kCornerHeight = 4;
@@ -41,7 +46,8 @@ struct Edge {
 class NarrowDiagram {
  public:
   NarrowDiagram(const std::vector<Ring>& rings, double clearance_max)
-      : clearance_max_(clearance_max), grid_(grid_cell(clearance_max), segments_of(rings)) {
+      : clearance_max_(clearance_max),
+        grid_(Length::from_units(1 + std::llround(clearance_max)), segments_of(rings)) {
     add_sites(rings);
   }
 
@@ -56,10 +62,6 @@ class NarrowDiagram {
   }
 
  private:
-  static Length grid_cell(double clearance_max) {
-    return Length::from_units(std::max<std::int64_t>(1, std::llround(clearance_max)));
-  }
-
   static std::vector<Segment> segments_of(const std::vector<Ring>& rings) {
     std::vector<Segment> segments;
     for (const Ring& ring : rings) {
@@ -115,33 +117,55 @@ class NarrowDiagram {
     return static_cast<std::int32_t>(std::clamp(std::floor(value), -2e9, 2e9));
   }
 
+  // Long edges are looked at stretch by stretch, so that each sees only what is near it.
   void add_edge_cell(std::uint32_t site) {
     const Edge& edge = edges_[site];
-    find_near(edge.from,
-              {edge.from.x + edge.length * edge.along.x, edge.from.y + edge.length * edge.along.y});
+    const double stretch = kStretchClearances * clearance_max_;
+    const auto stretches = static_cast<int>(std::ceil(edge.length / stretch));
+    edge_border_.clear();
+    double from = 0;
+    for (int i = 1; i <= stretches; ++i) {
+      const double to = i < stretches ? i * stretch : edge.length;
+      find_edge_border(site, from, to);
+      from = to;
+    }
+    from = 0;
+    for (const auto& [to, curve] : edge_border_) {
+      // The cell's border runs with the region on the other side: from a piece's end to its begin.
+      add_border(site, curve.site, edge_centre(edge, curve, to), edge_centre(edge, curve, from));
+      from = to;
+    }
+  }
+
+  static Vector place_on(const Edge& edge, double u) {
+    return {edge.from.x + u * edge.along.x, edge.from.y + u * edge.along.y};
+  }
+
+  static VoronoiVertex edge_centre(const Edge& edge, const EdgeCurve& curve, double u) {
+    const Vector touched = place_on(edge, u), normal = left_of(edge.along);
+    const double r = std::max(0.0, curve.value(u));
+    return {touched.x + r * normal.x, touched.y + r * normal.y, r};
+  }
+
+  void find_edge_border(std::uint32_t site, double from, double to) {
+    find_near(place_on(edges_[site], from), place_on(edges_[site], to));
     edge_curves_.assign(1, {0, 0, clearance_max_});
     edge_curves_.back().site = UINT32_MAX;
     for (const std::uint32_t other : near_) {
-      if (other != site) add_edge_curves(site, other);
+      if (other != site) add_edge_curves(site, other, from, to);
     }
-    const Vector normal = left_of(edge.along);
-    double from = 0;
-    for (const EnvelopePiece& piece : edge_envelope_.find(edge_curves_, 0, edge.length)) {
+    for (const EnvelopePiece& piece : edge_envelope_.find(edge_curves_, from, to)) {
       const EdgeCurve& curve = edge_curves_[piece.curve];
-      const auto centre = [&](double u) {
-        const double r = std::max(0.0, curve.value(u));
-        return VoronoiVertex{edge.from.x + u * edge.along.x + r * normal.x,
-                             edge.from.y + u * edge.along.y + r * normal.y, r};
-      };
-      // The cell's border runs with the region on the other side: from the piece's end to its
-      // begin.
-      add_border(site, curve.site, centre(piece.to), centre(from));
-      from = piece.to;
+      if (!edge_border_.empty() && edge_border_.back().second.site == curve.site) {
+        edge_border_.back().first = piece.to;
+      } else {
+        edge_border_.emplace_back(piece.to, curve);
+      }
     }
   }
 
   // What the inner side of another edge, and the reflex corner that it begins at, allow.
-  void add_edge_curves(std::uint32_t site, std::uint32_t other) {
+  void add_edge_curves(std::uint32_t site, std::uint32_t other, double from, double end) {
     const Edge& edge = edges_[site];
     const Edge& to = edges_[other];
     const Vector normal = left_of(edge.along), to_normal = left_of(to.along);
@@ -152,7 +176,7 @@ class NarrowDiagram {
     if (to.corner != UINT32_MAX && !own_corner && h > 0 && h < 2 * clearance_max_) {
       EdgeCurve curve{1 / (2 * h), -u / h, (u * u + h * h) / (2 * h)};
       curve.site = to.corner;
-      add_low(curve, std::clamp(u, 0.0, edge.length), edge.length);
+      add_low(curve, u, from, end);
     }
     const double h_end = h + to.length * dot(to.along, normal);
     if (1 - turn < 1e-12 || std::max(h, h_end) <= 0) return;
@@ -173,13 +197,13 @@ class NarrowDiagram {
     // Neighbours are touched up to the corner they share, whatever rounding says.
     if (other == edge.before) curve.low = std::numeric_limits<double>::lowest();
     if (other == edge.after) curve.high = std::numeric_limits<double>::max();
-    add_low(curve, curve.b > 0 ? 0 : edge.length, edge.length);
+    add_low(curve, curve.b > 0 ? from : end, from, end);
   }
 
-  // Adds the curve unless it stays above the clearance all along the edge. It is lowest at
-  // `lowest`, or where it begins or ceases to count.
-  void add_low(const EdgeCurve& curve, double lowest, double length) {
-    const double low = std::max(curve.low, 0.0), high = std::min(curve.high, length);
+  // Adds the curve unless it stays above the clearance between. It is lowest at `lowest`, or where
+  // it begins or ceases to count.
+  void add_low(const EdgeCurve& curve, double lowest, double from, double to) {
+    const double low = std::max(curve.low, from), high = std::min(curve.high, to);
     if (!(low < high)) return;
     if (curve.value(std::clamp(lowest, low, high)) < clearance_max_) edge_curves_.push_back(curve);
   }
@@ -293,21 +317,37 @@ class NarrowDiagram {
   // Ends that meet become one vertex; edges shorter than that go.
   void merge_vertices() {
     std::vector<VoronoiVertex>& vertices = diagram_.vertices;
-    std::vector<std::uint32_t> order(vertices.size()), merged(vertices.size(), UINT32_MAX);
-    for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
-    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-      return vertices[a].x != vertices[b].x ? vertices[a].x < vertices[b].x : a < b;
-    });
+    // By column, and upwards in each: what may be the same stands together, or in the next column.
+    struct Entry {
+      double column;
+      double y;
+      std::uint32_t vertex;
+      auto operator<=>(const Entry&) const = default;
+    };
+    std::vector<Entry> order;
+    order.reserve(vertices.size());
+    for (std::uint32_t i = 0; i < vertices.size(); ++i) {
+      order.push_back({std::floor(vertices[i].x / kSameVertex), vertices[i].y, i});
+    }
+    std::sort(order.begin(), order.end());
+    std::vector<std::uint32_t> merged(vertices.size(), UINT32_MAX);
     std::vector<VoronoiVertex> kept;
     for (std::size_t i = 0; i < order.size(); ++i) {
-      if (merged[order[i]] != UINT32_MAX) continue;
-      const VoronoiVertex& first = vertices[order[i]];
-      for (std::size_t j = i; j < order.size(); ++j) {
-        const VoronoiVertex& other = vertices[order[j]];
-        if (other.x - first.x > kSameVertex) break;
-        if (merged[order[j]] == UINT32_MAX && same(first, other))
-          merged[order[j]] = static_cast<std::uint32_t>(kept.size());
-      }
+      if (merged[order[i].vertex] != UINT32_MAX) continue;
+      const VoronoiVertex& first = vertices[order[i].vertex];
+      const auto take_from = [&](std::size_t j, double column) {
+        for (; j < order.size() && order[j].column == column; ++j) {
+          if (order[j].y - first.y > kSameVertex) break;
+          std::uint32_t& into = merged[order[j].vertex];
+          if (into == UINT32_MAX && same(first, vertices[order[j].vertex]))
+            into = static_cast<std::uint32_t>(kept.size());
+        }
+      };
+      take_from(i, order[i].column);
+      const Entry beside{order[i].column + 1, first.y - kSameVertex, 0};
+      take_from(static_cast<std::size_t>(std::lower_bound(order.begin(), order.end(), beside) -
+                                         order.begin()),
+                beside.column);
       kept.push_back(first);
     }
     vertices = std::move(kept);
@@ -343,6 +383,7 @@ class NarrowDiagram {
   VoronoiDiagram diagram_;
   std::vector<std::uint32_t> near_;
   std::vector<EdgeCurve> edge_curves_;
+  std::vector<std::pair<double, EdgeCurve>> edge_border_;  // up to where, and what is lowest there
   std::vector<CornerCurve> corner_curves_;
   LowerEnvelope<EdgeCurve> edge_envelope_;
   LowerEnvelope<CornerCurve> corner_envelope_;

@@ -212,6 +212,16 @@ TEST_CASE("spurs into wide corners go, sharp corners are followed") {
   CHECK_GT(length_mm(pointed[0]), 5.3);
 }
 
+TEST_CASE("one long edge that faces thousands of small ones is no more work than they are") {
+  core::Ring rack{{0, 0}, {9'000'000, 0}};
+  for (std::int32_t x = 9'000'000 - 900; x >= 0; x -= 900) {
+    rack.insert(rack.end(), {{x + 900, 4'000}, {x + 500, 4'000}, {x + 500, 3'000}, {x, 3'000}});
+  }
+  const std::vector<ThickPolyline> lines = axis(Region::from_clean_rings({rack}), 0.05, 0.9);
+  REQUIRE_EQ(lines.size(), 1u);
+  CHECK_EQ(length_mm(lines[0]), doctest::Approx(900).epsilon(0.01));
+}
+
 TEST_CASE("random regions: every point's width is what was measured") {
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     CAPTURE(seed);
