@@ -18,7 +18,7 @@ Halt halt(const Session& session, BytePort& port, int wait_ms, int attempts) {
   // A controller that unpacks lines sees no M112 in plain characters.
   std::array<char, 16> stop{};
   std::size_t size = 0;
-  if (session.packs()) size += kMeatPackReset.copy(stop.data(), kMeatPackReset.size());
+  if (session.may_unpack()) size += kMeatPackReset.copy(stop.data(), kMeatPackReset.size());
   for (const std::byte byte : emergency_stop_bytes()) stop[size++] = static_cast<char>(byte);
   auto bytes = std::as_bytes(std::span(stop).first(size));
   for (int i = 0; i < attempts && !bytes.empty() && port.state() == PortState::kOpen; ++i) {

@@ -95,7 +95,7 @@ void Session::tick(Instant now) {
   } else {
     if (recovering_ && output().empty() && now - quiet_since_ >= rules_.quiet_after_resend) {
       recovering_ = false;
-      if (packs()) stop_packing();
+      if (may_unpack_) stop_packing();
       last_life_ = last_progress_ = now;
     }
     tick_packing(now);
@@ -132,7 +132,7 @@ void Session::stop_now(std::span<const Command> safe_sequence, Instant now) {
   stop_began_ = now;
   window_.drop_never_sent();
   // What waits for heat or for a user waits no longer; its own `ok` is met by the forced mismatch.
-  if (rules_.numbered && waiting_line_in_flight()) put(kWaitNoMore);
+  if (rules_.numbered && waiting_line_in_flight()) put_wait_no_more();
   // Which of the sent lines are accepted decides where the safe sequence begins: a line with a
   // number that the controller already has would be dropped in silence.
   if (rules_.numbered) {
@@ -145,7 +145,7 @@ void Session::stop_now(std::span<const Command> safe_sequence, Instant now) {
 
 void Session::answer_user(Instant now) {
   if (!waits_for_user_ || !rules_.numbered || phase_ != Phase::kOpen) return;
-  put(kWaitNoMore);
+  put_wait_no_more();
   waits_for_user_ = false;
   last_life_ = now;
 }
@@ -190,8 +190,14 @@ void Session::put(std::string_view bytes) {
   output_end_ += bytes.size();
 }
 
+// In plain characters, as whatever acts before its turn.
+void Session::put_wait_no_more() {
+  if (may_unpack_) stop_packing();
+  put(kWaitNoMore);
+}
+
 void Session::put_safe_sequence() {
-  if (packs()) put(kMeatPackReset);
+  if (may_unpack_) put(kMeatPackReset);
   put("\n");
   std::size_t bytes = 1;
   for (std::size_t i = 0; i < safe_count_; ++i) {

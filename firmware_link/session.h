@@ -92,11 +92,9 @@ class Session {
   // otherwise estimated from their lengths and feeds.
   [[nodiscard]] std::size_t planner_blocks() const { return planner_.blocks(); }
 
-  // Whether lines are packed at present (MeatPack), so that bytes past the session need
-  // kMeatPackReset before them.
-  [[nodiscard]] bool packs() const {
-    return packing_ == Packing::kOn || packing_ == Packing::kAsked;
-  }
+  // Whether the controller was ever asked to unpack lines (MeatPack), so that bytes past the
+  // session need kMeatPackReset before them: one too many does no harm.
+  [[nodiscard]] bool may_unpack() const { return may_unpack_; }
 
   // The line number (N) of the last line that was accepted, and how many of the print's commands
   // have been accepted with any line number of the last 32. With the answer of a controller that
@@ -213,6 +211,7 @@ class Session {
   [[nodiscard]] bool send_next(Instant now);
   void put(std::string_view bytes);
   void put_safe_sequence();
+  void put_wait_no_more();
   [[nodiscard]] bool ended() const;
   [[nodiscard]] std::size_t window_lines() const;
   [[nodiscard]] bool waiting_line_in_flight() const;
@@ -307,6 +306,7 @@ class Session {
   Packing packing_ = Packing::kOff;
   Instant packing_asked_{};
   int packing_tries_ = 0;
+  bool may_unpack_ = false;
   std::int64_t packing_from_ = 0;  // no line before this one is packed
   bool start_seen_ = false;
   bool greeting_refused_ = false;

@@ -45,6 +45,7 @@ void Session::ask_for_packing(Instant now) {
   ++packing_tries_;
   packing_ = Packing::kAsked;
   packing_asked_ = now;
+  may_unpack_ = true;
   put(kMeatPackReset);
   put(kMeatPackOn);
 }
@@ -67,7 +68,7 @@ void Session::tick_packing(Instant now) {
 
 // Whatever state the controller is in, it takes plain characters after this.
 void Session::stop_packing() {
-  if (!may_pack()) return;
+  if (!may_unpack_ && !may_pack()) return;
   put(kMeatPackReset);
   if (packing_ == Packing::kGivenUp) return;
   packing_ = Packing::kOff;

@@ -30,9 +30,9 @@ void memory_given_back(std::size_t bytes) noexcept;
 // Allocations of the calling thread since it began; 0 where no hook counts them.
 [[nodiscard]] std::int64_t thread_allocations() noexcept;
 
-// What was missing when an allocation was refused last, for people: "12.3 MB are needed, 10.0 MB
-// (--memory-limit) allowed", or that the system had no more. The limit ends with this call: who
-// asks is about to end, and needs a little memory to say why.
+// What was missing when an allocation was refused last, for people: "12.3 MB of memory are needed,
+// 10.0 MB allowed (--memory-limit)", or that the system had no more. The limit ends with this call:
+// who asks is about to end, and needs a little memory to say why.
 [[nodiscard]] std::string memory_refusal();
 
 }  // namespace host

@@ -49,8 +49,8 @@ class ArcFitter {
   // points are left out. Valid until the next call.
   //
   // ENSURES: pieces and polyline are within the tolerance of one another; straight pieces are the
-  // polyline's segments; laid_over_mm sums up to its length; the same points the other way round
-  // give the same pieces the other way round.
+  // polyline's segments; laid_over_mm sums up to its length; the same points the other way round,
+  // none repeated, give the same pieces the other way round.
   // COSTS: O(n log n), O(n) where nothing is round; no allocation once it has seen a road as long.
   [[nodiscard]] const std::vector<RoadPiece>& pieces(const std::vector<Point>& points, bool closed);
 

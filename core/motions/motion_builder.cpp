@@ -7,29 +7,12 @@
 
 #include "core/check.h"                   // RIND_CHECK
 #include "core/motions/segment_merger.h"  // merge_short_pieces, sendable_speed
+#include "core/regions/polyline.h"        // distance_mm, length_mm
 #include "core/regions/segment_grid.h"    // SegmentGrid
 
 namespace core {
 
-namespace {
-
-// A turn sharper than this (60°) brings the nozzle to rest in the estimate of time.
-
-double distance_mm(Point a, Point b) {
-  const double dx = static_cast<double>(b.x) - a.x;
-  const double dy = static_cast<double>(b.y) - a.y;
-  return std::hypot(dx, dy) / kUnitsPerMm;
-}
-
-double length_mm(const Road& road) {
-  double sum = road.closed ? distance_mm(road.points.back(), road.points.front()) : 0;
-  for (std::size_t i = 1; i < road.points.size(); ++i) {
-    sum += distance_mm(road.points[i - 1], road.points[i]);
-  }
-  return sum;
-}
-
-}  // namespace
+namespace {}  // namespace
 
 // The slice's contour, entered in a grid only when a travel asks for it.
 class MotionBuilder::Boundary {
@@ -122,7 +105,9 @@ void MotionBuilder::road(const Road& road, double slowdown, const Sink& sink) {
     if (const double time_min_s = settings_.segment_time_min_ms / 1'000; time_min_s > 0) {
       merge_short_pieces(road.points.front(), pieces_, speed * time_min_s,
                          settings_.segment_tolerance.mm());
-      sent = sendable_speed(pieces_, speed, time_min_s);
+      // However dense a spot is, it is no reason to stand on the part.
+      const double slowest = std::min(speed, settings_.slowed_speed_min_mm_s);
+      sent = std::max(slowest, sendable_speed(pieces_, speed, time_min_s));
     }
     for (const RoadPiece& piece : pieces_) lay(piece, road.kind, filament_per_mm, sent, sink);
     return;

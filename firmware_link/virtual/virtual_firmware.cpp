@@ -48,18 +48,18 @@ void VirtualController::Firmware::receive(char c) {
   if (halted_) return;
   // Klipper and RepRapFirmware always look for it in what arrives.
   if (options_.emergency_parser || !numbers_lines(options_.dialect)) {
-    constexpr std::string_view kStop = "M112";
     if (c == '\n' || c == '\r') {
-      const bool stop = emergency_matched_ == kStop.size();
-      emergency_matched_ = 0;
-      if (stop) {
+      const std::string_view seen(early_.data(), early_size_ <= early_.size() ? early_size_ : 0);
+      early_size_ = 0;
+      if (seen == "M108") waiting_cancelled_ = true;
+      if (seen == "M112") {
         kill("echo:M112 Shutdown\n");
         return;
       }
-    } else if (emergency_matched_ < kStop.size() && c == kStop[emergency_matched_]) {
-      ++emergency_matched_;
-    } else if (emergency_matched_ != 0 || c != ' ') {
-      emergency_matched_ = kStop.size() + 1;  // not in this line any more
+    } else if (early_size_ < early_.size()) {
+      if (early_size_ != 0 || c != ' ') early_[early_size_++] = c;
+    } else {
+      early_size_ = early_.size() + 1;  // longer than what acts early
     }
   }
   if (receive_.room() == 0) {
@@ -172,7 +172,7 @@ void VirtualController::Firmware::reset(Instant now) {
   feed_mm_min_ = 1500;
   feed_percent_ = 100;
   relative_ = relative_e_ = false;
-  emergency_matched_ = 0;
+  early_size_ = 0;
   print(banner_of(options_.dialect));
 }
 

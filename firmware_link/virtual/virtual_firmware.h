@@ -194,7 +194,8 @@ class VirtualController::Firmware {
   bool halted_ = false;
   std::string shutdown_words_;  // Klipper: every line is answered with them
   Duration delay_next_{0};
-  std::size_t emergency_matched_ = 0;
+  std::array<char, 4> early_{};  // of the line that comes in, for what acts before its turn
+  std::size_t early_size_ = 0;
 
   VirtualPlanner planner_;
   bool pause_was_asked_ = true;

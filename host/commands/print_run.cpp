@@ -127,7 +127,7 @@ double line_time_ms(const std::string& port, int baud) {
   const std::filesystem::path real = std::filesystem::weakly_canonical(port, error);
   const std::string name = real.filename().string();
   const auto begins = [&name](const char* with) { return name.rfind(with, 0) == 0; };
-  const bool paced = begins("ttyUSB") || begins("ttyS") || begins("ttyAMA") || begins("COM");
+  const bool paced = begins("ttyUSB") || begins("ttyS") || begins("ttyAMA");
   return paced && baud > 0 ? 1'000 * kLineBits / kUse / baud : 0;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string_view>
 #include <utility>
 
@@ -20,6 +21,9 @@ struct Unit {
   std::string_view name;
   double mm;
 };
+// Between where one stack ends and the next begins: what rounding of decimals may leave.
+constexpr double kSliceGapMax_mm = 1e-3;
+
 constexpr std::array<Unit, 6> kUnits{Unit{"micron", 0.001},  Unit{"millimeter", 1},
                                      Unit{"centimeter", 10}, Unit{"inch", 25.4},
                                      Unit{"foot", 304.8},    Unit{"meter", 1'000}};
@@ -75,8 +79,20 @@ Status SliceStack::open() {
     if (event.value()->space != kThreeMfSlice || event.value()->name != "slicestack") continue;
     const std::string* id = event.value()->attribute("id");
     in_stack_ = id != nullptr && *id == place.id;
+    if (!in_stack_) continue;
+    if (Status joins = check_begin(*event.value(), place.id); !joins.ok()) return joins.error();
   }
   return {};
+}
+
+// A stack begins where the one before ends: what lies between would be one slab.
+Status SliceStack::check_begin(const XmlEvent& stack, const std::string& id) const {
+  const std::string* text = stack.attribute("zbottom");
+  if (!top_mm_ || text == nullptr) return {};
+  const std::optional<double> zbottom = parse_real(*text);
+  if (zbottom && std::abs(*zbottom * unit_mm_ - *top_mm_) <= kSliceGapMax_mm) return {};
+  return bad("slicestack '" + shown(id) + "' begins at zbottom '" + shown(*text) +
+             "', not where the one before ends; export the part again");
 }
 
 Result<bool> SliceStack::read_on() {

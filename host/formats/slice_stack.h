@@ -64,6 +64,7 @@ class SliceStack {
   [[nodiscard]] core::Status open();
   // Reads up to the next <slice>, and it; false at the stack's end.
   [[nodiscard]] core::Result<bool> read_on();
+  [[nodiscard]] core::Status check_begin(const XmlEvent& stack, const std::string& id) const;
   [[nodiscard]] core::Status read_slice(const XmlEvent& slice);
   [[nodiscard]] core::Status take(const XmlEvent& event);
   [[nodiscard]] core::Status vertex(const XmlEvent& event);

@@ -95,7 +95,8 @@ constexpr std::array kTable = {
             "how far an arc may be off the road that it stands for; 0: no arcs"},
     Setting{
         "segment_time_min_ms", &S::segment_time_min_ms, "ms", 0, 1'000,
-        "shorter segments are merged, else slowed down; 0: as the port's baud says, in files none"},
+        "shorter segments are merged, else laid slower; 0: as the port's baud says, in files none; "
+        "0.001: none anywhere"},
     Setting{"segment_tolerance", &S::segment_tolerance, "mm", 0, 0.5,
             "how far a merged segment may be off the road"},
     Setting{"meatpack", &S::meatpack, "", 0, 0,

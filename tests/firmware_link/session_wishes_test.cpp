@@ -240,9 +240,14 @@ TEST_CASE("a road that a cold nozzle does not lay is a fault, a cold start of th
 }
 
 TEST_CASE("a stop while it heats ends the wait, and nothing has to be halted") {
-  for (const char* wait : {"M190 S100", "M109 S250"}) {
-    CAPTURE(wait);
-    VirtualLink link({}, {});
+  for (int kind = 0; kind < 8; ++kind) {
+    const char* wait = kind % 2 == 0 ? "M190 S100" : "M109 S250";
+    CAPTURE(kind);
+    VirtualControllerOptions controller;
+    SessionOptions host;
+    controller.emergency_parser = kind / 2 % 2 == 1;
+    controller.meatpack = host.pack = kind / 4 == 1;
+    VirtualLink link(controller, host);
     const std::vector<Command> commands = {std::get<Verbatim>(verbatim_from("G90")),
                                            std::get<Verbatim>(verbatim_from(wait))};
     std::size_t next = 0;

@@ -121,6 +121,12 @@ TEST_CASE("a stack may be references to stacks in other parts, with units of the
   CHECK_EQ(read.value().slices[1].height.mm(), doctest::Approx(0.3));
   CHECK_EQ(read.value().slices[1].region, region_from_text("0:0 80:0 0:80, 10:10 10:30 30:10"));
   check_refused(root, "(2D/a.model): there is no such entry");
+  const std::string gap = model(
+      stack(slice("0.02", kOuter), "7") + stack(slice("0.52", kOuter), "8", " zbottom=\"0.5\""), "",
+      "centimeter");
+  const std::string message =
+      test::error_of(test::zip_file({{"3D/3dmodel.model", root}, {"2D/a.model", gap}}));
+  CHECK_NE(message.find("'8' begins at zbottom '0.5', not where"), std::string::npos);
 }
 
 TEST_CASE(
