@@ -4,7 +4,9 @@
 #include <cstddef>
 #include <limits>
 
-#include "core/geometry.h"  // Point, Ring
+#include "core/geometry.h"              // Point, Ring
+#include "core/regions/polyline.h"      // between, distance_mm
+#include "core/regions/segment_grid.h"  // SegmentGrid
 
 namespace core {
 namespace {
@@ -115,6 +117,21 @@ bool leashed(const Region& contours, const Region& others, Length reach) {
   const auto units = static_cast<double>(reach.units());
   for (std::size_t i = 0; i < contours.rings().size(); ++i) {
     if (!leashed(contours.rings()[i], others.rings()[i], units * units)) return false;
+  }
+  return true;
+}
+
+bool stays_near(const Region& contours, const Region& others, Length reach, Length step) {
+  if (leashed(contours, others, reach)) return true;
+  const SegmentGrid grid(reach, others);
+  for (const Ring& ring : contours.rings()) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Point a = ring[i], b = ring[i + 1 < ring.size() ? i + 1 : 0];
+      const int parts = 1 + static_cast<int>(distance_mm(a, b) / step.mm());
+      for (int part = 0; part < parts; ++part) {
+        if (!grid.any_within(between(a, b, part / static_cast<double>(parts)), reach)) return false;
+      }
+    }
   }
   return true;
 }

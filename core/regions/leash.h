@@ -18,4 +18,9 @@ namespace core {
 // that has the same number. COSTS: O(points), no allocation.
 [[nodiscard]] bool leashed(const Region& contours, const Region& others, Length reach);
 
+// Whether `contours` stay within `reach` of the others: proven by the leash, or else looked at
+// every `step` or less. COSTS: O(points), and a grid of segments where the leash does not prove it.
+[[nodiscard]] bool stays_near(const Region& contours, const Region& others, Length reach,
+                              Length step);
+
 }  // namespace core

@@ -9,9 +9,8 @@
 #include "core/booleans/boolean.h"       // subtract
 #include "core/offsets/mountain_foot.h"  // MountainFoot
 #include "core/offsets/slice_offsets.h"  // narrow_half, perimeter_spacing
-#include "core/regions/leash.h"          // leashed
+#include "core/regions/leash.h"          // stays_near
 #include "core/regions/polyline.h"       // length_mm
-#include "core/regions/segment_grid.h"   // SegmentGrid
 #include "core/regions/simplified.h"     // simplified
 #include "core/roads/bead_cover.h"       // uncovered
 #include "core/roads/line_fill.h"        // LineFill
@@ -79,7 +78,9 @@ class WallFill {
     const Length half = scaled(spacing_, kBandRoads / 2);
     const Region middle = inner(piece, half);
     if (middle.empty()) return fill_band(piece);
-    if (!narrow_somewhere(piece, middle, half)) return fill_rows(piece);
+    // Does the opening leave more than corners? One of more than 60° has the middle within twice
+    // its depth.
+    if (stays_near(piece, middle, half * 2, half * 2)) return fill_rows(piece);
     // Grown by a hair more than it was shrunk, so that equal edges cancel.
     const Length back = half + settings_.arc_tolerance * 2 + settings_.simplify_tolerance * 2;
     const Region opening = inner(simplified(middle, settings_.simplify_tolerance), -back);
@@ -94,26 +95,6 @@ class WallFill {
     if (bands.empty()) return fill_rows(piece);
     const Region rows = subtract(piece, Region::from_clean_rings(std::move(bands)));
     for (Island& island : islands(rows)) fill_rows(region_of(std::move(island)));
-  }
-
-  // A cheap look at whether the opening leaves more than corners: a corner of more than 60° has
-  // the middle within twice its depth.
-  [[nodiscard]] static bool narrow_somewhere(const Region& piece, const Region& middle,
-                                             Length depth) {
-    const Length reach = depth * 2;
-    if (leashed(piece, middle, reach)) return false;
-    const SegmentGrid grid(reach, middle);
-    for (const Ring& ring : piece.rings()) {
-      for (std::size_t i = 0; i < ring.size(); ++i) {
-        const Point a = ring[i], b = ring[(i + 1) % ring.size()];
-        const int parts = 1 + static_cast<int>(distance_mm(a, b) / reach.mm());
-        for (int part = 0; part < parts; ++part) {
-          if (!grid.any_within(between(a, b, part / static_cast<double>(parts)), reach))
-            return true;
-        }
-      }
-    }
-    return false;
   }
 
   // Outwards for negative depths.

@@ -7,8 +7,6 @@
 #include "core/check.h"
 #include "core/offsets/voronoi_mountain.h"
 #include "core/regions/leash.h"
-#include "core/regions/polyline.h"
-#include "core/regions/segment_grid.h"
 
 namespace core {
 namespace {
@@ -31,23 +29,6 @@ bool is_corner_bit(const Island& island, Length radius) {
   return island_area_mm2(island) <= 1.6 * radius.mm() * radius.mm();
 }
 
-// Whether the contour goes farther than `reach` from what is wide enough.
-bool narrow_somewhere(const Region& loose, const Region& core, Length reach) {
-  if (leashed(loose, core, reach)) return false;
-  const SegmentGrid grid(reach, core);
-  for (const Ring& ring : loose.rings()) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Point a = ring[i], b = ring[i + 1 < ring.size() ? i + 1 : 0];
-      const int parts = 1 + static_cast<int>(distance_mm(a, b) / (kSampleShare * reach.mm()));
-      for (int part = 0; part < parts; ++part) {
-        const Point sample = between(a, b, part / static_cast<double>(parts));
-        if (!grid.any_within(sample, reach)) return true;
-      }
-    }
-  }
-  return false;
-}
-
 Region without_small_islands(const Region& region, double area_min_mm2) {
   std::vector<Ring> kept;
   for (Island& island : islands(region)) {
@@ -62,7 +43,8 @@ Region without_tongues(const Region& loose, Length width_min, Length arc_toleran
   const Length radius = Length::from_units(width_min.units() / 2);
   const Region core = offset(loose, radius, arc_tolerance);
   if (core.empty()) return {};
-  if (!narrow_somewhere(loose, core, Length::from_mm(kCornerReach * radius.mm()))) return loose;
+  const Length reach = Length::from_mm(kCornerReach * radius.mm());
+  if (stays_near(loose, core, reach, Length::from_mm(kSampleShare * reach.mm()))) return loose;
   const Region lost = subtract(loose, offset(core, -radius, arc_tolerance));
   std::vector<Ring> tongues;
   for (Island& island : islands(lost)) {

@@ -81,3 +81,14 @@ TEST_CASE("what is said to be leashed is near, on random regions and their offse
   MESSAGE("leashed: " << said << " of 200");
   CHECK_GE(said, 20);
 }
+
+TEST_CASE("what the leash does not prove is looked at place by place") {
+  const Region square = region_from_text("0:0 10:0 10:10 0:10");
+  const Region more = region_from_text("0.1:0.1 9.9:0.1 9.9:9.9 0.1:9.9, 4:4 4:6 6:6 6:4");
+  const Region tongue = region_from_text("0:0 10:0 10:4 14:4 14:5 10:5 10:10 0:10");
+  const Length reach = Length::from_mm(0.2), step = Length::from_mm(0.5);
+  REQUIRE_FALSE(leashed(square, more, reach));
+  CHECK(core::stays_near(square, more, reach, step));
+  CHECK_FALSE(core::stays_near(more, square, reach, step));
+  CHECK_FALSE(core::stays_near(tongue, square, reach, step));
+}
