@@ -1,4 +1,7 @@
+#include <fmt/format.h>
+
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -8,11 +11,16 @@
 #include "host/commands/print_run.h"
 #include "host/exit_codes.h"
 #include "host/pipeline/stage_clock.h"
+#include "host/printing/journal_places.h"  // choose_journal
+#include "host/printing/stop_signals.h"
 #include "host/settings/settings_table.h"
+#include "host/settings/settings_text.h"  // trimmed
 #include "host/version.h"
 
 namespace host {
 namespace {
+
+using core::Result;
 
 std::string no_port_message() {
   std::string message = "no port named; ";
@@ -39,6 +47,9 @@ JournalHead head_of(const Options& options, const Job& job, const std::string& u
   head.usb = usb;
   head.baud = options.baud;
   head.boot = boot_name();
+  // As many digits as it will have when the part has been read.
+  const std::uintmax_t bytes = std::filesystem::file_size(options.part, error);
+  head.part_bytes = error ? 0 : static_cast<std::int64_t>(bytes);
   return head;
 }
 
@@ -60,28 +71,92 @@ void sum_part(const Options& options, Job& job, JournalKeeper& keeper) {
   };
 }
 
-// A journal, if one is wanted and can be kept.
-core::Status plan_journal(const Options& options, Job& job, const std::string& usb,
-                          JournalKeeper& keeper, Reporter& reporter) {
+// The journal that the user named, and the print that was cut in it.
+Result<JournalChoice> named_journal(const std::string& path) {
+  const JournalLook look = look_at_journal(path);
+  if (look.standing == JournalStanding::kForeign) {
+    return core::Error{core::ErrorCode::kUnreadable, look.why};
+  }
+  JournalChoice choice{path, {}};
+  std::optional<FoundJournal> found = find_journal(path);
+  if (!found) return choice;
+  if (found->standing == JournalStanding::kHeld) {
+    return core::Error{core::ErrorCode::kUnreadable,
+                       path + ": another rind is printing with this journal; name another one"};
+  }
+  choice.cut.push_back(std::move(*found));
+  return choice;
+}
+
+// Where a journal is to be, or why there is none.
+Result<JournalChoice> wanted_journal(const Options& options, Reporter& reporter) {
   const bool told = !options.journal.empty();
-  if (options.no_journal || (options.port == "virtual" && !told)) return {};
+  if (options.no_journal || (options.port == "virtual" && !told)) return JournalChoice{};
   std::error_code error;
   if (options.part == "-" || !std::filesystem::is_regular_file(options.part, error)) {
     reporter.note("warning", "a part from a pipe can't be read again: this print can't be resumed");
-    return {};
+    return JournalChoice{};
   }
-  const std::string path = told ? options.journal : default_journal_path(options.part);
-  if (path.empty()) {
+  if (told) return named_journal(options.journal);
+  if (journal_folder().empty()) {
     reporter.note("warning", "no place for a journal ($HOME is not set): name one by --journal");
-    return {};
   }
-  if (core::Status planned = keeper.plan(path, head_of(options, job, usb)); !planned.ok()) {
-    if (told) return planned;
-    reporter.note("warning", planned.error().message + "; this print can't be resumed");
-    return {};
+  return choose_journal(options.part);
+}
+
+std::string cut_text(const Options& options, const FoundJournal& journal) {
+  if (!journal.content) return journal.why;
+  const JournalRecord& record = journal.content->record;
+  const bool same = is_of_part(journal, options.part);
+  return fmt::format("{}: {} print was cut at {}, {} ({})",
+                     same ? part_title(options.part) : journal.path,
+                     same ? "a" : "of " + journal.content->head.part_title + " a",
+                     layer_text(record), time_text(journal.written), state_text(record.state));
+}
+
+int resume_instead(const Options& told, const FoundJournal& journal, Reporter& reporter) {
+  Options options = told;
+  options.subcommand = Subcommand::kResume;
+  options.journal = journal.path;
+  return resume_command(options, reporter);
+}
+
+enum class CutAnswer { kAnew, kResume, kStop };
+
+// What is to become of a print of the part that was cut: from the command line, or from a person.
+CutAnswer ask_about(const Options& options, const FoundJournal& journal, Reporter& reporter) {
+  if (options.anew) return CutAnswer::kAnew;
+  const std::string what = cut_text(options, journal);
+  if (!options.yes) {
+    Controls controls(false);
+    const std::optional<std::string> answer = controls.ask(
+        what + "\nr to go on with it, a to print anew and set its journal aside, s to stop:",
+        [] { return stop_signal_count() > 0; });
+    if (answer && trimmed(*answer) == "r") return CutAnswer::kResume;
+    if (answer && trimmed(*answer) == "a") return CutAnswer::kAnew;
+    if (answer) return CutAnswer::kStop;
   }
+  reporter.error(fmt::format("{}; go on with it by: rind resume {} --port {}; or print it from the "
+                             "begin with --anew, which sets that journal aside as {}",
+                             what, journal.path, options.port, set_aside_name(journal.path)),
+                 kExitUsage);
+  return CutAnswer::kStop;
+}
+
+// Nothing is written before the controller has answered.
+void plan_journal(const Options& options, const JournalChoice& choice, const std::string& usb,
+                  Job& job, JournalKeeper& keeper) {
+  if (choice.path.empty() && choice.cut.empty()) return;
+  JournalPlan plan;
+  plan.path = choice.cut.empty() ? choice.path : choice.cut.front().path;
+  for (const FoundJournal& cut : choice.cut) {
+    if (cut.path != plan.path) plan.set_aside.push_back(cut.path);
+  }
+  plan.head = head_of(options, job, usb);
+  plan.told = !options.journal.empty();
+  plan.anew = !choice.cut.empty();
+  keeper.plan(std::move(plan));
   sum_part(options, job, keeper);
-  return {};
 }
 
 }  // namespace
@@ -98,10 +173,20 @@ int print_command(const Options& options, Reporter& reporter) {
   double& segment_time_min_ms = job.settings.segment_time_min_ms;
   if (segment_time_min_ms == 0) segment_time_min_ms = line_time_ms(options.port, options.baud);
   const std::string usb = options.port == "virtual" ? "" : usb_of(options.port);
-  JournalKeeper keeper;
-  if (core::Status planned = plan_journal(options, job, usb, keeper, reporter); !planned.ok()) {
-    return fail(planned.error(), reporter);
+  const Result<JournalChoice> choice = wanted_journal(options, reporter);
+  if (!choice.ok()) return fail(choice.error(), reporter);
+  if (!choice.value().cut.empty()) {
+    switch (ask_about(options, choice.value().cut.front(), reporter)) {
+      case CutAnswer::kAnew:
+        break;
+      case CutAnswer::kResume:
+        return resume_instead(options, choice.value().cut.front(), reporter);
+      case CutAnswer::kStop:
+        return kExitUsage;
+    }
   }
+  JournalKeeper keeper;
+  plan_journal(options, choice.value(), usb, job, keeper);
   return run_print(options, job, keeper, std::nullopt, usb, began_s, reporter);
 }
 

@@ -69,6 +69,23 @@ LostPortOptions lost_port(const Options& options, const std::string& usb, Contro
   return lost;
 }
 
+// How to go on with a print that ended early, or that nothing is left to do so.
+void tell_resumable(const Options& options, const JournalKeeper& keeper, Reporter& reporter) {
+  const std::string path = keeper.resumable_path();
+  if (!path.empty()) {
+    reporter.note("resumable",
+                  fmt::format("to go on with it: rind resume {} --port {}", path, options.port),
+                  {{"journal", path}});
+    return;
+  }
+  const bool kept_by_itself = !is_virtual(options) || !options.journal.empty();
+  reporter.note("not_resumable",
+                kept_by_itself
+                    ? "there is no journal of it: it can't be gone on with"
+                    : "there is no journal of it, because the virtual controller keeps one only "
+                      "when --journal names it: it can't be gone on with");
+}
+
 void tell_end(const Options& options, const PrintOutcome& outcome, const JournalKeeper& keeper,
               Reporter& reporter) {
   report_defects(outcome.geometry.defects, reporter);
@@ -83,42 +100,10 @@ void tell_end(const Options& options, const PrintOutcome& outcome, const Journal
     return;
   }
   reporter.error(outcome.message, outcome.exit_code);
-  if (keeper.path().empty() || !read_journal(keeper.path()).ok()) return;
-  reporter.note(
-      "resumable",
-      fmt::format("to go on with it: rind resume {} --port {}", keeper.path(), options.port),
-      {{"journal", keeper.path()}});
+  tell_resumable(options, keeper, reporter);
 }
 
 }  // namespace
-
-core::Status JournalKeeper::plan(const std::string& path, JournalHead head) {
-  const core::Result<Journal> trial = Journal::create(path, head);
-  if (!trial.ok()) return trial.error();
-  path_ = path;
-  head_ = std::move(head);
-  return {};
-}
-
-void JournalKeeper::part_known(const FileContent& content) {
-  const std::lock_guard lock(mutex_);
-  content_ = content;
-}
-
-Journal* JournalKeeper::journal() {
-  if (journal_) return &*journal_;
-  if (path_.empty() || made_) return nullptr;
-  {
-    const std::lock_guard lock(mutex_);
-    if (!content_) return nullptr;
-    head_.part_hash = content_->hash;
-    head_.part_bytes = content_->bytes;
-  }
-  made_ = true;
-  core::Result<Journal> journal = Journal::create(path_, head_);
-  if (journal.ok()) journal_.emplace(std::move(journal).value());
-  return journal_ ? &*journal_ : nullptr;
-}
 
 double line_time_ms(const std::string& port, int baud) {
   constexpr double kLineBits = 360;  // a move in a circle's perimeter: 35 bytes and its end
@@ -186,6 +171,9 @@ int run_print(const Options& options, Job& job, JournalKeeper& keeper,
     PrintRequest request{job, *port, reporter, stop_signal_count, began_s};
     request.link.wish = [&controls] { return controls.next(); };
     request.link.journal = [&keeper] { return keeper.journal(); };
+    request.link.may_begin = [&keeper, &reporter](const firmware_link::Capabilities&) {
+      return keeper.reserve(reporter);
+    };
     request.link.hot_s = options.pause_heat_s;
     // A virtual controller's seconds may be others than geometry's.
     request.link.starved_s = is_virtual(options) && options.virtual_speed != 1 ? 0 : kStarved_s;
@@ -195,6 +183,7 @@ int run_print(const Options& options, Job& job, JournalKeeper& keeper,
     outcome = print_part(request);
   }
   set_at_stake(false);
+  keeper.drop_if_empty();
   tell_end(options, outcome, keeper, reporter);
   return save_statistics(options, outcome.geometry, &outcome.link, outcome.exit_code, reporter);
 }

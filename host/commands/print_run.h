@@ -3,49 +3,18 @@
 #pragma once
 
 #include <cstdint>
-#include <mutex>
 #include <optional>
 #include <string>
 
-#include "firmware_link/byte_port.h"  // BytePort
-#include "host/part/content_hash.h"   // FileContent
-#include "host/pipeline/pipeline.h"   // Job
-#include "host/printing/controls.h"   // Controls
-#include "host/printing/journal.h"    // Journal, JournalHead
-#include "host/printing/monitor.h"    // Resumption
-#include "host/printing/progress.h"   // Reporter
-#include "host/settings/options.h"    // Options
+#include "firmware_link/byte_port.h"       // BytePort
+#include "host/commands/journal_keeper.h"  // JournalKeeper
+#include "host/pipeline/pipeline.h"        // Job
+#include "host/printing/controls.h"        // Controls
+#include "host/printing/monitor.h"         // Resumption
+#include "host/printing/progress.h"        // Reporter
+#include "host/settings/options.h"         // Options
 
 namespace host {
-
-// The journal of one print: made when the part has been read, and with it what tells the part.
-class JournalKeeper {
- public:
-  // None is kept.
-  JournalKeeper() = default;
-
-  // Makes sure that the journal can be written, before anything moves.
-  [[nodiscard]] core::Status plan(const std::string& path, JournalHead head);
-  // From any thread: the part has been read, this is its content.
-  void part_known(const FileContent& content);
-  void take_up(Journal journal) {
-    path_ = journal.path();
-    journal_.emplace(std::move(journal));
-  }
-
-  // Null as long as there is none.
-  [[nodiscard]] Journal* journal();
-  // Where it is; empty: none is kept.
-  [[nodiscard]] const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-  JournalHead head_;
-  std::mutex mutex_;
-  std::optional<FileContent> content_;  // by mutex_
-  bool made_ = false;
-  std::optional<Journal> journal_;
-};
 
 // Which USB device a port is, as `rind ports` tells; empty: none, or not known.
 [[nodiscard]] std::string usb_of(const std::string& port);

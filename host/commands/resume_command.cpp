@@ -6,8 +6,10 @@
 
 #include "host/commands/commands.h"
 #include "host/commands/print_run.h"
+#include "host/commands/resume_choice.h"  // list_journals, journal_named
 #include "host/exit_codes.h"
 #include "host/pipeline/stage_clock.h"
+#include "host/printing/journal_places.h"  // layer_text, state_text
 #include "host/settings/settings_table.h"
 #include "host/version.h"
 
@@ -60,22 +62,6 @@ Status check_part(const std::string& path, const JournalHead& head) {
                                         std::to_string(head.part_bytes) + ")" + kBegin};
 }
 
-std::string state_text(PrintState state) {
-  switch (state) {
-    case PrintState::kRunning:
-      return "rind or its computer died";
-    case PrintState::kStopped:
-      return "it was stopped";
-    case PrintState::kReset:
-      return "the controller was reset or halted";
-    case PrintState::kPortLost:
-      return "the port was lost";
-    case PrintState::kLinkFault:
-      return "the controller did not answer any more";
-  }
-  return "cut";
-}
-
 // How high the nozzle is, from whoever can see it.
 Result<std::int64_t> nozzle_height(const Options& options, const JournalRecord& record) {
   if (options.nozzle_height_mm) return std::llround(*options.nozzle_height_mm * 1'000);
@@ -111,6 +97,16 @@ Result<Job> job_of(Options& options, const JournalHead& head, Reporter& reporter
 int resume_command(const Options& told, Reporter& reporter) {
   const double began_s = steady_seconds();
   Options options = told;
+  if (options.journal.empty()) return list_journals(options);
+  const Result<std::string> which = journal_named(options.journal);
+  if (!which.ok()) {
+    reporter.error(which.error().message, kExitUsage);
+    return kExitUsage;
+  }
+  options.journal = which.value();
+
+  Result<Journal> journal = Journal::go_on(options.journal);
+  if (!journal.ok()) return fail(journal.error(), reporter);
   const Result<JournalContent> read = read_journal(options.journal);
   if (!read.ok()) return fail(read.error(), reporter);
   const JournalHead& head = read.value().head;
@@ -118,14 +114,12 @@ int resume_command(const Options& told, Reporter& reporter) {
   if (options.port.empty()) options.port = head.port;
   if (!options.baud_told) options.baud = head.baud;
 
-  Result<Journal> journal = Journal::go_on(options.journal);
-  if (!journal.ok()) return fail(journal.error(), reporter);
   Result<Job> job = job_of(options, head, reporter);
   if (!job.ok()) return fail(job.error(), reporter);
-  reporter.note("resuming",
-                fmt::format("{}: {}, at layer {}", head.part_title, state_text(record.state),
-                            record.checkpoint.layer + 1),
-                {{"layer", record.checkpoint.layer + 1}});
+  reporter.note(
+      "resuming",
+      fmt::format("{}: {}, at {}", head.part_title, state_text(record.state), layer_text(record)),
+      {{"layer", record.checkpoint.layer + 1}});
   const Result<std::int64_t> z_um = nozzle_height(options, record);
   if (!z_um.ok()) {
     reporter.error(z_um.error().message, kExitUsage);

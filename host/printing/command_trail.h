@@ -2,38 +2,57 @@
 // what is given again when lines were lost, and how the machine was set before any of them.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <utility>
-#include <variant>
 
 #include "core/check.h"                    // RIND_CHECK
-#include "firmware_link/limits.h"          // kHistoryLinesMax, kPlannerBlocks
-#include "firmware_link/planner_watch.h"   // planner_blocks_of
+#include "firmware_link/limits.h"          // kHistoryLinesMax
 #include "host/printing/machine_state.h"   // MachineState
 #include "host/printing/queued_command.h"  // QueuedCommand
 
 namespace host {
 
+// The deepest planner that is reckoned with: RepRapFirmware's has 40 to 60 moves.
+inline constexpr std::size_t kPlannerBlocksMax = 64;
+
 // More than can be in doubt: the session's lines, and the moves in the planner with commands of
 // other kinds among them.
-inline constexpr std::size_t kTrailCommandsMax = 128;
-static_assert(kTrailCommandsMax >=
-              2 * (firmware_link::kHistoryLinesMax + firmware_link::kPlannerBlocks));
+inline constexpr std::size_t kTrailCommandsMax = 256;
+static_assert(kTrailCommandsMax >= 2 * (firmware_link::kHistoryLinesMax + kPlannerBlocksMax));
+
+// A shorter move may get no block of its own: Marlin adds moves of less than 6 steps to the next.
+inline constexpr std::int64_t kBlockLengthUm = 200;
+
+// The least number of blocks that the command takes in a planner, from how the machine was set
+// before it. kAllBlocks: it lets the planner run empty before it is accepted.
+inline constexpr std::size_t kAllBlocks = ~std::size_t{0};
+[[nodiscard]] std::size_t blocks_at_least(const firmware_link::Command& command,
+                                          const MachineState& before);
+
+// What lies before a command: of the layer of the command before it (checkpoint.h).
+struct TrailMark {
+  std::shared_ptr<const Checkpoint> checkpoint;  // null: before the first layer
+  std::uint64_t hash = kHashBegin;
+};
 
 class CommandTrail {
  public:
   // Nothing is known of what was before command `first` but how the machine was set.
-  void begin_at(std::int64_t first, const MachineState& before) {
+  void begin_at(std::int64_t first, const MachineState& before, TrailMark mark) {
     begin_ = end_ = first;
     before_ = before;
+    mark_ = std::move(mark);
   }
 
   void push(QueuedCommand command) {
     if (end_ - begin_ == static_cast<std::int64_t>(kTrailCommandsMax)) {
-      before_.apply(at(begin_).command);
+      const QueuedCommand& oldest = at(begin_);
+      before_.apply(oldest.command);
+      mark_ = {oldest.checkpoint, oldest.hash};
       ++begin_;
     }
     place(end_++) = std::move(command);
@@ -56,16 +75,18 @@ class CommandTrail {
     return state;
   }
 
-  // The number of the first of the last moves before `number` that take so many blocks of the
-  // planner; begin() when there are fewer.
-  [[nodiscard]] std::int64_t blocks_back(std::int64_t number, std::size_t blocks) const {
-    while (blocks > 0 && number > begin_) {
-      const auto* move = std::get_if<firmware_link::Move>(&at(--number).command);
-      if (move == nullptr) continue;
-      blocks -= std::min(blocks, firmware_link::planner_blocks_of(*move));
-    }
-    return number;
+  // REQUIRES: begin() <= number <= end()
+  [[nodiscard]] TrailMark mark_before(std::int64_t number) const {
+    if (number == begin_) return mark_;
+    const QueuedCommand& last = at(number - 1);
+    return {last.checkpoint, last.hash};
   }
+
+  // A planner of so many blocks that has accepted all before `number` has executed all before the
+  // command that is returned; what is behind that it may hold still. Nothing: that is farther back
+  // than the trail. REQUIRES: begin() <= number <= end()
+  [[nodiscard]] std::optional<std::int64_t> executed_before(std::int64_t number,
+                                                            std::size_t blocks) const;
 
  private:
   [[nodiscard]] QueuedCommand& place(std::int64_t number) {
@@ -76,6 +97,7 @@ class CommandTrail {
   std::int64_t begin_ = 0;
   std::int64_t end_ = 0;
   MachineState before_;  // begin_
+  TrailMark mark_;       // likewise
 };
 
 }  // namespace host

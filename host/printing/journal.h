@@ -1,14 +1,16 @@
 // What a print leaves on the disk so that it can be gone on with after a crash, a lost cable or a
-// power cut (`rind resume`). A file of fixed size:
+// power cut (`rind resume`). A file of fixed size (journal_file.h tells who may write it):
 //
 //     │ head: part, settings, port │ record A │ record B │ record C │ record D │
 //       written once, a text         synced in turn,       between these, in turn,
 //                                    every kSyncPeriod_s   on each change, not synced
-//                                    and at layers' ends
 //
 // Each record has a sequence number and a checksum; the highest whole one counts. A program that is
 // killed loses nothing, since the system keeps what was written; a power cut loses what was not
-// synced: at most kSyncPeriod_s of printing, or a layer, and never the record before.
+// synced: at most kSyncPeriod_s of printing, and never the record before.
+//
+// A sync writes one block, and no other part of the file; what is not synced the system writes by
+// itself every half minute (SyncPace, kJournalDayBytesMax).
 #pragma once
 
 #include <cstddef>
@@ -20,15 +22,24 @@
 
 #include "core/result.h"                   // Result, Status
 #include "core/settings.h"                 // Settings
+#include "host/printing/journal_file.h"    // HeldFile
 #include "host/printing/journal_record.h"  // JournalRecord
 
 namespace host {
 
-inline constexpr double kSyncPeriod_s = 2;
 // Parts of the file begin at multiples of this, so that a disk that dies in the middle of writing
 // one damages no other.
 inline constexpr std::size_t kJournalBlockBytes = 4'096;
 inline constexpr std::size_t kJournalRecords = 4;
+
+// Of printing that a power cut may cost.
+inline constexpr double kSyncPeriod_s = 5;
+// How often a system writes what it was not told to (Linux: dirty_expire_centisecs), and how much
+// of a print that never pauses comes to the disk in a day, by this program's writes.
+inline constexpr double kWriteBackPeriod_s = 30;
+inline constexpr double kJournalDayBytesMax = 100e6;
+static_assert(86'400 * kJournalBlockBytes * (1 / kSyncPeriod_s + 2 / kWriteBackPeriod_s) <=
+              kJournalDayBytesMax);
 // A head with a thousand lines of G-code at begin and end, and long names.
 inline constexpr std::size_t kJournalHeadBytesMax = std::size_t{1} << 19;
 
@@ -48,17 +59,38 @@ struct JournalHead {
 
 [[nodiscard]] std::string head_bytes(const JournalHead& head);
 
+// When a record is worth a sync: the print has gone on since the last one, and that is long ago.
+class SyncPace {
+ public:
+  // Whether to sync now; then it counts as done.
+  [[nodiscard]] bool due(double now_s, std::int64_t sure) {
+    if (sure == sure_ || (sure_ >= 0 && now_s - at_s_ < kSyncPeriod_s)) return false;
+    at_s_ = now_s;
+    sure_ = sure;
+    return true;
+  }
+
+ private:
+  double at_s_ = 0;
+  std::int64_t sure_ = -1;
+};
+
 class Journal {
  public:
-  // Makes the file, or replaces one that no running program holds; its folder too.
+  // Makes the file, or replaces one of ours that is of no use; its folder too. `anew`: a print that
+  // was cut is set aside for it (journal_file.h). Errors: another file, a print that was cut, a
+  // running one.
   [[nodiscard]] static core::Result<Journal> create(const std::string& path,
-                                                    const JournalHead& head);
-  // Takes up one that was read: what is noted from now on comes behind its last record.
+                                                    const JournalHead& head, bool anew = false);
+  // Takes up one that was made: what is noted from now on comes behind its last record.
   [[nodiscard]] static core::Result<Journal> go_on(const std::string& path);
 
   Journal(Journal&& other) noexcept;
   Journal& operator=(Journal&&) = delete;
   ~Journal();
+
+  // Before the first record: what was not known when it was made. False: it does not fit.
+  [[nodiscard]] bool set_head(const JournalHead& head);
 
   // Writes the record; `sync`: so that it outlives a power cut, which another thread waits for.
   // COSTS: a write of kRecordBytes. A full disk is told once, by failed().
@@ -67,21 +99,28 @@ class Journal {
   // The same, and waits until it is on the disk.
   void note_last(const JournalRecord& record);
 
-  // The print is done: nothing is left to resume.
+  // In place of all records, because line numbers mean something else from now on.
+  void renumber(const JournalRecord& record);
+
+  // The print is done, or never began: nothing is left to resume.
   void remove();
 
   [[nodiscard]] const std::string& path() const { return path_; }
   // Why the last write failed; empty when it did not.
   [[nodiscard]] const std::string& failed() const { return failed_; }
+  // Whether a record was ever written, by this program or one before.
+  [[nodiscard]] bool has_record() const { return sequence_ > 0; }
 
  private:
   class Syncer;
 
-  Journal(std::string path, int descriptor, std::int64_t records_at, std::int64_t sequence);
-  void write(const JournalRecord& record, std::size_t slot);
+  Journal(std::string path, HeldFile file, std::int64_t records_at, std::int64_t sequence);
+  // What it wrote.
+  std::string write(const JournalRecord& record, std::size_t slot);
+  [[nodiscard]] std::int64_t place_of(std::size_t slot) const;
 
   std::string path_;
-  int descriptor_;
+  HeldFile file_;
   std::int64_t records_at_;
   std::int64_t sequence_;
   std::size_t synced_turn_ = 0;
@@ -100,10 +139,8 @@ struct JournalContent {
 [[nodiscard]] core::Result<JournalContent> read_journal_bytes(const std::string& bytes,
                                                               const std::string& name);
 [[nodiscard]] core::Result<JournalContent> read_journal(const std::string& path);
-
-// Where a print's journal is kept when nobody says: $XDG_STATE_HOME/rind, or
-// ~/.local/state/rind; by the part's name and path. Empty: there is no such place.
-[[nodiscard]] std::string default_journal_path(const std::string& part);
+// A journal that is whole but for its records: the print was cut before its first road.
+[[nodiscard]] bool is_empty_journal(const std::string& path);
 
 // The system's boot; empty where it does not tell.
 [[nodiscard]] std::string boot_name();

@@ -9,6 +9,7 @@
 #include "host/part/content_hash.h"  // hash_of
 #include "host/part/input_file.h"
 #include "host/printing/journal.h"
+#include "host/printing/journal_file.h"  // kJournalWord
 
 namespace host {
 namespace {
@@ -80,10 +81,18 @@ std::string head_bytes(const JournalHead& head) {
   return bytes;
 }
 
-Result<JournalContent> read_journal_bytes(const std::string& bytes, const std::string& name) {
+namespace {
+
+// What of a journal is whole.
+struct WholeParts {
+  JournalHead head;
+  std::optional<SequencedRecord> newest;
+};
+
+Result<WholeParts> whole_parts_of(const std::string& bytes, const std::string& name) {
   const std::string_view all(bytes);
   if (all.substr(0, kMark.size()) != kMark || all.size() < kFirstLineBytes) {
-    return unusable(name, all.substr(0, 13) == kMark.substr(0, 13)
+    return unusable(name, all.substr(0, kJournalWord.size()) == kJournalWord
                               ? "a journal of another version of rind; use that one"
                               : "this is no journal of rind's");
   }
@@ -94,28 +103,23 @@ Result<JournalContent> read_journal_bytes(const std::string& bytes, const std::s
     return unusable(name, "the journal's head is damaged; the print can't be resumed from it");
   }
   const Json json = Json::parse(all.substr(kFirstLineBytes, *length), nullptr, false);
-  JournalContent content;
+  WholeParts parts;
   try {
-    content.head = head_in(json);
+    parts.head = head_in(json);
   } catch (const Json::exception&) {
     return unusable(name, "a journal of another version of rind; use that one");
   }
-  std::optional<SequencedRecord> newest;
   const std::size_t records_at = rounded_up(kFirstLineBytes + *length);
   for (std::size_t slot = 0; slot < kJournalRecords; ++slot) {
     const std::size_t at = records_at + slot * kJournalBlockBytes;
     if (at >= all.size()) break;
     const std::optional<SequencedRecord> read = read_record(all.substr(at));
-    if (read && (!newest || read->sequence > newest->sequence)) newest = read;
+    if (read && (!parts.newest || read->sequence > parts.newest->sequence)) parts.newest = read;
   }
-  if (!newest) {
-    return unusable(name, "the print was cut before its first road: print the part from the begin");
-  }
-  content.record = newest->record;
-  return content;
+  return parts;
 }
 
-Result<JournalContent> read_journal(const std::string& path) {
+Result<std::string> bytes_of(const std::string& path) {
   Result<InputFile> opened = InputFile::open(path);
   if (!opened.ok()) return opened.error();
   InputFile& file = opened.value();
@@ -127,7 +131,31 @@ Result<JournalContent> read_journal(const std::string& path) {
     bytes += window.value();
     file.skip(window.value().size());
   }
-  return read_journal_bytes(bytes, path);
+  return bytes;
+}
+
+}  // namespace
+
+Result<JournalContent> read_journal_bytes(const std::string& bytes, const std::string& name) {
+  const Result<WholeParts> parts = whole_parts_of(bytes, name);
+  if (!parts.ok()) return parts.error();
+  if (!parts.value().newest) {
+    return unusable(name, "the print was cut before its first road: print the part from the begin");
+  }
+  return JournalContent{parts.value().head, parts.value().newest->record};
+}
+
+Result<JournalContent> read_journal(const std::string& path) {
+  const Result<std::string> bytes = bytes_of(path);
+  if (!bytes.ok()) return bytes.error();
+  return read_journal_bytes(bytes.value(), path);
+}
+
+bool is_empty_journal(const std::string& path) {
+  const Result<std::string> bytes = bytes_of(path);
+  if (!bytes.ok()) return false;
+  const Result<WholeParts> parts = whole_parts_of(bytes.value(), path);
+  return parts.ok() && !parts.value().newest;
 }
 
 }  // namespace host

@@ -126,6 +126,7 @@ void pass(Stream& stream, JournalRecord& record) {
   auto state = static_cast<std::uint8_t>(record.state);
   stream.number(state);
   if (Stream::kReads) record.state = static_cast<PrintState>(state);
+  stream.number(record.layers);
 }
 
 constexpr std::size_t kSumBytes = 8;

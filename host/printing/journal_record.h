@@ -3,9 +3,10 @@
 //     checkpoint ──── commands ────┬── … ──┬───────────┬─ … ─┬── not sent
 //                                 sure   accepted    lines in flight
 //
-// Commands before `sure` have moved the machine; those up to `accepted` have been accepted, but
-// their moves may have waited in the controller's planner, which a reset empties. Of the lines in
-// flight only the controller knows.
+// Commands before `sure` have moved the machine, whatever happens; those up to `accepted` have been
+// accepted, but their moves may wait in the controller's planner, which a reset empties: as many as
+// a planner holds (16 blocks, or what the controller tells) are taken to. Of the lines in flight
+// only the controller knows.
 #pragma once
 
 #include <cstdint>
@@ -40,6 +41,7 @@ struct JournalRecord {
   MachineState machine;          // after the accepted commands
   std::int64_t nozzle_z_um = 0;  // where the nozzle was sent to: lifted, when the print is parked
   PrintState state = PrintState::kRunning;
+  core::LayerIndex layers = 0;  // of the part; 0: not known yet
 };
 
 // Fixed length, whatever is in it, with sequence number and checksum.

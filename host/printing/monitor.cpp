@@ -58,6 +58,7 @@ LinkOutcome Monitor::run() {
     take_wishes(now);
     watch_queue(now);
     feed(now);
+    if (!refused_.empty()) return stop(LinkEnd::kRefused);
     keep_journal();
     firmware_link::step(*session_, *port_, now, kWait_ms);
     note_acknowledged();
@@ -70,10 +71,23 @@ LinkOutcome Monitor::run() {
   }
 }
 
-void Monitor::feed(Instant now) {
-  if (options_.controller_known && session_->state() == SessionState::kStreaming) {
-    std::exchange(options_.controller_known, nullptr)(session_->capabilities());
+// Once, when the controller has said what it can do: whether the print may begin.
+bool Monitor::begun() {
+  if (begun_) return true;
+  if (session_->state() != SessionState::kStreaming) return false;
+  begun_ = true;
+  if (options_.may_begin) {
+    if (const core::Status may = options_.may_begin(session_->capabilities()); !may.ok()) {
+      refused_ = may.error().message;
+      return false;
+    }
   }
+  if (options_.controller_known) options_.controller_known(session_->capabilities());
+  return true;
+}
+
+void Monitor::feed(Instant now) {
+  if (!begun()) return;
   while (session_->can_take() && feed_one(now)) {
   }
   if (!finish_said_ && session_->state() == SessionState::kStreaming && !starting_ &&

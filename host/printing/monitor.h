@@ -19,6 +19,7 @@
 #include <string>
 #include <vector>
 
+#include "core/result.h"                   // Status
 #include "core/settings.h"                 // Settings
 #include "core/units.h"                    // LayerIndex, Length
 #include "firmware_link/byte_port.h"       // BytePort
@@ -42,6 +43,7 @@ enum class LinkEnd {
   kUserStopped,    // by the first signal, a key, or at the printer
   kUserHalted,     // by the second: M112
   kGeometryEnded,  // the filling side closed the queue
+  kRefused,        // by options.may_begin
   kFaulted,        // link lost, or the controller gave up
 };
 
@@ -86,6 +88,8 @@ struct MonitorOptions {
   std::function<Journal*()> journal;          // null as long as there is none; may be empty
   // Called once, when it has said what it can do, before it is given a command; may be empty.
   std::function<void(const firmware_link::Capabilities&)> controller_known;
+  // Likewise; an error ends the print, and nothing was given. May be empty.
+  std::function<core::Status(const firmware_link::Capabilities&)> may_begin;
   LostPortOptions lost_port;
   std::optional<Resumption> resumption;
 };
@@ -109,6 +113,7 @@ class Monitor {
   void begin_session(bool ask_found_line);
   [[nodiscard]] bool stop_asked() const { return options_.stop_count() > 0 || stop_wished_; }
   void feed(firmware_link::Instant now);
+  [[nodiscard]] bool begun();
   [[nodiscard]] bool feed_one(firmware_link::Instant now);
   [[nodiscard]] const QueuedCommand* peek();
   void advance();
@@ -130,8 +135,10 @@ class Monitor {
 
   // monitor_recovery.cpp: journal, and going on.
   [[nodiscard]] Journal* journal() const { return options_.journal ? options_.journal() : nullptr; }
+  [[nodiscard]] std::optional<std::int64_t> sure_before(std::int64_t accepted) const;
   [[nodiscard]] std::optional<JournalRecord> record(PrintState state) const;
   void keep_journal();
+  void forget_lines(JournalRecord left, std::int64_t accepted, std::int64_t nozzle_z_um);
   void close_journal(PrintState state);
   [[nodiscard]] bool start_resumed();
   [[nodiscard]] firmware_link::FaultKind fault_kind() const { return session_->fault_kind(); }
@@ -151,6 +158,7 @@ class Monitor {
   [[nodiscard]] LinkOutcome outcome(LinkEnd end) const;
   [[nodiscard]] std::string heaters_off_unheard();
   void flush_output(double limit_s);
+  [[nodiscard]] bool moves_end();
 
   const core::Settings& settings_;
   MonitorOptions options_;
@@ -167,8 +175,12 @@ class Monitor {
   CommandTrail trail_;
   std::int64_t index_ = 0;
   std::int64_t session_base_ = 0;
+  std::int64_t sure_base_ = 0;            // executed, whatever became of the planner before it
+  bool all_moved_ = false;                // what was accepted, whatever happens
+  bool place_known_ = true;               // the session's controller was not reset before
   std::optional<QueuedCommand> waiting_;  // popped, not in the trail
   QueuedCommand last_;                    // taken last
+  bool begun_ = false;                    // the controller has been greeted
   bool given_ = false;                    // anything at all, to any session
   bool unchecked_road_ = false;           // since the position was asked for
   std::int64_t first_road_ = 0;           // 1 + its number; 0: none yet
@@ -181,6 +193,7 @@ class Monitor {
   int wished_flow_percent_ = 100;
   int feed_percent_ = 100;  // as the controller was told
   bool stop_wished_ = false;
+  std::string refused_;  // why; empty: it is not
   std::string pause_cause_ = "user";
   std::int64_t paused_before_ = -1;     // the command that has asked for it last
   std::optional<double> idle_since_s_;  // nothing to lay, and nothing in the planner
@@ -190,8 +203,7 @@ class Monitor {
   std::optional<ResumePoint> go_on_at_;
 
   std::string journaled_;  // the last record
-  core::LayerIndex synced_layer_ = 0;
-  double synced_at_s_ = 0;
+  SyncPace sync_pace_;
   bool journal_complained_ = false;
 
   std::int64_t told_resends_ = 0;

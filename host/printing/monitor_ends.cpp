@@ -1,9 +1,15 @@
 // How a print ends.
 #include <array>
 #include <cmath>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "firmware_link/link_step.h"
+#include "firmware_link/meat_pack.h"  // kMeatPackReset
+#include "firmware_link/reply.h"      // LineSplitter, read_reply
 #include "host/printing/monitor.h"
 #include "host/printing/port_clock.h"
 
@@ -18,6 +24,8 @@ using firmware_link::SessionState;
 constexpr int kWait_ms = 5;
 // How long a controller that has faulted may take to accept the last bytes.
 constexpr double kLastWords_s = 2;
+// And one that was stopped, to move what it had taken.
+constexpr double kMovesEnd_s = 10;
 
 }  // namespace
 
@@ -62,6 +70,7 @@ LinkOutcome Monitor::done() {
 
 LinkOutcome Monitor::stop(LinkEnd end) {
   LinkOutcome result = outcome(end);
+  result.reason = refused_;
   if (!given_) return result;  // nothing was heated or moved
   const int wished = stop_wished_ ? 1 : 0;
   session_->stop_now(safe_sequence(), link_now());
@@ -78,6 +87,7 @@ LinkOutcome Monitor::stop(LinkEnd end) {
   }
   flush_output(kLastWords_s);
   note_acknowledged();
+  all_moved_ = first_road_ > 0 && moves_end();
   close_journal(PrintState::kStopped);
   result.measures = result.layer > 0 ? "nozzle lifted, heaters and fan off" : "heaters and fan off";
   return result;
@@ -152,6 +162,35 @@ std::string Monitor::heaters_off_unheard() {
   session_->stop_now(off, link_now());
   flush_output(kLastWords_s);
   return "heaters off was sent, but not confirmed: check the printer";
+}
+
+// After a safe stop: waits until all that was accepted has moved. False: not confirmed in time, or
+// the user does not want to wait.
+bool Monitor::moves_end() {
+  // Past the session, which has nothing in flight any more. M114's answer, and not an `ok`, which
+  // may be one too many.
+  std::string words = session_->may_unpack() ? std::string(firmware_link::kMeatPackReset) : "";
+  words += "M400\nM114\n";
+  const int stops = options_.stop_count();
+  const double until_s = steady_seconds() + kMovesEnd_s;
+  std::span<const std::byte> to_write = std::as_bytes(std::span(words));
+  firmware_link::LineSplitter lines;
+  while (steady_seconds() < until_s && options_.stop_count() <= stops &&
+         port_->state() == firmware_link::PortState::kOpen) {
+    if (!to_write.empty()) to_write = to_write.subspan(port_->write(to_write));
+    std::array<std::byte, 256> bytes{};
+    std::span<const std::byte> answer = std::span(bytes).first(port_->read(bytes, kWait_ms));
+    while (!answer.empty()) {
+      answer = answer.subspan(lines.take(answer));
+      const std::optional<std::string_view> line = lines.line();
+      if (!line) continue;
+      const firmware_link::Reply::Kind kind = firmware_link::read_reply(*line).kind;
+      if (kind == firmware_link::Reply::Kind::kPosition) return true;
+      if (kind == firmware_link::Reply::Kind::kStart) return false;
+      if (kind == firmware_link::Reply::Kind::kHalted) return false;
+    }
+  }
+  return false;
 }
 
 void Monitor::flush_output(double limit_s) {

@@ -38,24 +38,51 @@ class GonePort final : public firmware_link::BytePort {
   }
 };
 
+Command planner_emptied() {
+  return std::get<firmware_link::Verbatim>(firmware_link::verbatim_from("M400"));
+}
+
 // No line of a controller is behind this one.
 constexpr std::int32_t kNoLine = std::numeric_limits<std::int32_t>::max() - kJournalLinesMax;
 
 }  // namespace
 
+// Of what has been accepted, all before this was executed, whatever becomes of the planner.
+// Nothing: no road was accepted, or it is farther back than the trail.
+std::optional<std::int64_t> Monitor::sure_before(std::int64_t accepted) const {
+  if (all_moved_) return accepted;
+  const std::int32_t told_free = session_->capabilities().planner_blocks;
+  const std::size_t blocks = std::clamp(static_cast<std::size_t>(std::max(told_free, 0)) + 1,
+                                        firmware_link::kPlannerBlocks, kPlannerBlocksMax);
+  // A command that was accepted behind the way back: that way has emptied the planner.
+  std::int64_t sure = session_->accepted() > 0 ? session_base_ : sure_base_;
+  sure = std::max(sure, trail_.executed_before(accepted, blocks).value_or(sure));
+  // Nothing is laid before the first road.
+  sure = std::max(sure, first_road_ - 1);
+  if (sure < trail_.begin() || sure > accepted) return std::nullopt;
+  return sure;
+}
+
 std::optional<JournalRecord> Monitor::record(PrintState state) const {
   const std::int64_t accepted = session_base_ + session_->accepted();
-  std::int64_t sure =
-      trail_.blocks_back(std::min(accepted, trail_.end()), session_->planner_blocks());
-  sure = std::max(sure, trail_.begin() + 1);
-  if (accepted > trail_.end() || sure > accepted) return std::nullopt;
-  const QueuedCommand& last_sure = trail_.at(sure - 1);
-  if (!last_sure.checkpoint || first_road_ == 0) return std::nullopt;
+  if (first_road_ == 0 || accepted > trail_.end() || accepted < trail_.begin()) return std::nullopt;
+  const std::optional<std::int64_t> sure = sure_before(accepted);
+  if (!sure) return std::nullopt;
+  const TrailMark mark = trail_.mark_before(*sure);
+  if (!mark.checkpoint) return std::nullopt;
   JournalRecord record;
-  record.checkpoint = *last_sure.checkpoint;
-  record.sure = sure;
-  record.sure_hash = last_sure.hash;
+  record.checkpoint = *mark.checkpoint;
+  record.sure = *sure;
+  record.sure_hash = mark.hash;
   record.accepted = accepted;
+  record.machine = trail_.state_before(accepted);
+  record.nozzle_z_um = pauses_.nozzle_z_um().value_or(record.machine.z_um.value_or(0));
+  record.state = state;
+  record.layers = options_.layers();
+  record.line = kNoLine;
+  // A controller on its way back has its height told in midst of it: until that way is behind it,
+  // nobody may take it for one that knows.
+  if (!place_known_ && session_->accepted() == 0) return record;
   record.line = session_->accepted_line();
   std::int64_t commands = accepted;
   while (record.lines_more < kJournalLinesMax) {
@@ -66,37 +93,39 @@ std::optional<JournalRecord> Monitor::record(PrintState state) const {
     ++record.lines_more;
     commands = session_base_ + *through;
   }
-  record.machine = trail_.state_before(accepted);
-  record.nozzle_z_um = pauses_.nozzle_z_um().value_or(record.machine.z_um.value_or(0));
-  record.state = state;
   return record;
 }
 
 // Before bytes leave: whatever the controller may get is in the journal.
 void Monitor::keep_journal() {
-  if (journal() == nullptr || starting_ || go_on_at_) return;
   if (session_->state() != SessionState::kStreaming &&
       session_->state() != SessionState::kFinishing) {
     return;
   }
+  if (starting_ || go_on_at_ || first_road_ == 0 || journal() == nullptr) return;
   const std::optional<JournalRecord> now = record(PrintState::kRunning);
   if (!now) return;
   std::string bytes = record_bytes(*now, 0);
   if (bytes == journaled_) return;
-  const double now_s = steady_seconds();
-  const bool sync = last_.layer != synced_layer_ || now_s - synced_at_s_ >= kSyncPeriod_s;
-  journal()->note(*now, sync);
+  journal()->note(*now, sync_pace_.due(steady_seconds(), now->sure));
   journaled_ = std::move(bytes);
-  if (sync) {
-    synced_layer_ = last_.layer;
-    synced_at_s_ = now_s;
-  }
   const std::string& failed = journal()->failed();
   if (!failed.empty() && !journal_complained_) {
     journal_complained_ = true;
     reporter_.note("warning", journal()->path() + ": " + failed +
                                   "; the print goes on, but could not be resumed from here");
   }
+}
+
+// What the controller's line numbers meant holds no longer: not in any record.
+void Monitor::forget_lines(JournalRecord left, std::int64_t accepted, std::int64_t nozzle_z_um) {
+  if (journal() == nullptr) return;
+  left.accepted = accepted;
+  left.line = kNoLine;
+  left.lines_more = 0;
+  left.line_kinds = 0;
+  left.nozzle_z_um = nozzle_z_um;
+  journal()->renumber(left);
 }
 
 void Monitor::close_journal(PrintState state) {
@@ -119,23 +148,16 @@ bool Monitor::start_resumed() {
   const Resumption& resumption = *options_.resumption;
   const JournalRecord& left = resumption.record;
   RIND_CHECK(waiting_ && waiting_->before != nullptr);
-  trail_.begin_at(left.sure, *waiting_->before);
-  index_ = left.sure;
+  trail_.begin_at(left.sure, *waiting_->before,
+                  {std::make_shared<const Checkpoint>(left.checkpoint), left.sure_hash});
+  index_ = sure_base_ = left.sure;
   go_on_at_ =
       resume_point(left, {session_->found_line(), session_->numbers_lines(), resumption.same_boot});
   skip_until_ = session_base_ = go_on_at_->command;
+  place_known_ = go_on_at_->lives;
   first_road_ = left.sure;
   starting_ = false;
-  if (journal() != nullptr) {
-    // What the controller's line numbers meant holds no longer.
-    JournalRecord again = left;
-    again.accepted = std::max(skip_until_, left.sure);
-    again.line = kNoLine;
-    again.lines_more = 0;
-    again.state = PrintState::kStopped;
-    again.nozzle_z_um = resumption.nozzle_z_um;
-    journal()->note_last(again);
-  }
+  forget_lines(left, std::max(skip_until_, left.sure), resumption.nozzle_z_um);
   reporter_.note("resume",
                  fmt::format("going on behind command {} of the print{}", skip_until_,
                              go_on_at_->lives ? ", which the controller confirms" : ""),
@@ -151,6 +173,8 @@ std::vector<Command> Monitor::way_back(const ResumePoint& point, std::int64_t no
   std::vector<Command> way =
       in_place ? detour_.leave_part(here)
                : detour_.begin_anew(here, nozzle_z_um, !point.lives, is_klipper(*session_));
+  // What is accepted behind it tells that all before it was executed (sure_before()).
+  if (in_place) way.push_back(planner_emptied());
   const std::vector<Command> back = detour_.come_back(here, false);
   way.insert(way.end(), back.begin(), back.end());
   return way;
@@ -187,7 +211,7 @@ std::optional<LinkOutcome> Monitor::recover() {
   }
   ResumePoint point =
       resume_point(*left, {session_->found_line(), session_->numbers_lines(), true});
-  point.command = std::clamp(point.command, trail_.begin() + 1, trail_.end());
+  point.command = std::clamp(point.command, trail_.begin(), trail_.end());
   std::int64_t z_um = left->nozzle_z_um;
   if (!point.lives) {
     const auto told =
@@ -201,6 +225,9 @@ std::optional<LinkOutcome> Monitor::recover() {
     z_um = *told;
   }
   session_base_ = index_ = point.command;
+  sure_base_ = left->sure;
+  place_known_ = point.lives;
+  forget_lines(*left, point.command, z_um);
   finish_said_ = unchecked_road_ = false;
   feed_percent_ = 100;
   const bool at_once = steady_seconds() - since_s < kMotorsHold_s;

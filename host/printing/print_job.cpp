@@ -113,6 +113,10 @@ void conclude(const LinkOutcome& link, const GeometryOutcome& geometry, const Pr
         outcome.message = told(outcome.message + "; stopped " + where(link, layers), link.measures);
       }
       return;
+    case LinkEnd::kRefused:
+      outcome.exit_code = kExitBadInput;
+      outcome.message = told(link.reason, link.measures);
+      return;
     case LinkEnd::kFaulted:
       outcome.exit_code = kExitLinkFault;
       outcome.message = told(link.reason + "; stopped " + where(link, layers), link.measures);

@@ -11,26 +11,30 @@ std::int64_t commands_in_flight(const JournalRecord& record, std::int32_t lines)
   return std::popcount(lines >= kJournalLinesMax ? all : all & ((std::uint32_t{1} << lines) - 1));
 }
 
-}  // namespace
-
-ResumePoint resume_point(const JournalRecord& record, const FoundController& found) {
+ResumePoint where_nothing_is_numbered(const JournalRecord& record, bool same_boot) {
   const std::int64_t sent = record.accepted + commands_in_flight(record, record.lines_more);
-  if (found.line && *found.line >= record.line && *found.line - record.line <= record.lines_more) {
-    return {record.accepted + commands_in_flight(record, *found.line - record.line), true};
-  }
   switch (record.state) {
     case PrintState::kReset:
-      return {record.sure, false};
+      break;
     case PrintState::kStopped:
       return {record.accepted, false};
     case PrintState::kRunning:
-      if (!found.same_boot) return {record.sure, false};
-      return {sent, !found.numbers_lines};
+      if (same_boot) return {sent, true};
+      break;
     case PrintState::kPortLost:
     case PrintState::kLinkFault:
-      if (!found.numbers_lines) return {sent, true};
-      return {record.accepted, false};
+      return {sent, true};
   }
+  return {record.sure, false};
+}
+
+}  // namespace
+
+ResumePoint resume_point(const JournalRecord& record, const FoundController& found) {
+  if (found.line && *found.line >= record.line && *found.line - record.line <= record.lines_more) {
+    return {record.accepted + commands_in_flight(record, *found.line - record.line), true};
+  }
+  if (!found.numbers_lines) return where_nothing_is_numbered(record, found.same_boot);
   return {record.sure, false};
 }
 

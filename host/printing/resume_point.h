@@ -2,16 +2,20 @@
 //
 //     sure ──(in the planner)── accepted ──(in flight)── sent        journal_record.h
 //
-//     the controller tells its last line     exactly behind that: it lives, and has moved all it
-//     has it lives, but numbers nothing          `sent`: what left is read, and runs it was reset
-//     under way, or the power   `sure`: the moves in its planner are lost was cut the host died,
-//     the machine went on     `sent`: what left was read, and has run since the cable was lost
-//     `accepted`: the rest may have been lost with it it was stopped `accepted`
+// A controller that tells its last line was not reset: it has moved all that it has, and the print
+// goes on exactly behind that line; nothing is laid twice. Whatever else may have happened (it was
+// reset, its power was cut, the cable was out, rind was killed), what its planner held may be lost,
+// and nobody can tell: the print goes on with `sure`, so that no road is missing. Then at most what
+// is between `sure` and `sent` is laid twice: the moves that fill a planner (kPlannerBlocks) and
+// the lines in flight (kWindowLinesMax); after a power cut also what was printed since the last
+// sync (journal.h).
 //
-// Where the controller does not tell, at most the lines in flight (4) can be laid twice or be
-// missing; after a reset also as many moves as the planner's estimate errs by, none where the
-// controller tells its blocks (ADVANCED_OK); after a power cut what was printed since the last sync
-// (journal.h) is laid twice.
+// A controller that numbers nothing (Klipper) cannot tell:
+//
+//     under way            `sent`: what left is read, and runs
+//     the cable was lost   `sent`
+//     it was stopped       `accepted`
+//     it was reset, or the power was cut   `sure`
 #pragma once
 
 #include <cstdint>

@@ -189,6 +189,9 @@ CLI::App* add_print(CLI::App& app, Options& options) {
                        "~/.local/state/rind")
           ->type_name("FILE");
   command->add_flag("--no-journal", options.no_journal, "keep none")->excludes(journal);
+  command->add_flag("--anew", options.anew,
+                    "print from the begin although a print of the part was cut; its journal is set "
+                    "aside as NAME.old");
   add_settings(*command, options);
   add_reports(*command, options);
   return command;
@@ -197,7 +200,11 @@ CLI::App* add_print(CLI::App& app, Options& options) {
 CLI::App* add_resume(CLI::App& app, Options& options) {
   CLI::App* command =
       app.add_subcommand("resume", "go on with a print that was cut, behind what was executed");
-  command->add_option("JOURNAL", options.journal, "the print's journal")->required()->type_name("");
+  command
+      ->add_option(
+          "JOURNAL", options.journal,
+          "the print's journal, or its part's name; without: list what can be gone on with")
+      ->type_name("");
   command->add_option("--part", options.part, "the part's file, when it was moved")
       ->type_name("FILE");
   add_port(*command, options);
