@@ -26,6 +26,13 @@ void note_capability(std::string_view text, Capabilities& capabilities) {
   }
 }
 
+void note_travel(std::string_view line, Capabilities& capabilities) {
+  const std::optional<TravelLimits> told = travel_limits_in(line);
+  if (!told) return;
+  if (told == capabilities.travel_told_last) capabilities.travel = told;
+  capabilities.travel_told_last = told;
+}
+
 std::string firmware_name_in(std::string_view text) {
   while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
   for (std::size_t blank = text.find(' '); blank != std::string_view::npos;

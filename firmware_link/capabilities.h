@@ -3,8 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
+
+#include "firmware_link/travel_limits.h"  // TravelLimits
 
 namespace firmware_link {
 
@@ -16,10 +19,15 @@ struct Capabilities {
   bool meatpack = false;                 // packed lines
   bool advanced_ok = false;              // learned: an `ok` with P and B
   std::int32_t planner_blocks = 0;       // learned: most free blocks ever told; 0: never told
+  std::optional<TravelLimits> travel;    // told twice the same, because an answer may be damaged
+  std::optional<TravelLimits> travel_told_last;
 };
 
 // Takes one `Cap:` line's text, "ARCS:1". Names not listed above are ignored.
 void note_capability(std::string_view text, Capabilities& capabilities);
+
+// Takes any line; most tell nothing of travel.
+void note_travel(std::string_view line, Capabilities& capabilities);
 
 // "Marlin 2.1 (date) SOURCE_CODE_URL:…" is "Marlin 2.1 (date)": values hold blanks, so the name
 // ends where the next KEY: begins.

@@ -137,6 +137,9 @@ void Session::note_names(const Reply& reply) {
     named(reply.text.substr(kName.size()));
   }
   if (reply.kind == Reply::Kind::kCapability) note_capability(reply.text, capabilities_);
+  if (reply.kind == Reply::Kind::kEcho || reply.kind == Reply::Kind::kUnknown) {
+    note_travel(reply.text, capabilities_);
+  }
   if (reply.kind == Reply::Kind::kOk && reply.planner_free) {
     capabilities_.advanced_ok = true;
     capabilities_.planner_blocks = std::max(capabilities_.planner_blocks, *reply.planner_free);

@@ -72,6 +72,7 @@ struct VirtualControllerOptions {
   bool advanced_ok = false;
   bool emergency_parser = false;
   bool meatpack = false;
+  bool tells_travel = true;  // M211 is known
 };
 
 struct VirtualControllerTotals {

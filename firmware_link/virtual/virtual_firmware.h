@@ -141,6 +141,7 @@ class VirtualController::Firmware {
   void home(std::string_view text);
   void set_position(std::string_view text);
   void print_position();
+  void print_travel();
   void wait(Waiting waiting);
   void wait_until(Instant when);
 

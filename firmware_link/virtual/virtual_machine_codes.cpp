@@ -13,7 +13,7 @@ namespace {
 // Obeyed without a word, and without an effect that could be seen here.
 constexpr std::int64_t kSilentCodes[] = {17,  31,  75,  76,  77,  78,  85,  92,  108, 111,
                                          117, 119, 120, 121, 200, 201, 203, 204, 205, 206,
-                                         211, 218, 301, 302, 410, 428, 500, 501, 502, 504};
+                                         218, 301, 302, 410, 428, 500, 501, 502, 504};
 
 }  // namespace
 
@@ -41,6 +41,10 @@ bool VirtualController::Firmware::handle_m(std::int64_t code, std::string_view t
     case 107:
       fan_ = 0;
       return true;
+    case 211:
+      if (speaks(VirtualDialect::kMarlin) && !options_.tells_travel) return false;
+      if (!word(text, 'S', 0)) print_travel();
+      return true;
     case 220:
       feed_percent_ = std::clamp<std::int64_t>(word(text, 'S', 0).value_or(100), 10, 999);
       return true;
@@ -50,6 +54,13 @@ bool VirtualController::Firmware::handle_m(std::int64_t code, std::string_view t
       return std::find(std::begin(kSilentCodes), std::end(kSilentCodes), code) !=
              std::end(kSilentCodes);
   }
+}
+
+void VirtualController::Firmware::print_travel() {
+  if (!speaks(VirtualDialect::kMarlin)) return;
+  print("echo:; Soft endstops:\n  M211 S1 ; ON\n");
+  print_format("  Min:  X0.00 Y0.00 Z0.00   Max:  X%.2f Y%.2f Z%.2f\n", options_.bed_x_mm,
+               options_.bed_y_mm, options_.height_z_mm);
 }
 
 bool VirtualController::Firmware::handle_m_temperature(std::int64_t code, std::string_view text) {

@@ -187,7 +187,8 @@ int print_command(const Options& options, Reporter& reporter) {
   }
   JournalKeeper keeper;
   plan_journal(options, choice.value(), usb, job, keeper);
-  return run_print(options, job, keeper, std::nullopt, usb, began_s, reporter);
+  return run_print(options, job, keeper, {usb, told_space(job.settings, options), {}}, began_s,
+                   reporter);
 }
 
 }  // namespace host

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -146,9 +147,18 @@ std::optional<std::int64_t> ask_nozzle_height(Controls& controls, std::int64_t z
   }
 }
 
-int run_print(const Options& options, Job& job, JournalKeeper& keeper,
-              std::optional<Resumption> resumption, const std::string& usb, double began_s,
-              Reporter& reporter) {
+MachineSpace told_space(const core::Settings& settings, const Options& told) {
+  MachineSpace space = space_of(settings);
+  const core::Settings by_default;
+  const bool named =
+      std::any_of(told.assignments.begin(), told.assignments.end(),
+                  [](const auto& pair) { return pair.first == "bed_x" || pair.first == "bed_y"; });
+  space.guessed = !named && space.bed_x == by_default.bed_x && space.bed_y == by_default.bed_y;
+  return space;
+}
+
+int run_print(const Options& options, Job& job, JournalKeeper& keeper, RunExtras extras,
+              double began_s, Reporter& reporter) {
   std::unique_ptr<BytePort> port;
   if (is_virtual(options)) {
     port = open_virtual_port(options, job.settings);
@@ -171,14 +181,13 @@ int run_print(const Options& options, Job& job, JournalKeeper& keeper,
     PrintRequest request{job, *port, reporter, stop_signal_count, began_s};
     request.link.wish = [&controls] { return controls.next(); };
     request.link.journal = [&keeper] { return keeper.journal(); };
-    request.link.may_begin = [&keeper, &reporter](const firmware_link::Capabilities&) {
-      return keeper.reserve(reporter);
-    };
+    request.link.may_begin = [&keeper, &reporter] { return keeper.reserve(reporter); };
     request.link.hot_s = options.pause_heat_s;
     // A virtual controller's seconds may be others than geometry's.
     request.link.starved_s = is_virtual(options) && options.virtual_speed != 1 ? 0 : kStarved_s;
-    request.link.lost_port = lost_port(options, usb, controls, port);
-    request.link.resumption = std::move(resumption);
+    request.link.lost_port = lost_port(options, extras.usb, controls, port);
+    request.link.space = extras.space;
+    request.link.resumption = std::move(extras.resumption);
     if (controls.has_keys()) reporter.note("keys", key_help());
     outcome = print_part(request);
   }

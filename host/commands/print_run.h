@@ -10,6 +10,7 @@
 #include "host/commands/journal_keeper.h"  // JournalKeeper
 #include "host/pipeline/pipeline.h"        // Job
 #include "host/printing/controls.h"        // Controls
+#include "host/printing/machine_space.h"   // MachineSpace
 #include "host/printing/monitor.h"         // Resumption
 #include "host/printing/progress.h"        // Reporter
 #include "host/settings/options.h"         // Options
@@ -24,10 +25,18 @@ namespace host {
 // pseudo-terminals, networks, the virtual controller.
 [[nodiscard]] double line_time_ms(const std::string& port, int baud);
 
-// REQUIRES: options.port is not empty.
+// Where the machine can go by the settings; guessed, when neither `told` (the command line, a
+// profile) nor the settings say more than the defaults.
+[[nodiscard]] MachineSpace told_space(const core::Settings& settings, const Options& told);
+
+// What of a print is not in its options. REQUIRES: options.port is not empty.
+struct RunExtras {
+  std::string usb;  // of the port (usb_of)
+  MachineSpace space;
+  std::optional<Resumption> resumption;
+};
 [[nodiscard]] int run_print(const Options& options, Job& job, JournalKeeper& keeper,
-                            std::optional<Resumption> resumption, const std::string& usb,
-                            double began_s, Reporter& reporter);
+                            RunExtras extras, double began_s, Reporter& reporter);
 
 // Asks where the nozzle is; nothing: nobody answered, or it is not safe. `z_um`: where it should
 // be. The height is in µm.

@@ -10,6 +10,7 @@
 #include "host/exit_codes.h"
 #include "host/pipeline/stage_clock.h"
 #include "host/printing/journal_places.h"  // layer_text, state_text
+#include "host/settings/settings_file.h"   // load_settings
 #include "host/settings/settings_table.h"
 #include "host/version.h"
 
@@ -33,14 +34,28 @@ Result<core::Settings> settings_in(const JournalHead& head) {
   return settings;
 }
 
-// Settings that are named once more must be those of the print.
-Status check_settings(const Options& options, const JournalHead& head, Reporter& reporter) {
-  if (options.profile.empty() && options.assignments.empty()) return {};
-  const Result<core::Settings> told = load_settings_of(options, reporter);
-  if (!told.ok()) return told.error();
-  const std::vector<SettingRow> rows = describe_settings(told.value());
+// What concerns only where the nozzle may be parked; no command of the print comes from it.
+bool is_of_space(const std::string& key) {
+  return key == "bed_x" || key == "bed_y" || key == "axis_z";
+}
+
+// The print's settings, with what is named once more over them: that must be the same, but for the
+// machine's space.
+Result<core::Settings> named_again(const Options& options, const JournalHead& head) {
+  Result<core::Settings> of_print = settings_in(head);
+  if (!of_print.ok()) return of_print.error();
+  core::Settings told = of_print.value();
+  if (!options.profile.empty()) {
+    const Result<LoadedSettings> loaded = load_settings(options.profile, told);
+    if (!loaded.ok()) return loaded.error();
+    told = loaded.value().settings;
+  }
+  for (const auto& [key, value] : options.assignments) {
+    if (Status set = set_setting(told, key, value); !set.ok()) return set.error();
+  }
+  const std::vector<SettingRow> rows = describe_settings(told);
   for (std::size_t i = 0; i < rows.size() && i < head.settings.size(); ++i) {
-    if (rows[i].value == head.settings[i].second) continue;
+    if (rows[i].value == head.settings[i].second || is_of_space(rows[i].key)) continue;
     // The print's came from the port's baud.
     const bool by_baud = rows[i].key == "segment_time_min_ms" && rows[i].value == "0";
     if (by_baud) continue;
@@ -50,7 +65,23 @@ Status check_settings(const Options& options, const JournalHead& head, Reporter&
                     "on with; leave the settings out, the journal has them",
                     rows[i].key, head.settings[i].second, rows[i].value)};
   }
-  return {};
+  return told;
+}
+
+// A bed that is named now has to hold the part where it lies.
+Status check_space(const MachineSpace& space, const PartSummary& part) {
+  const bool higher = space.axis_z > core::Length() && part.height > space.axis_z;
+  if (part.box.empty() || (core::Length::from_units(part.box.max.x) <= space.bed_x &&
+                           core::Length::from_units(part.box.max.y) <= space.bed_y && !higher)) {
+    return {};
+  }
+  return Error{ErrorCode::kOutOfBounds,
+               fmt::format("the part lies as far as X {:g}, Y {:g} mm and is {:g} mm high, which "
+                           "bed_x = {:g}, bed_y = {:g}, axis_z = {:g} mm do not hold; leave them "
+                           "out, or name the printer's own",
+                           core::Length::from_units(part.box.max.x).mm(),
+                           core::Length::from_units(part.box.max.y).mm(), part.height.mm(),
+                           space.bed_x.mm(), space.bed_y.mm(), space.axis_z.mm())};
 }
 
 Status check_part(const std::string& path, const JournalHead& head) {
@@ -82,7 +113,6 @@ Result<Job> job_of(Options& options, const JournalHead& head, Reporter& reporter
                                              ", which may lay other roads; use that one"};
   }
   if (options.part.empty()) options.part = head.part;
-  if (Status same = check_settings(options, head, reporter); !same.ok()) return same.error();
   if (Status same = check_part(options.part, head); !same.ok()) return same.error();
   const Result<core::Settings> settings = settings_in(head);
   if (!settings.ok()) return settings.error();
@@ -114,8 +144,14 @@ int resume_command(const Options& told, Reporter& reporter) {
   if (options.port.empty()) options.port = head.port;
   if (!options.baud_told) options.baud = head.baud;
 
+  const Result<core::Settings> named = named_again(options, head);
+  if (!named.ok()) return fail(named.error(), reporter);
+  const MachineSpace space = told_space(named.value(), options);
   Result<Job> job = job_of(options, head, reporter);
   if (!job.ok()) return fail(job.error(), reporter);
+  if (Status fits = check_space(space, job.value().part.summary); !fits.ok()) {
+    return fail(fits.error(), reporter);
+  }
   reporter.note(
       "resuming",
       fmt::format("{}: {}, at {}", head.part_title, state_text(record.state), layer_text(record)),
@@ -129,7 +165,8 @@ int resume_command(const Options& told, Reporter& reporter) {
   keeper.take_up(std::move(journal).value());
   Resumption resumption{record, boot_name() == head.boot, z_um.value()};
   const std::string usb = options.port == "virtual" ? "" : usb_of(options.port);
-  return run_print(options, job.value(), keeper, std::move(resumption), usb, began_s, reporter);
+  return run_print(options, job.value(), keeper, {usb, space, std::move(resumption)}, began_s,
+                   reporter);
 }
 
 }  // namespace host

@@ -48,12 +48,6 @@ Command lift(std::int64_t z_um, double speed_mm_s) {
   return move;
 }
 
-Command words(const std::string& line) {
-  auto made = firmware_link::verbatim_from(line);
-  RIND_CHECK(std::holds_alternative<firmware_link::Verbatim>(made));
-  return std::get<firmware_link::Verbatim>(made);
-}
-
 // What sets a controller up and moves nothing.
 bool sets_up(std::string_view line) {
   constexpr std::array<std::string_view, 22> kCodes = {
@@ -68,6 +62,12 @@ std::int64_t gap(std::int64_t at, std::int64_t low, std::int64_t high) {
 }
 
 }  // namespace
+
+Command command_of(const std::string& line) {
+  auto made = firmware_link::verbatim_from(line);
+  RIND_CHECK(std::holds_alternative<firmware_link::Verbatim>(made));
+  return std::get<firmware_link::Verbatim>(made);
+}
 
 ParkingPlace parking_place(const core::Settings& settings, const core::Box& part) {
   const auto inside = [](core::Length side) {
@@ -136,14 +136,14 @@ std::vector<Command> Detour::come_back(const MachineState& here, bool reheat) co
 
 std::vector<Command> Detour::begin_anew(const MachineState& here, std::int64_t nozzle_z_um,
                                         bool tell_height, bool is_klipper) const {
-  std::vector<Command> way = {words("G21"), words("G90"), words("M83")};
+  std::vector<Command> way = {command_of("G21"), command_of("G90"), command_of("M83")};
   for (const std::string& line : settings_.start_gcode) {
-    if (sets_up(line)) way.push_back(words(line));
+    if (sets_up(line)) way.push_back(command_of(line));
   }
   if (tell_height) {
     const double z_mm = static_cast<double>(nozzle_z_um) / 1'000;
-    way.push_back(words(is_klipper ? fmt::format("SET_KINEMATIC_POSITION Z={:.3f}", z_mm)
-                                   : fmt::format("G92 Z{:.3f}", z_mm)));
+    way.push_back(command_of(is_klipper ? fmt::format("SET_KINEMATIC_POSITION Z={:.3f}", z_mm)
+                                        : fmt::format("G92 Z{:.3f}", z_mm)));
   }
   // Both warm up together. The nozzle may stand in what it laid: it is hot before it moves.
   way.emplace_back(firmware_link::SetTemperature{Heater::kNozzle, here.nozzle_tenths, false});
@@ -154,7 +154,7 @@ std::vector<Command> Detour::begin_anew(const MachineState& here, std::int64_t n
   if (back > 0) way.push_back(filament(-back, settings_.retraction_speed_mm_s));
   const std::int64_t above = std::max(nozzle_z_um, here.z_um.value_or(nozzle_z_um));
   way.push_back(lift(lifted_um(above, settings_), settings_.lift_speed_mm_s));
-  way.push_back(words("G28 X Y"));
+  way.push_back(command_of("G28 X Y"));
   way.push_back(travel(place_.x_um, place_.y_um, settings_.travel_speed_mm_s));
   return way;
 }

@@ -13,6 +13,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "core/geometry.h"                // Box
@@ -37,6 +38,9 @@ struct ParkingPlace {
 
 // How high the nozzle is lifted from there; never down, never over the axis.
 [[nodiscard]] std::int64_t lifted_um(std::int64_t z_um, const core::Settings& settings);
+
+// A line of G-code as a command. REQUIRES: it is one.
+[[nodiscard]] firmware_link::Command command_of(const std::string& line);
 
 class Detour {
  public:

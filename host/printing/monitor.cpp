@@ -1,8 +1,11 @@
 #include "host/printing/monitor.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <variant>
 
 #include "core/check.h"
 #include "firmware_link/dialects/marlin_dialect.h"
@@ -18,6 +21,7 @@ using firmware_link::SessionState;
 // How long one turn waits for an answer. Short, because a command that geometry has just put into
 // an empty queue waits as long.
 constexpr int kWait_ms = 5;
+constexpr int kTravelAsks = 2;
 constexpr int kFeedPercentMin = 10;
 constexpr int kFeedPercentMax = 500;
 
@@ -30,7 +34,8 @@ Monitor::Monitor(const core::Settings& settings, MonitorOptions options,
       port_(&port),
       queue_(queue),
       reporter_(reporter),
-      detour_(settings, parking_place(settings, options_.part)),
+      machine_(with_space(settings, options_.space.value_or(space_of(settings)))),
+      detour_(machine_, parking_place(machine_, options_.part)),
       pauses_(detour_, options_.hot_s),
       starting_(options_.resumption.has_value()) {
   RIND_CHECK(options_.stop_count != nullptr);
@@ -71,23 +76,54 @@ LinkOutcome Monitor::run() {
   }
 }
 
+// Whether the controller has had its chance to tell how far its axes go. Twice, because an answer
+// may be damaged; only a Marlin, because others have no such command, or mean something else by it.
+bool Monitor::travel_asked(Instant now) {
+  if (session_->dialect_name() != "Marlin") return true;
+  while (travel_asks_ < kTravelAsks && session_->can_take()) {
+    session_->insert(command_of("M211"), now);
+    ++travel_asks_;
+  }
+  return travel_asks_ == kTravelAsks && session_->can_take() &&
+         session_->statistics().lines_in_flight == 0;
+}
+
+// What the controller tells of its axes is believed.
+core::Status Monitor::check_space() {
+  MachineSpace space = options_.space.value_or(space_of(settings_));
+  const std::optional<firmware_link::TravelLimits>& limits = session_->capabilities().travel;
+  if (limits) {
+    const core::Status fits = check_travel(options_.part, options_.height, *limits);
+    if (!fits.ok()) return fits;
+  }
+  if (const std::string note = space_note(space, limits); !note.empty()) {
+    reporter_.note("bed", note);
+  }
+  if (!limits) return {};
+  space = within(space, *limits);
+  machine_ = with_space(settings_, space);
+  detour_ = Detour(machine_, parking_place(machine_, options_.part));
+  pauses_.set_detour(detour_);
+  return {};
+}
+
 // Once, when the controller has said what it can do: whether the print may begin.
-bool Monitor::begun() {
+bool Monitor::begun(Instant now) {
   if (begun_) return true;
-  if (session_->state() != SessionState::kStreaming) return false;
+  if (session_->state() != SessionState::kStreaming || !travel_asked(now)) return false;
   begun_ = true;
-  if (options_.may_begin) {
-    if (const core::Status may = options_.may_begin(session_->capabilities()); !may.ok()) {
-      refused_ = may.error().message;
-      return false;
-    }
+  core::Status may = check_space();
+  if (may.ok() && options_.may_begin) may = options_.may_begin();
+  if (!may.ok()) {
+    refused_ = may.error().message;
+    return false;
   }
   if (options_.controller_known) options_.controller_known(session_->capabilities());
   return true;
 }
 
 void Monitor::feed(Instant now) {
-  if (!begun()) return;
+  if (!begun(now)) return;
   while (session_->can_take() && feed_one(now)) {
   }
   if (!finish_said_ && session_->state() == SessionState::kStreaming && !starting_ &&
@@ -138,6 +174,13 @@ bool Monitor::feed_one(Instant now) {
                    {{"layer", next->layer}});
     pauses_.want_pause(true);
     return true;
+  }
+  const auto* move = std::get_if<firmware_link::Move>(&next->command);
+  const std::optional<firmware_link::TravelLimits>& limits = session_->capabilities().travel;
+  if (move != nullptr && limits && !within_travel(*move, *limits)) {
+    refused_ = fmt::format("layer {} leaves the controller's axes; check bed_x, bed_y and axis_z",
+                           next->layer);
+    return false;
   }
   take(*next, now);
   return true;

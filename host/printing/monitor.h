@@ -31,6 +31,7 @@
 #include "host/printing/detour.h"          // Detour
 #include "host/printing/feed_governor.h"   // FeedGovernor
 #include "host/printing/journal.h"         // Journal
+#include "host/printing/machine_space.h"   // MachineSpace
 #include "host/printing/pause_control.h"   // PauseControl
 #include "host/printing/progress.h"        // Reporter
 #include "host/printing/queued_command.h"  // CommandQueue
@@ -85,11 +86,13 @@ struct MonitorOptions {
   double hot_s = 600;                         // how long a paused nozzle stays hot
   double banner_wait_s = 2.5;                 // for a `start` (SessionOptions)
   core::Box part;                             // where not to park
+  core::Length height;                        // of the part; 0: not known
+  std::optional<MachineSpace> space;          // nothing: as the settings say
   std::function<Journal*()> journal;          // null as long as there is none; may be empty
   // Called once, when it has said what it can do, before it is given a command; may be empty.
   std::function<void(const firmware_link::Capabilities&)> controller_known;
   // Likewise; an error ends the print, and nothing was given. May be empty.
-  std::function<core::Status(const firmware_link::Capabilities&)> may_begin;
+  std::function<core::Status()> may_begin;
   LostPortOptions lost_port;
   std::optional<Resumption> resumption;
 };
@@ -113,7 +116,9 @@ class Monitor {
   void begin_session(bool ask_found_line);
   [[nodiscard]] bool stop_asked() const { return options_.stop_count() > 0 || stop_wished_; }
   void feed(firmware_link::Instant now);
-  [[nodiscard]] bool begun();
+  [[nodiscard]] bool travel_asked(firmware_link::Instant now);
+  [[nodiscard]] core::Status check_space();
+  [[nodiscard]] bool begun(firmware_link::Instant now);
   [[nodiscard]] bool feed_one(firmware_link::Instant now);
   [[nodiscard]] const QueuedCommand* peek();
   void advance();
@@ -180,12 +185,14 @@ class Monitor {
   bool place_known_ = true;               // the session's controller was not reset before
   std::optional<QueuedCommand> waiting_;  // popped, not in the trail
   QueuedCommand last_;                    // taken last
-  bool begun_ = false;                    // the controller has been greeted
+  int travel_asks_ = 0;                   // how often it was asked how far it may go
+  bool begun_ = false;                    // the controller has been greeted, and may be used
   bool given_ = false;                    // anything at all, to any session
   bool unchecked_road_ = false;           // since the position was asked for
   std::int64_t first_road_ = 0;           // 1 + its number; 0: none yet
   bool finish_said_ = false;
 
+  core::Settings machine_;  // settings_, with the space that there is
   Detour detour_;
   PauseControl pauses_;
   FeedGovernor governor_;

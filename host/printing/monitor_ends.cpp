@@ -43,7 +43,7 @@ std::vector<Command> Monitor::safe_sequence() const {
   const std::optional<std::int64_t> z_um = trail_.state_before(index_).z_um;
   if (on_part && z_um) {
     firmware_link::Move lift;
-    lift.z_um = lifted_um(*z_um, settings_);
+    lift.z_um = lifted_um(*z_um, machine_);
     lift.f_mm_min = std::llround(settings_.lift_speed_mm_s * 60);
     commands.emplace_back(lift);
   }

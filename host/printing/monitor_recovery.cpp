@@ -38,10 +38,6 @@ class GonePort final : public firmware_link::BytePort {
   }
 };
 
-Command planner_emptied() {
-  return std::get<firmware_link::Verbatim>(firmware_link::verbatim_from("M400"));
-}
-
 // No line of a controller is behind this one.
 constexpr std::int32_t kNoLine = std::numeric_limits<std::int32_t>::max() - kJournalLinesMax;
 
@@ -133,7 +129,7 @@ void Monitor::close_journal(PrintState state) {
   std::optional<JournalRecord> last = record(state);
   if (!last) return;
   if (state == PrintState::kStopped && last->machine.z_um && !pauses_.nozzle_z_um()) {
-    last->nozzle_z_um = lifted_um(*last->machine.z_um, settings_);
+    last->nozzle_z_um = lifted_um(*last->machine.z_um, machine_);
   }
   journal()->note_last(*last);
 }
@@ -174,7 +170,7 @@ std::vector<Command> Monitor::way_back(const ResumePoint& point, std::int64_t no
       in_place ? detour_.leave_part(here)
                : detour_.begin_anew(here, nozzle_z_um, !point.lives, is_klipper(*session_));
   // What is accepted behind it tells that all before it was executed (sure_before()).
-  if (in_place) way.push_back(planner_emptied());
+  if (in_place) way.push_back(command_of("M400"));
   const std::vector<Command> back = detour_.come_back(here, false);
   way.insert(way.end(), back.begin(), back.end());
   return way;

@@ -185,6 +185,8 @@ void Monitor::tell_event(const firmware_link::SessionEvent& event) {
       stop_wished_ = true;
       return;
     case Kind::kWarning:
+      // It does not tell how far its axes go, and need not.
+      if (!begun_ && event.text.find("M211") != std::string::npos) return;
       reporter_.note("warning", "the controller says: " + event.text);
       return;
     case Kind::kWaitsForUser:

@@ -33,6 +33,9 @@ class PauseControl {
   [[nodiscard]] bool pause_wanted() const { return user_wants_; }
   [[nodiscard]] bool starved() const { return starved_; }
 
+  // The ways from now on.
+  void set_detour(const Detour& detour) { detour_ = detour; }
+
   // Goes a way that is not a pause's: `way` ends where the print goes on.
   void go(std::vector<firmware_link::Command> way);
 

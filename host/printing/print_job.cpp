@@ -138,6 +138,7 @@ PrintOutcome print_part(const PrintRequest& request) {
   QueueFiller filler(queue, request.job.settings, resumed);
   MonitorOptions options = request.link;
   options.part = request.job.part.summary.box;
+  options.height = request.job.part.summary.height;
   ArcsAnswer arcs;
   request.job.draws_arcs = [&arcs] { return arcs.wait(); };
   options.controller_known = [&arcs](const firmware_link::Capabilities& controller) {

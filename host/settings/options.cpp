@@ -7,7 +7,6 @@
 #include <optional>
 #include <sstream>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "host/exit_codes.h"
@@ -189,9 +188,7 @@ CLI::App* add_print(CLI::App& app, Options& options) {
                        "~/.local/state/rind")
           ->type_name("FILE");
   command->add_flag("--no-journal", options.no_journal, "keep none")->excludes(journal);
-  command->add_flag("--anew", options.anew,
-                    "print from the begin although a print of the part was cut; its journal is set "
-                    "aside as NAME.old");
+  command->add_flag("--anew", options.anew, "set the journal of a print that was cut aside (.old)");
   add_settings(*command, options);
   add_reports(*command, options);
   return command;
@@ -200,10 +197,7 @@ CLI::App* add_print(CLI::App& app, Options& options) {
 CLI::App* add_resume(CLI::App& app, Options& options) {
   CLI::App* command =
       app.add_subcommand("resume", "go on with a print that was cut, behind what was executed");
-  command
-      ->add_option(
-          "JOURNAL", options.journal,
-          "the print's journal, or its part's name; without: list what can be gone on with")
+  command->add_option("JOURNAL", options.journal, "a journal, or its part; without: lists them")
       ->type_name("");
   command->add_option("--part", options.part, "the part's file, when it was moved")
       ->type_name("FILE");
@@ -343,10 +337,6 @@ OptionsExit usage_error(const std::string& message) {
 }
 
 }  // namespace
-
-int jobs_by_default() {
-  return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, kJobsDefaultMax);
-}
 
 std::variant<Options, OptionsExit> parse_options(int argc, const char* const* argv) {
   Options options;

@@ -196,13 +196,14 @@ TEST_CASE("where a print goes on") {
   for (const std::optional<std::int32_t> line :
        {std::optional<std::int32_t>(), std::optional<std::int32_t>(0),
         std::optional<std::int32_t>(129), std::optional<std::int32_t>(135)}) {
-    CHECK_EQ(at(PrintState::kReset, {line, true, true}).command, 90);
-    CHECK_EQ(at(PrintState::kRunning, {line, true, false}).command, 90);  // power cut
-    CHECK_EQ(at(PrintState::kRunning, {line, true, true}).command, 103);  // the host died
-    CHECK_EQ(at(PrintState::kPortLost, {line, true, true}).command, 100);
-    CHECK_EQ(at(PrintState::kStopped, {line, true, true}).command, 100);
-    CHECK_EQ(at(PrintState::kLinkFault, {line, true, true}).command, 100);
-    CHECK_FALSE(at(PrintState::kRunning, {line, true, true}).lives);
+    // Whoever can't tell may have lost what its planner held.
+    for (int state = 0; state < 5; ++state) {
+      for (const bool same_boot : {false, true}) {
+        const auto point = at(static_cast<PrintState>(state), {line, true, same_boot});
+        CHECK_EQ(point.command, 90);
+        CHECK_FALSE(point.lives);
+      }
+    }
   }
   // One that numbers nothing.
   CHECK_EQ(at(PrintState::kRunning, {{}, false, true}).command, 103);
@@ -213,12 +214,12 @@ TEST_CASE("where a print goes on") {
 TEST_CASE("a trail knows its last commands and the machine before each") {
   host::CommandTrail trail;
   host::MachineState machine = in_a_road();
-  trail.begin_at(1'000, machine);
+  trail.begin_at(1'000, machine, {});
   std::vector<host::MachineState> before;
   for (int i = 0; i < 500; ++i) {
     host::QueuedCommand queued;
     firmware_link::Move move;
-    move.x_um = i * 100;
+    move.x_um = i * host::kBlockLengthUm;
     if (i % 3 == 0) move.f_mm_min = 600 + i;
     queued.command = move;
     if (i % 5 == 4) queued.command = firmware_link::SetFan{static_cast<std::uint8_t>(i % 256)};
@@ -237,10 +238,46 @@ TEST_CASE("a trail knows its last commands and the machine before each") {
     CHECK_EQ(state.fan, wanted.fan);
   }
   // Numbers 1499 and 1494 blow, all others move.
-  CHECK_EQ(trail.blocks_back(1'500, 0), 1'500);
-  CHECK_EQ(trail.blocks_back(1'500, 1), 1'498);
-  CHECK_EQ(trail.blocks_back(1'500, 5), 1'493);
-  CHECK_EQ(trail.blocks_back(1'500, 10'000), trail.begin());
+  CHECK_EQ(trail.executed_before(1'500, 0), 1'500);
+  CHECK_EQ(trail.executed_before(1'500, 1), 1'498);
+  CHECK_EQ(trail.executed_before(1'500, 5), 1'493);
+  CHECK_EQ(trail.executed_before(1'500, 10'000), std::nullopt);
+}
+
+TEST_CASE("short moves may have no block of their own, and some commands empty the planner") {
+  host::CommandTrail trail;
+  trail.begin_at(0, in_a_road(), {std::make_shared<host::Checkpoint>(), 7});
+  const auto push = [&trail](const firmware_link::Command& command) {
+    host::QueuedCommand queued;
+    queued.command = command;
+    trail.push(queued);
+  };
+  const auto words = [](const char* line) {
+    return std::get<firmware_link::Verbatim>(firmware_link::verbatim_from(line));
+  };
+  firmware_link::Move move;
+  for (int i = 0; i < 10; ++i) {
+    move.x_um = i * 1'000;
+    push(move);
+  }
+  for (int i = 1; i <= 10; ++i) {  // all of them one block, or none
+    move.x_um = 9'000 + i * 20;
+    push(move);
+  }
+  CHECK_EQ(trail.executed_before(20, 2), 8);
+  push(words("M109 S200"));  // does not wait for moves
+  CHECK_EQ(trail.executed_before(21, 2), 8);
+  push(words("M400"));
+  CHECK_EQ(trail.executed_before(22, 16), 22);
+  move.x_um = 20'000;
+  push(move);
+  CHECK_EQ(trail.executed_before(23, 16), 22);
+  CHECK_EQ(trail.executed_before(23, 1), 22);
+  firmware_link::Move filament;
+  filament.e_10nm = -100'000;
+  push(filament);
+  CHECK_EQ(trail.executed_before(24, 1), 23);
+  CHECK_EQ(trail.mark_before(0).hash, 7);
 }
 
 TEST_CASE("keys") {

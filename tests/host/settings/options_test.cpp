@@ -201,13 +201,15 @@ TEST_CASE("resume takes a journal; the rest is in it") {
   CHECK(told.baud_told);
   CHECK(told.bad_layer_told);
   CHECK_EQ(told.part, "q.stl");
-  CHECK_EQ(parse_bad({"resume"}).exit_code, host::kExitUsage);
+  CHECK(parse_good({"resume"}).journal.empty());  // lists
 }
 
 TEST_CASE("what a print does when the line is lost, and where its journal is") {
   const Options plain = parse_good({"print", "part.stl"});
   CHECK_EQ(plain.on_lost_port, host::OnLostPort::kWait);
   CHECK_FALSE(plain.no_journal);
+  CHECK_FALSE(plain.anew);
+  CHECK(parse_good({"print", "part.stl", "--anew"}).anew);
   const Options told = parse_good({"print", "part.stl", "--on-lost-port", "stop", "--journal", "j",
                                    "--lost-port-wait", "5", "--pause-heat", "7"});
   CHECK_EQ(told.on_lost_port, host::OnLostPort::kStop);

@@ -1,0 +1,44 @@
+// Where a machine can go: as the settings say, and as its controller tells, which is believed. What
+// is parked, primed and lifted stays within both; a part that does not fit is refused before
+// anything moves.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/geometry.h"                // Box
+#include "core/result.h"                  // Status
+#include "core/settings.h"                // Settings
+#include "firmware_link/command.h"        // Move
+#include "firmware_link/travel_limits.h"  // TravelLimits
+
+namespace host {
+
+struct MachineSpace {
+  core::Length bed_x;
+  core::Length bed_y;
+  core::Length axis_z;   // 0: not limited
+  bool guessed = false;  // nobody has said how large the bed is
+};
+
+[[nodiscard]] MachineSpace space_of(const core::Settings& settings);
+
+// The settings with that space: for parking and lifting.
+[[nodiscard]] core::Settings with_space(core::Settings settings, const MachineSpace& space);
+
+// What is in both.
+[[nodiscard]] MachineSpace within(MachineSpace space, const firmware_link::TravelLimits& limits);
+
+// What to say of it, once; empty: nothing. `limits`: nothing, where the controller tells none.
+[[nodiscard]] std::string space_note(const MachineSpace& space,
+                                     const std::optional<firmware_link::TravelLimits>& limits);
+
+// Whether the part lies within the limits. An empty box: not known, and fits.
+[[nodiscard]] core::Status check_travel(const core::Box& part, core::Length height,
+                                        const firmware_link::TravelLimits& limits);
+
+// Whether the move ends within them.
+[[nodiscard]] bool within_travel(const firmware_link::Move& move,
+                                 const firmware_link::TravelLimits& limits);
+
+}  // namespace host
