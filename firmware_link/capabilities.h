@@ -17,6 +17,7 @@ struct Capabilities {
   bool host_actions = false;             // `//action:pause` and its kin may come
   bool arcs = false;                     // G2, G3 with I and J
   bool meatpack = false;                 // packed lines
+  bool sets_position = false;            // where asked: SET_KINEMATIC_POSITION tells it its height
   bool advanced_ok = false;              // learned: an `ok` with P and B
   std::int32_t planner_blocks = 0;       // learned: most free blocks ever told; 0: never told
   std::optional<TravelLimits> travel;    // told twice the same, because an answer may be damaged

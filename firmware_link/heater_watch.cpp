@@ -36,6 +36,12 @@ HeaterWatchLimits bed_watch_limits() {
 
 std::optional<std::string> HeaterWatch::heard(double celsius, double target, Instant now) {
   if (!std::isfinite(celsius) || !std::isfinite(target)) return std::nullopt;
+  if (heard_at_ && now - *heard_at_ > kUnheardMax) {
+    const Duration uncounted = now - *heard_at_ - kUnheardMax;
+    if (since_) *since_ += uncounted;
+    if (low_since_) *low_since_ += uncounted;
+  }
+  heard_at_ = now;
   if (target != target_) {
     restart();
     target_ = target;

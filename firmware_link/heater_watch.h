@@ -8,6 +8,7 @@
 //                 └── stuck: not `rise` warmer within `rise_time`, while well below the target
 #pragma once
 
+#include <chrono>
 #include <optional>
 #include <string>
 
@@ -24,12 +25,16 @@ struct HeaterWatchLimits {
   double near_celsius = 8;
 };
 
+inline constexpr Duration kUnheardMax = std::chrono::seconds(15);
+
 class HeaterWatch {
  public:
   // `name` as in "the nozzle". REQUIRES: it outlives the watch.
   HeaterWatch(const char* name, const HeaterWatchLimits& limits) : name_(name), limits_(limits) {}
 
-  // A report came. Returns a sentence when the heater does not do what it was told.
+  // A report came. Where nothing was heard for long (the controller was silent, or the host stood
+  // still), that time counts for no more than kUnheardMax: nobody knows what was reported
+  // meanwhile. Returns a sentence when the heater does not do what it was told.
   [[nodiscard]] std::optional<std::string> heard(double celsius, double target, Instant now);
 
   // Forgets what was seen: another target was told, or nothing was heard for long.
@@ -43,6 +48,7 @@ class HeaterWatch {
   std::optional<Instant> since_;  // when it was
   bool reached_ = false;
   std::optional<Instant> low_since_;
+  std::optional<Instant> heard_at_;
 };
 
 [[nodiscard]] HeaterWatchLimits nozzle_watch_limits();

@@ -45,6 +45,11 @@ class PlannerWatch {
 
   [[nodiscard]] Duration low() const { return low_; }
 
+  // When the last of its blocks is taken to end; long ago when it is empty.
+  [[nodiscard]] Instant end() const {
+    return count_ == 0 ? Instant{} : ends_[(first_ + count_ - 1) % ends_.size()];
+  }
+
   // How full it is taken to be. ENSURES: at most kPlannerBlocks.
   [[nodiscard]] std::size_t blocks() const { return count_; }
 

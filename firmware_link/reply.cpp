@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 
 namespace firmware_link {
 namespace {
@@ -11,6 +12,34 @@ bool take_prefix(std::string_view& line, std::string_view prefix) {
   if (line.substr(0, prefix.size()) != prefix) return false;
   line.remove_prefix(prefix.size());
   return true;
+}
+
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+bool same_letter(char a, char b) { return lower(a) == lower(b); }
+
+// As take_prefix(), in any case of letters: "Error:", "error:", "ERROR:" are all said.
+bool take_prefix_any_case(std::string_view& line, std::string_view prefix) {
+  if (line.size() < prefix.size() ||
+      !std::equal(prefix.begin(), prefix.end(), line.begin(), same_letter)) {
+    return false;
+  }
+  line.remove_prefix(prefix.size());
+  return true;
+}
+
+bool holds_any_case(std::string_view text, std::string_view words) {
+  return std::search(text.begin(), text.end(), words.begin(), words.end(), same_letter) !=
+         text.end();
+}
+
+// What a controller says only when it has stopped by itself, whatever stands before it.
+bool says_stopped(std::string_view text) {
+  constexpr std::string_view kFinal[] = {"printer halted",    "kill() called",
+                                         "thermal runaway",   "heating failed",
+                                         "mintemp triggered", "maxtemp triggered"};
+  return std::any_of(std::begin(kFinal), std::end(kFinal),
+                     [&](std::string_view words) { return holds_any_case(text, words); });
 }
 
 std::string_view without_leading_blanks(std::string_view text) {
@@ -97,12 +126,11 @@ Reply read_error(std::string_view text) {
   Reply reply;
   reply.kind = Reply::Kind::kError;
   reply.text = without_leading_blanks(text);
-  constexpr std::string_view kFinal[] = {"Printer halted",  "kill() called",  "STOP called",
-                                         "Thermal Runaway", "Heating failed", "MINTEMP",
-                                         "MAXTEMP"};
+  constexpr std::string_view kFinal[] = {"stop called", "mintemp", "maxtemp"};
   for (const std::string_view words : kFinal) {
-    if (reply.text.find(words) != std::string_view::npos) reply.kind = Reply::Kind::kHalted;
+    if (holds_any_case(reply.text, words)) reply.kind = Reply::Kind::kHalted;
   }
+  if (says_stopped(reply.text)) reply.kind = Reply::Kind::kHalted;
   return reply;
 }
 
@@ -112,7 +140,7 @@ Reply read_echo(std::string_view text) {
   if (take_prefix(text, "Unknown command:")) {
     return plain(Reply::Kind::kUnknownCommand, without_leading_blanks(text));
   }
-  return plain(Reply::Kind::kEcho, text);
+  return plain(says_stopped(text) ? Reply::Kind::kHalted : Reply::Kind::kEcho, text);
 }
 
 // "ok" and "okay" are different words.
@@ -138,7 +166,11 @@ Reply read_reply(std::string_view line) {
     reply.number = leading_number<std::int64_t>(rest);
     return reply;
   }
-  if (take_prefix(rest, "Error:")) return read_error(rest);
+  if (take_prefix_any_case(rest, "error:")) return read_error(rest);
+  // Repetier, and then nothing is obeyed until M999.
+  if (take_prefix_any_case(rest, "fatal:")) {
+    return plain(Kind::kHalted, without_leading_blanks(rest));
+  }
   if (take_prefix(rest, "echo:")) return read_echo(rest);
   if (rest == "start") return plain(Kind::kStart, rest);
   if (rest == "wait") return plain(Kind::kWait, rest);
@@ -161,7 +193,7 @@ Reply read_reply(std::string_view line) {
     reply.position = read_position(rest);
     return reply;
   }
-  return plain(Kind::kUnknown, rest);
+  return plain(says_stopped(rest) ? Kind::kHalted : Kind::kUnknown, rest);
 }
 
 std::size_t LineSplitter::take(std::span<const std::byte> bytes) {
@@ -173,7 +205,8 @@ std::size_t LineSplitter::take(std::span<const std::byte> bytes) {
   std::size_t taken = 0;
   while (taken < bytes.size()) {
     const char c = static_cast<char>(bytes[taken++]);
-    if (c == '\n') {
+    if (c == '\n' || c == '\r') {
+      if (size_ == 0) continue;
       complete_ = true;
       break;
     }

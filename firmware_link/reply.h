@@ -10,6 +10,7 @@
 //     "X:0.00 Y:0.00 Z:5.00 E:0.00 Count …"      kPosition     "// Klipper state: …"    kNote
 //     "Error:checksum mismatch, Last Line: 1"    kError        "echo:…", "FIRMWARE_NAME:…", "Cap:…"
 //     "Error:Printer halted. kill() called!"     kHalted       "echo:Unknown command: …"
+//     "fatal:Heater decoupled"                   kHalted
 #pragma once
 
 #include <array>
@@ -84,7 +85,9 @@ struct Reply {
 // come. COSTS: linear in the line.
 [[nodiscard]] Reply read_reply(std::string_view line);
 
-// Cuts a stream of bytes into lines. A line over kReplyBytesMax loses its end and is counted.
+// Cuts a stream of bytes into lines, at each \n and each \r: some end lines with both, in either
+// order, some with \r alone. Empty lines are left out. A line over kReplyBytesMax loses its end and
+// is counted.
 class LineSplitter {
  public:
   // Takes bytes up to and with the first end of line and returns how many; a whole line is then

@@ -40,6 +40,12 @@ class SendWindow {
   // How many of the host's commands are before that line. REQUIRES: oldest() <= sequence <= end().
   [[nodiscard]] std::int64_t commands_before(std::int64_t sequence) const;
 
+  // REQUIRES: oldest() <= sequence < end().
+  [[nodiscard]] std::string_view text(std::int64_t sequence) const {
+    const Line& line = at(sequence);
+    return {line.text.data(), line.size};
+  }
+
   // The line at next_to_send(). REQUIRES: !all_sent().
   [[nodiscard]] std::string_view next_text() const;
 

@@ -40,7 +40,8 @@ Session::Session(std::unique_ptr<Dialect> dialect, const SessionOptions& options
       last_life_(now),
       last_progress_(now),
       quiet_since_(now),
-      last_polled_(now) {
+      last_polled_(now),
+      last_turn_(now) {
   LINK_CHECK(rules_.numbered && rules_.window_lines >= 1 && rules_.window_lines <= kWindowLinesMax);
   LINK_CHECK(rules_.window_bytes > kLineBytesMax && rules_.window_bytes <= kWindowBytesMax);
   LINK_CHECK(options_.line_number_max >= 1 && options_.line_number_max <= kLineNumberMax);
@@ -48,7 +49,7 @@ Session::Session(std::unique_ptr<Dialect> dialect, const SessionOptions& options
 
 bool Session::can_take() const {
   return state_ == SessionState::kStreaming && window_.all_sent() && !own_line_due() &&
-         !confirming_ && !deferred_;
+         !confirming_ && !deferred_ && !shut_down_since_;
 }
 
 void Session::take(const Command& command, Instant now) { give(command, true, now); }
@@ -78,6 +79,7 @@ std::span<const std::byte> Session::output() const {
 
 void Session::written(std::size_t count, Instant now) {
   LINK_CHECK(count <= output_end_ - output_begin_);
+  bridge_gap(now);
   output_begin_ += count;
   statistics_.bytes_sent += static_cast<std::int64_t>(count);
   if (output_begin_ == output_end_) {
@@ -88,10 +90,17 @@ void Session::written(std::size_t count, Instant now) {
 }
 
 void Session::tick(Instant now) {
+  bridge_gap(now);
   if (ended()) return;
+  if (shut_down_since_) {
+    tick_shut_down(now);
+    return;
+  }
   planner_.advance(now);
   if (phase_ == Phase::kBanner || phase_ == Phase::kGreeting || phase_ == Phase::kSettling) {
     tick_greeting(now);
+  } else if (phase_ == Phase::kReadying) {
+    tick_readying(now);
   } else {
     if (recovering_ && output().empty() && now - quiet_since_ >= rules_.quiet_after_resend) {
       recovering_ = false;
@@ -102,11 +111,7 @@ void Session::tick(Instant now) {
     tick_silence(now);
     tick_watch(now);
   }
-  if (state_ == SessionState::kStopping && now - stop_began_ > options_.stop_limit) {
-    fault(FaultKind::kStop,
-          "the controller did not acknowledge the stop within " + seconds_text(options_.stop_limit),
-          true);
-  }
+  if (state_ == SessionState::kStopping) tick_stop(now);
   settle(now);
   pump(now);
 }
@@ -125,11 +130,13 @@ void Session::stop_now(std::span<const Command> safe_sequence, Instant now) {
   end_confirming();
   if (state_ == SessionState::kConnecting || state_ == SessionState::kFaulted) {
     if (controller_may_live_) put_safe_sequence();
+    listens_ = controller_may_live_;
     if (state_ == SessionState::kConnecting) state_ = SessionState::kStopped;
     return;
   }
   state_ = SessionState::kStopping;
   stop_began_ = now;
+  note_stop_behind(now);
   window_.drop_never_sent();
   // What waits for heat or for a user waits no longer; its own `ok` is met by the forced mismatch.
   if (rules_.numbered && waiting_line_in_flight()) put_wait_no_more();
@@ -207,6 +214,8 @@ void Session::put_safe_sequence() {
     put(text);
     put("\n");
   }
+  // Its answer tells that all before it was obeyed.
+  put("M105\n");
 }
 
 void Session::resynchronise(Instant now) {
@@ -227,10 +236,14 @@ void Session::put_forced_mismatch() {
 
 void Session::tick_silence(Instant now) {
   if (ended() || (window_.lines_in_flight() == 0 && !resync_pending_)) return;
-  const Duration silence_max =
-      waiting_line_in_flight() ? rules_.silence_waiting_max : rules_.silence_max;
+  Duration silence_max = waiting_line_in_flight() ? rules_.silence_waiting_max : rules_.silence_max;
+  Duration idle_talk_max = rules_.idle_talk_max;
+  if (stop_behind_ && !was_busy_) {
+    silence_max = std::max(silence_max, options_.long_stop_limit);
+    idle_talk_max = std::max(idle_talk_max, options_.long_stop_limit);
+  }
   const bool silent = now - last_life_ > silence_max;
-  const bool idle = now - last_progress_ > rules_.idle_talk_max;
+  const bool idle = now - last_progress_ > idle_talk_max;
   if (!silent && !idle) {
     // Something talks, and nothing goes on: temperatures that come by themselves hide a lost `ok`.
     // Asking does no harm, and is not held against a controller that has no time to answer.
@@ -261,7 +274,7 @@ void Session::tick_silence(Instant now) {
 
 // Moves to the next state when all that this one waits for is there.
 void Session::settle(Instant now) {
-  if (ended() || (phase_ != Phase::kAsking && phase_ != Phase::kOpen)) return;
+  if (ended() || shut_down_since_ || (phase_ != Phase::kAsking && phase_ != Phase::kOpen)) return;
   const bool idle = window_.all_sent() && window_.lines_in_flight() == 0 && !resync_pending_ &&
                     !own_line_due() && !question_ && !deferred_;
   if (phase_ == Phase::kAsking && idle) {
@@ -271,7 +284,8 @@ void Session::settle(Instant now) {
       phase_began_ = now;
       return;
     }
-    open(now);
+    begin_readying(now);
+    if (phase_ != Phase::kOpen) return;
   }
   if (recovering_ || resync_pending_ || window_.lines_in_flight() > 0) return;
 
@@ -292,7 +306,7 @@ void Session::settle(Instant now) {
 }
 
 void Session::pump(Instant now) {
-  if (ended() || (phase_ != Phase::kAsking && phase_ != Phase::kOpen)) return;
+  if (ended() || shut_down_since_ || !talks()) return;
   if (state_ == SessionState::kStopping && !end_of_commands_) {
     if (!resync_pending_ && phase_ == Phase::kOpen) resynchronise(now);
     return;

@@ -105,6 +105,11 @@ class Session {
   // or options.ask_found_line is off. Known once state() is kStreaming.
   [[nodiscard]] std::optional<std::int32_t> found_line() const { return found_line_; }
 
+  // Where such a controller was when we came, as it was commanded last, and whether it knows that
+  // it is there; for those that number nothing and tell it (Klipper). Known likewise.
+  [[nodiscard]] const std::optional<Position>& found_place() const { return found_place_; }
+  [[nodiscard]] std::optional<bool> found_homed() const { return found_homed_; }
+
   // Says that nothing more will be taken. REQUIRES: state() is kStreaming.
   void finish(Instant now);
 
@@ -145,6 +150,10 @@ class Session {
   // output() until it is empty. REQUIRES: at most kSafeSequenceMax commands.
   void stop_now(std::span<const Command> safe_sequence, Instant now);
 
+  // Whether the controller has told, behind such a safe sequence, that its heaters are off: it
+  // reads in order, so all of the sequence was obeyed. Go on with input() for that.
+  [[nodiscard]] bool safe_confirmed() const { return safe_confirmed_; }
+
   // The printer waits for a button (SessionEvent::kWaitsForUser), and its user presses ours: M108.
   // A controller without EMERGENCY_PARSER and display does not heed it.
   void answer_user(Instant now);
@@ -157,7 +166,11 @@ class Session {
  private:
   // kGreeting comes again, in mid-stream, when the line numbers have run out. kSettling: until
   // answers to questions that were asked twice have all come.
-  enum class Phase { kBanner, kGreeting, kAsking, kSettling, kOpen };
+  // kReadying: until it is ready to print, and has told where it is.
+  enum class Phase { kBanner, kGreeting, kAsking, kSettling, kReadying, kOpen };
+  [[nodiscard]] bool talks() const {
+    return phase_ == Phase::kAsking || phase_ == Phase::kReadying || phase_ == Phase::kOpen;
+  }
 
   // session_greeting.cpp: how it begins.
   void tick_greeting(Instant now);
@@ -167,6 +180,32 @@ class Session {
   void named(std::string_view name);
   void speak_its_dialect();
   void open(Instant now);
+
+  // session_readiness.cpp: whether it is ready, where it is, why it has shut down.
+  enum class Query { kState, kPlace, kCommands, kModes, kHomed };
+  void begin_readying(Instant now);
+  void ask_when_readying(Query query, Instant now);
+  void tick_readying(Instant now);
+  void reply_while_readying(const Reply& reply, Meaning meaning, Instant now);
+  void query_answered(Instant now);
+  void state_told(Instant now);
+  void shut_down_seen(std::string_view words, Instant now);
+  void reply_while_shut_down(const Reply& reply);
+  void tick_shut_down(Instant now);
+  void end_shut_down(std::string_view reason);
+  void halted(const std::string& why);
+
+  // session_time.cpp: how long things may take.
+  void bridge_gap(Instant now);
+  void note_stop_behind(Instant now);
+  void tick_stop(Instant now);
+
+  // session_warnings.cpp: what is for people, and what they may be told of a safe stop.
+  [[nodiscard]] bool sent_lately(std::string_view command) const;
+  void hear_safety(std::span<const std::byte> bytes);
+  void complaint_heard(const Reply& reply);
+  void complaint_mended();
+  void complaint_stands();
 
   // session_replies.cpp: what comes in.
   void reply(const Reply& reply, Instant now);
@@ -235,6 +274,7 @@ class Session {
     bool ask_position = false;
     bool ask_temperatures = false;
     bool report_temperatures = false;
+    bool stay_awake = false;
   };
 
   // Taken, and not in the window yet, because a line of the link's own goes before it.
@@ -287,6 +327,21 @@ class Session {
   std::array<Duration, kHistoryLinesMax> nominal_{};
   std::array<std::uint8_t, kHistoryLinesMax> blocks_{};  // likewise: of the planner
 
+  std::optional<std::string> complaint_;  // until it is known whether it was about a mended line
+
+  Query query_ = Query::kState;
+  std::string query_alarm_;
+  std::string query_words_;           // why it was not ready, as it was told to the host
+  std::optional<Instant> query_due_;  // when its state is asked for again
+  std::optional<Position> found_place_;
+  std::optional<bool> found_homed_;
+  std::optional<Instant> shut_down_since_;  // its reason is waited for
+  std::string shut_down_words_;
+  std::optional<std::string> stop_behind_;  // a stop waits for this command
+  bool stop_told_ = false;
+  bool listens_ = false;  // behind the safe sequence of a fault
+  bool safe_confirmed_ = false;
+
   LineSplitter splitter_;
   std::array<std::byte, kOutputBytesMax> output_{};
   std::size_t output_begin_ = 0;
@@ -300,6 +355,8 @@ class Session {
   Instant last_progress_;  // an acknowledgement, or work being done
   Instant quiet_since_;    // the last answer that belongs to a Resend's aftermath
   Instant last_polled_;
+  Instant last_turn_;     // any call that told the time
+  Instant last_awake_{};  // a paused print was kept awake
   Instant last_probe_{};
   int probes_ = 0;  // since the last progress
   int greetings_ = 0;
@@ -321,7 +378,8 @@ class Session {
   bool settling_needed_ = false;
   bool holding_ = false;
   bool waits_for_user_ = false;
-  bool works_ = false;  // busy lines came for the line at hand
+  bool works_ = false;     // busy lines came for the line at hand
+  bool was_busy_ = false;  // it has said so before: one that works is not silent
   bool warned_of_resends_ = false;
   int resyncs_in_a_row_ = 0;
   int repeats_of_a_line_ = 0;

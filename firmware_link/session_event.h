@@ -24,6 +24,8 @@ struct SessionEvent {
     kAction,           // another //action:; text: its words
     kWarning,          // an error that does not end the print, an unknown command; text: its words
     kResendsFrequent,  // a tenth of the lines is asked for again: look at cable and baud
+    kNotReady,         // it answers, and is not ready to print: is waited for; text: its words
+    kStopWaits,        // a stop waits for the command at hand to end; text: the command
     kFilamentCorrected,  // a line ran in part or twice: text says by how much, and it was put right
   };
   Kind kind = Kind::kWarning;

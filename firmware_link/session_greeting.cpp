@@ -22,7 +22,7 @@ constexpr int kAsksMax = 2;
 void Session::tick_greeting(Instant now) {
   const bool quiet = now - last_said_ >= kQuiet;
   if (phase_ == Phase::kSettling) {
-    if (quiet && now - phase_began_ >= kQuiet) open(now);
+    if (quiet && now - phase_began_ >= kQuiet) begin_readying(now);
     return;
   }
   if (phase_ == Phase::kBanner) {
@@ -35,10 +35,11 @@ void Session::tick_greeting(Instant now) {
     greet(now);
     return;
   }
-  fault(FaultKind::kNoAnswer,
-        start_seen_ ? "the controller said `start` but does not answer M110; is the baud right?"
-                    : "no answer from the controller: is it the right port, and the right baud?",
-        true);
+  std::string why =
+      start_seen_ ? "the controller started but does not answer; is the baud right?"
+                  : "no answer from the controller: is it the right port, and the right baud?";
+  if (!last_refusal_.empty()) why += " It said \"" + last_refusal_ + "\"";
+  fault(FaultKind::kNoAnswer, why, true);
 }
 
 void Session::greet(Instant now) {
@@ -68,6 +69,10 @@ void Session::greet(Instant now) {
 }
 
 void Session::reply_while_greeting(const Reply& reply, Meaning meaning, Instant now) {
+  if (phase_ == Phase::kReadying) {
+    reply_while_readying(reply, meaning, now);
+    return;
+  }
   if (phase_ != Phase::kGreeting) return;
   if (meaning == Meaning::kResend || meaning == Meaning::kRefused) {
     if (asking_line_ && meaning == Meaning::kResend && reply.number && *reply.number >= 1 &&

@@ -22,7 +22,12 @@ std::string quoted(std::string_view words) { return "\"" + std::string(words) + 
 }  // namespace
 
 void Session::input(std::span<const std::byte> bytes, Instant now) {
+  bridge_gap(now);
   if (!bytes.empty()) last_heard_ = now;
+  if (listens_) {
+    hear_safety(bytes);
+    return;
+  }
   while (!bytes.empty() && !ended()) {
     bytes = bytes.subspan(splitter_.take(bytes));
     if (const auto line = splitter_.line()) reply(read_reply(*line), now);
@@ -52,8 +57,23 @@ void Session::reply(const Reply& reply, Instant now) {
   }
   if (reply.kind == Reply::Kind::kPosition && question_) question_->told = reply.position;
 
+  if (shut_down_since_) {
+    reply_while_shut_down(reply);
+    return;
+  }
+  // One that has just said its name may not be ready; one that has not may be Klipper, which
+  // answers with alarms until it is.
+  if (phase_ != Phase::kOpen && reply.kind == Reply::Kind::kAlarm) {
+    last_refusal_ = std::string(reply.text);
+    if (phase_ == Phase::kReadying) reply_while_readying(reply, meaning, now);
+    return;
+  }
+  if (meaning == Meaning::kShutDown && phase_ == Phase::kOpen) {
+    shut_down_seen(reply.text, now);
+    return;
+  }
   if (meaning == Meaning::kFatal) {
-    fault(FaultKind::kHalted, "the controller stopped: " + quoted(reply.text), false);
+    halted("the controller stopped: " + quoted(reply.text));
     return;
   }
   if (meaning == Meaning::kAlarm) {
@@ -74,6 +94,8 @@ void Session::reply(const Reply& reply, Instant now) {
 void Session::reply_while_open(const Reply& reply, Meaning meaning, Instant now) {
   // Nothing comes between a refusal and its `ok`; a line that does means that the `ok` got lost.
   if (meaning != Meaning::kAcknowledge && meaning != Meaning::kResend) skip_next_ok_ = false;
+  if (meaning == Meaning::kAcknowledge) complaint_stands();
+  if (meaning == Meaning::kResend || meaning == Meaning::kRefused) complaint_mended();
   switch (meaning) {
     case Meaning::kAcknowledge:
       acknowledged(reply, now);
@@ -87,7 +109,7 @@ void Session::reply_while_open(const Reply& reply, Meaning meaning, Instant now)
       last_refusal_ = std::string(reply.text);
       break;
     case Meaning::kWarning:
-      warn(reply.text);
+      complaint_heard(reply);
       if (phase_ == Phase::kAsking) named_ = true;
       break;
     case Meaning::kFilamentHeld:
@@ -104,7 +126,10 @@ void Session::reply_while_open(const Reply& reply, Meaning meaning, Instant now)
     case Meaning::kWorking:
       if (meaning != Meaning::kWorking) break;
       works_ = true;
+      was_busy_ = was_busy_ || reply.kind == Reply::Kind::kBusy;
       resyncs_in_a_row_ = resync_pending_ ? 1 : 0;
+      break;
+    case Meaning::kShutDown:  // while it is not open
       break;
     case Meaning::kReset:
     case Meaning::kAlarm:
@@ -124,8 +149,7 @@ void Session::reset_seen(Instant now) {
     recovering_ = resync_pending_ = skip_next_ok_ = named_ = false;
     return;
   }
-  fault(FaultKind::kReset,
-        "the controller was reset in mid-print: it said \"start\", and has forgotten its position",
+  fault(FaultKind::kReset, "the controller was reset in mid-print, and has forgotten its position",
         false);
 }
 

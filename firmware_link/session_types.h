@@ -54,6 +54,7 @@ struct SessionStatistics {
   std::int64_t resends_ignored = 0;         // outside of what can be repeated
   std::int64_t resyncs = 0;                 // forced mismatches after a silence
   std::int64_t stalls = 0;                  // nothing in flight and nothing to send in mid-stream
+  std::int64_t fragments = 0;               // complaints about damaged lines, or damaged themselves
   std::int64_t warnings = 0;                // unknown commands, errors that are not fatal
   std::int64_t stray_acknowledgements = 0;  // an `ok` that no line of ours explains
   std::int64_t replies_cut = 0;             // over kReplyBytesMax
@@ -86,8 +87,13 @@ struct SessionOptions {
   int repeats_of_a_line_max = 10;
   int resyncs_in_a_row_max = 4;
 
-  // How long the safe sequence of stop_now() may take.
+  // How long a controller that answers may take to be ready to print (Klipper, while it starts).
+  Duration ready_wait{120'000'000};
+
+  // How long the safe sequence of stop_now() may take; and how long it may wait before that for a
+  // command that takes long by nature (homing, probing), or that says that it works.
   Duration stop_limit{10'000'000};
+  Duration long_stop_limit{600'000'000};
 
   // Temperatures come this often, by M155 or M105.  DEFAULT: 2 s.  REQUIRES: whole seconds.
   // 0: only when something else is said.

@@ -83,7 +83,7 @@ bool Session::own_line_due() const {
   if (state_ != SessionState::kStreaming && state_ != SessionState::kFinishing) return false;
   return wishes_.feed_percent || wishes_.flow_percent || wishes_.filament_correction_10nm ||
          wishes_.reset_filament || wishes_.ask_temperatures || wishes_.report_temperatures ||
-         (wishes_.ask_position && !question_);
+         wishes_.stay_awake || (wishes_.ask_position && !question_);
 }
 
 // Puts the most pressing one of the own lines into the window; false when there is none.
@@ -121,6 +121,10 @@ bool Session::push_own_line(Instant now) {
         std::chrono::duration_cast<std::chrono::seconds>(options_.temperature_interval).count();
     push_own("M155 S" + std::to_string(std::clamp<std::int64_t>(interval, 1, 60)));
     wishes_.report_temperatures = false;
+  } else if (wishes_.stay_awake) {
+    // Waits for a millisecond, and moves nothing.
+    push_own("G4 P1", kWaitsForPlanner);
+    wishes_.stay_awake = false;
   } else {
     push_own("M105");
     wishes_.ask_temperatures = false;
@@ -130,6 +134,11 @@ bool Session::push_own_line(Instant now) {
 
 void Session::tick_watch(Instant now) {
   if (phase_ != Phase::kOpen || state_ != SessionState::kStreaming) return;
+  if (rules_.keep_awake.count() > 0 && holding_ && window_.lines_in_flight() == 0 &&
+      now - last_awake_ >= rules_.keep_awake) {
+    last_awake_ = now;
+    wishes_.stay_awake = true;
+  }
   const Duration interval = options_.temperature_interval;
   if (interval.count() <= 0) return;
   const bool polls = !capabilities_.autoreport_temperatures && now - last_polled_ >= interval;

@@ -24,6 +24,7 @@ enum class Meaning {
   kWarning,       // a line was accepted but did nothing
   kFilamentHeld,  // a line was accepted, and moved no filament: the nozzle is too cold
   kReset,         // the controller has just begun its life
+  kShutDown,      // the print is over, and the controller too; why, it says next, or when asked
   kAlarm,         // the print is over, but the controller still obeys
   kFatal,         // the print is over, and the controller too
 };
@@ -52,6 +53,10 @@ struct LinkRules {
   Duration silence_waiting_max{};
   Duration idle_talk_max{};
 
+  // How often a paused print moves nothing for a millisecond, where a controller that stands idle
+  // switches heaters and motors off. 0: never.
+  Duration keep_awake{};
+
   // After a Resend, how long it must be quiet before anything is sent again, because lines that
   // were in flight may be answered too, each with a Resend of its own.
   Duration quiet_after_resend{};
@@ -64,6 +69,30 @@ class Dialect {
   [[nodiscard]] virtual std::string_view name() const = 0;
   [[nodiscard]] virtual LinkRules rules() const = 0;
   [[nodiscard]] virtual Meaning meaning_of(const Reply& reply) const = 0;
+
+  // What to ask a controller that answers whether it is ready to print, too; empty: it is. What is
+  // not ready answers with an alarm.
+  [[nodiscard]] virtual std::string_view state_question() const { return {}; }
+  // Whether a controller that is not ready for this reason becomes ready by itself.
+  [[nodiscard]] virtual bool becomes_ready(std::string_view reason) const {
+    (void)reason;
+    return false;
+  }
+  // Whether a move was refused because the controller does not know where it is.
+  [[nodiscard]] virtual bool lost_its_place(std::string_view alarm) const {
+    (void)alarm;
+    return false;
+  }
+  // What a person does about a controller that has halted, as the end of a sentence; may be empty.
+  [[nodiscard]] virtual std::string_view remedy() const { return {}; }
+
+  // Asks which commands it knows, for note_command(); empty: nothing is to be asked.
+  [[nodiscard]] virtual std::string_view commands_question() const { return {}; }
+  // One line of the answer.
+  virtual void note_command(std::string_view line, Capabilities& capabilities) const {
+    (void)line;
+    (void)capabilities;
+  }
 
   // Puts in what this kind of firmware can do without ever saying so.
   virtual void amend(Capabilities& capabilities) const { (void)capabilities; }

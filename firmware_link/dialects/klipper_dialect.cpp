@@ -9,6 +9,9 @@ bool begins(std::string_view text, std::string_view with) {
   return text.substr(0, with.size()) == with;
 }
 
+// The first line of what it answers to anything while it looks for its microcontrollers.
+constexpr std::string_view kStartingUp = "Printer is not ready";
+
 }  // namespace
 
 LinkRules KlipperDialect::rules() const {
@@ -18,6 +21,8 @@ LinkRules KlipperDialect::rules() const {
   rules.silence_max = std::chrono::minutes(15);
   rules.silence_waiting_max = std::chrono::minutes(60);
   rules.idle_talk_max = std::chrono::minutes(60);
+  // Its [idle_timeout] is 600 s unless it was set otherwise.
+  rules.keep_awake = std::chrono::seconds(20);
   return rules;
 }
 
@@ -26,18 +31,19 @@ Meaning KlipperDialect::meaning_of(const Reply& reply) const {
   switch (reply.kind) {
     case Kind::kOk:
       return Meaning::kAcknowledge;
-    case Kind::kAlarm: {
-      const bool shut_down = reply.text.find("hutdown") != std::string_view::npos ||
-                             reply.text.find("not ready") != std::string_view::npos;
-      return shut_down ? Meaning::kFatal : Meaning::kAlarm;
-    }
+    case Kind::kAlarm:
+      if (begins(reply.text, kStartingUp)) return Meaning::kReset;
+      return reply.text.find("hutdown") != std::string_view::npos ? Meaning::kFatal
+                                                                  : Meaning::kAlarm;
     case Kind::kNote:
-      if (begins(reply.text, "Klipper state: Ready")) return Meaning::kReset;
-      if (begins(reply.text, "Klipper state:")) return Meaning::kFatal;
+      // "Ready" is also what somebody is told who asks: it begins nothing. "Printer is shutdown"
+      // and "Printer is halted" end the long form of a reason.
+      if (begins(reply.text, "Klipper state: Disconnect")) return Meaning::kReset;
+      if (begins(reply.text, "Klipper state: Shutdown")) return Meaning::kShutDown;
+      if (begins(reply.text, "Printer is shutdown")) return Meaning::kShutDown;
+      if (begins(reply.text, "Printer is halted")) return Meaning::kShutDown;
       if (begins(reply.text, "Unknown command")) return Meaning::kWarning;
       return Meaning::kAlive;
-    case Kind::kHalted:
-      return Meaning::kFatal;
     case Kind::kTemperatures:  // each second in M109
       return Meaning::kWorking;
     case Kind::kUnknown:
@@ -48,6 +54,7 @@ Meaning KlipperDialect::meaning_of(const Reply& reply) const {
     case Kind::kError:
     case Kind::kUnknownCommand:
       return Meaning::kWarning;
+    case Kind::kHalted:  // a macro's words: it says by its state that it has halted
     case Kind::kBusy:
     case Kind::kAction:
     case Kind::kPosition:
@@ -57,6 +64,25 @@ Meaning KlipperDialect::meaning_of(const Reply& reply) const {
       return Meaning::kAlive;
   }
   return Meaning::kNoise;
+}
+
+bool KlipperDialect::becomes_ready(std::string_view reason) const {
+  return begins(reason, kStartingUp);
+}
+
+// "Must home axis first", a delta's "Must home first".
+bool KlipperDialect::lost_its_place(std::string_view alarm) const {
+  return begins(alarm, "Must home");
+}
+
+std::string_view KlipperDialect::remedy() const {
+  return "mend the cause, then give Klipper a FIRMWARE_RESTART (in its web page or console)";
+}
+
+// "SET_KINEMATIC_POSITION: Force a low-level kinematic position": there with [force_move]
+// enable_force_move alone.
+void KlipperDialect::note_command(std::string_view line, Capabilities& capabilities) const {
+  if (begins(line, "SET_KINEMATIC_POSITION")) capabilities.sets_position = true;
 }
 
 // M112 is looked for in what arrives, before lines have their turn. Arcs need [gcode_arcs], which

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <iterator>
+#include <string>
 
 #include "firmware_link/check.h"
 
@@ -11,14 +13,33 @@ namespace {
 
 constexpr std::size_t kGreetingLines = 8;
 
-VirtualControllerOptions adapted(const Scenario& scenario, VirtualControllerOptions options) {
+Duration seconds(double value) { return Duration(static_cast<Duration::rep>(value * 1e6)); }
+
+bool comes_first(Mishap mishap) {
+  return mishap == Mishap::kNotReady || mishap == Mishap::kDownBefore;
+}
+
+VirtualControllerOptions adapted(const Scenario& scenario, std::uint64_t seed,
+                                 VirtualControllerOptions options) {
+  SplitMix random(~seed);
+  if (scenario.mishap == Mishap::kNotReady) options.ready_after = seconds(90 * random.share());
+  if (scenario.mishap == Mishap::kStopHoming) {
+    options.homing_time = seconds(30 + 270 * random.share());
+    options.busy_lines = seed % 2 == 0;
+  }
   options.dialect = scenario.dialect;
   options.advanced_ok = scenario.advanced_ok;
   options.meatpack = scenario.meatpack;
   return options;
 }
 
-Duration seconds(double value) { return Duration(static_cast<Duration::rep>(value * 1e6)); }
+// A controller's own thermal protection, in the words of several firmwares.
+constexpr std::string_view kRunaways[] = {"Error:Thermal Runaway, system stopped! Heater_ID: 0\n",
+                                          "error:THERMAL RUNAWAY on T0\n",
+                                          "Error:Thermal runaway, system stopped! Heater_ID: bed\n",
+                                          "Error:MINTEMP triggered, system stopped! Heater_ID: 0\n",
+                                          "ERROR: MaxTemp triggered on T. Check sensors!\n",
+                                          "fatal:Heater decoupled\n"};
 
 }  // namespace
 
@@ -29,9 +50,13 @@ HostileController::HostileController(const Scenario& scenario, std::uint64_t see
       random_(seed),
       down_(scenario.down, random_.next()),
       up_(scenario.up, random_.next()),
-      controller_(adapted(scenario, options), now),
+      controller_(adapted(scenario, seed, options), now),
       lines_until_mishap_(kGreetingLines + random_.below(within_lines)) {
   LINK_CHECK(within_lines > 0);
+  happened_ = comes_first(scenario.mishap);
+  if (scenario.mishap == Mishap::kDownBefore) {
+    controller_.halt("Lost communication with MCU 'mcu'\n", now);
+  }
 }
 
 std::size_t HostileController::input(std::span<const std::byte> bytes, Instant now) {
@@ -64,6 +89,13 @@ void HostileController::happen(Instant now) {
   happened_ = true;
   switch (scenario_.mishap) {
     case Mishap::kNone:
+    case Mishap::kNotReady:
+    case Mishap::kDownBefore:
+    case Mishap::kHostStands:  // it is the host's
+    case Mishap::kStopHoming:  // likewise
+      break;
+    case Mishap::kRestart:
+      controller_.restart(seconds(1 + 20 * random_.share()), now);
       break;
     case Mishap::kReset:
       controller_.reset(now);
@@ -78,7 +110,7 @@ void HostileController::happen(Instant now) {
       controller_.halt("echo:M112 Shutdown\n", now);
       break;
     case Mishap::kRunaway:
-      controller_.halt("Error:Thermal Runaway, system stopped! Heater_ID: 0\n", now);
+      controller_.halt(kRunaways[random_.below(std::size(kRunaways))], now);
       break;
     case Mishap::kDeadHeaters:
       controller_.break_heaters(now);
@@ -111,10 +143,19 @@ void HostileController::advance(Instant now) {
 
 std::size_t HostileController::output(std::span<std::byte> into, Instant now) {
   std::array<std::byte, 256> bytes;
-  while (up_.room() >= bytes.size()) {
+  while (up_.room() >= 2 * bytes.size()) {
     const std::size_t count = controller_.output(bytes);
     if (count == 0) break;
-    up_.carry(std::span(bytes).first(count), now);
+    if (scenario_.line_end == "\n") {
+      up_.carry(std::span(bytes).first(count), now);
+      continue;
+    }
+    std::string text;
+    for (const std::byte byte : std::span(bytes).first(count)) {
+      const char c = static_cast<char>(byte);
+      text += c == '\n' ? std::string(scenario_.line_end) : std::string(1, c);
+    }
+    up_.carry(std::as_bytes(std::span(text)), now);
   }
   // What it said while nobody was there is gone.
   if (!plugged(now) || mute_) {

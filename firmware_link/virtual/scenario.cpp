@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 #include <vector>
 
 namespace firmware_link {
@@ -124,8 +125,38 @@ std::vector<Scenario> all_scenarios() {
              VirtualDialect::kKlipper));
   add(mishap("klipper-silence", "a command takes minutes, and Klipper says nothing", Mishap::kBusy,
              FaultKind::kNone, VirtualDialect::kKlipper));
-  add(mishap("klipper-shutdown", "it shuts down and answers every line with ok", Mishap::kShutdown,
-             FaultKind::kHalted, VirtualDialect::kKlipper));
+  add(mishap("host-stands-still", "the host's clock jumps by minutes", Mishap::kHostStands,
+             FaultKind::kNone));
+  add(mishap("stop-in-homing", "a stop in a homing of minutes", Mishap::kStopHoming,
+             FaultKind::kNone));
+  for (const auto& [name, end] : {std::pair("ends-crlf", "\r\n"), std::pair("ends-lfcr", "\n\r"),
+                                  std::pair("ends-cr", "\r")}) {
+    Scenario ends;
+    ends.name = name;
+    ends.what = "other line ends in answers";
+    ends.line_end = end;
+    add(ends);
+  }
+  const auto klipper = [&](std::string_view name, std::string_view what, Mishap what_happens,
+                           FaultKind end, std::string_view says = {}) {
+    Scenario scenario = mishap(name, what, what_happens, end, VirtualDialect::kKlipper);
+    scenario.says = says;
+    add(scenario);
+  };
+  klipper("klipper-starts", "it answers before it is ready", Mishap::kNotReady, FaultKind::kNone);
+  klipper("klipper-down-before", "it has shut down before we come", Mishap::kDownBefore,
+          FaultKind::kHalted, "Lost communication");
+  klipper("klipper-restart", "somebody restarts it", Mishap::kRestart, FaultKind::kReset);
+  klipper("klipper-replug", "its port vanishes and comes back", Mishap::kReplug,
+          FaultKind::kPortLost);
+  klipper("klipper-host-stands-still", "the host's clock jumps by minutes", Mishap::kHostStands,
+          FaultKind::kNone);
+  klipper("klipper-stop-in-homing", "a stop in a homing of minutes", Mishap::kStopHoming,
+          FaultKind::kNone);
+  klipper("klipper-kill", "somebody presses stop", Mishap::kKill, FaultKind::kHalted,
+          "Shutdown due to M112 command");
+  klipper("klipper-shutdown", "it shuts down, and says why later", Mishap::kShutdown,
+          FaultKind::kHalted, "Lost communication with MCU 'mcu'");
   add(mishap("klipper-alarm", "a move out of range", Mishap::kAlarm, FaultKind::kAlarm,
              VirtualDialect::kKlipper));
   add(mishap("klipper-unplug", "its pseudo-terminal goes away", Mishap::kUnplug,

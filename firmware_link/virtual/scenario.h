@@ -29,6 +29,11 @@ enum class Mishap {
   kShutdown,     // Klipper: lost communication with a microcontroller
   kAlarm,        // Klipper: a move out of range
   kHostActions,  // //action:pause, then //action:resume
+  kNotReady,     // Klipper: it answers, and finds its microcontrollers later
+  kDownBefore,   // Klipper: it has shut down before we come
+  kRestart,      // Klipper: somebody's RESTART
+  kHostStands,   // the host's clock jumps ahead: it was stopped, or suspended
+  kStopHoming,   // the print is stopped in a long G28, about which some say nothing
 };
 
 struct Scenario {
@@ -40,6 +45,8 @@ struct Scenario {
   Mishap mishap = Mishap::kNone;
   bool meatpack = false;
   bool advanced_ok = false;
+  std::string_view line_end = "\n";  // of what the controller says
+  std::string_view says;             // what the reason of its end must hold
   bool may_finish = true;
   std::uint32_t faults = 0;  // bits of fault_bit()
 };

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "firmware_link/check.h"
 #include "firmware_link/virtual/virtual_firmware.h"
@@ -49,11 +50,7 @@ void VirtualController::Firmware::begin_command() {
   }
   busy_next_ = now_ + std::chrono::seconds(busy_interval_s_);
 
-  if (!shutdown_words_.empty()) {
-    print("!! " + shutdown_words_ + "\n");
-    return;
-  }
-  if (text.empty() && speaks(VirtualDialect::kKlipper)) return;
+  if (speaks(VirtualDialect::kKlipper) && klipper_answers(text)) return;
   bool known = false;
   if (text.size() > 1 && is_digit(text[1])) {
     std::size_t end = 1;
@@ -66,7 +63,7 @@ void VirtualController::Firmware::begin_command() {
   ++totals_.commands;
   if (!known) ++totals_.unknown_commands;
   if (!current_number_) ++totals_.unnumbered_commands;
-  if (options_.executed) {
+  if (options_.executed && !std::exchange(refused_, false)) {
     SpelledBuffer buffer;
     options_.executed({now_, current_number_, spelled_out(text, buffer), known});
   }
@@ -195,25 +192,31 @@ void VirtualController::Firmware::move(std::string_view text, const ArcWay* way)
   const double limits_mm[] = {options_.bed_x_mm, options_.bed_y_mm, options_.height_z_mm};
   if (const auto feed = word(text, 'F', 0); feed && *feed > 0) feed_mm_min_ = *feed;
   std::array<double, 3> delta_mm{};
+  std::array<std::int64_t, 3> targets_um = position_um_;
   bool clamped = way != nullptr && leaves_bed(*way);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto value = word(text, kAxes[axis], 3);
     if (!value) continue;
     std::int64_t target = relative_ ? position_um_[axis] + *value : *value;
-    if (homed_[axis]) {
+    if (homed_[axis] && !speaks(VirtualDialect::kKlipper)) {
       const std::int64_t limit = std::llround(limits_mm[axis] * 1000);
       const std::int64_t inside = std::clamp<std::int64_t>(target, 0, limit);
       clamped = clamped || inside != target;
       target = inside;
     }
     delta_mm[axis] = static_cast<double>(target - position_um_[axis]) * 1e-3;
-    position_um_[axis] = target;
+    targets_um[axis] = target;
   }
   std::int64_t filament = 0;
   if (const auto value = word(text, 'E', 5)) {
     filament = relative_e_ ? *value : *value - e_10nm_;
-    e_10nm_ += filament;
   }
+  if (speaks(VirtualDialect::kKlipper) && klipper_refuses(targets_um, filament)) {
+    refused_ = true;
+    return;
+  }
+  position_um_ = targets_um;
+  e_10nm_ += filament;
   if (filament != 0 && nozzle_.celsius() < options_.extrude_celsius_min) {
     ++totals_.cold_extrusions;
     print(cold_extrusion(options_.dialect));
@@ -282,7 +285,7 @@ void VirtualController::Firmware::home(std::string_view text) {
     time += distance / (axis == 2 ? kHomingZSpeedMmS : kHomingSpeedMmS);
   }
   homing_ = true;
-  dwell_ = seconds(time);
+  dwell_ = seconds(time) + options_.homing_time;
   pause_was_asked_ = true;
   wait(Waiting::kPlannerEmpty);
 }

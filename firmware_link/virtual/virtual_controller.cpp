@@ -31,6 +31,10 @@ void VirtualController::delay_next(Duration delay) { firmware_->delay_next(delay
 
 void VirtualController::break_heaters(Instant now) { firmware_->break_heaters(now); }
 
+void VirtualController::restart(Duration ready_after, Instant now) {
+  firmware_->restart(ready_after, now);
+}
+
 void VirtualController::reset(Instant now) { firmware_->reset(now); }
 
 VirtualControllerState VirtualController::state() const { return firmware_->state(); }

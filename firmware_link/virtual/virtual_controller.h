@@ -68,6 +68,16 @@ struct VirtualControllerOptions {
   double bed_heating_celsius_s = 2;
   double extrude_celsius_min = 170;
 
+  // Klipper's. Not homed, as after a restart, it refuses every move of an axis.
+  bool homed = false;                  // at power-up
+  bool force_move = false;             // [force_move] enable_force_move: True
+  Duration ready_after{0};             // until its microcontrollers are found
+  Duration idle_timeout{600'000'000};  // [idle_timeout]: heaters and motors off
+  std::string_view config_error;       // never ready, for this reason; empty: none
+
+  Duration homing_time{0};  // more than its ways take: probing
+  bool busy_lines = true;   // of those that have them
+
   // Capabilities that vary between builds.
   bool advanced_ok = false;
   bool emergency_parser = false;
@@ -157,6 +167,10 @@ class VirtualController {
 
   // Its heaters give no more warmth.
   void break_heaters(Instant now);
+
+  // Klipper's RESTART from elsewhere: all is forgotten but the totals, and it is ready so much
+  // later.
+  void restart(Duration ready_after, Instant now);
 
   // Presses the reset button: all is forgotten but the totals, and `start` is said again.
   void reset(Instant now);

@@ -24,8 +24,9 @@ VirtualController::Firmware::Firmware(const VirtualControllerOptions& options, I
       bed_(options.ambient_celsius, options.bed_heating_celsius_s, now) {
   LINK_CHECK(options_.baud >= 0 && options_.command_cost.count() >= 0);
   LINK_CHECK(options_.acceleration_mm_s2 > 0);
-  if (!numbers_lines(options_.dialect)) busy_interval_s_ = 0;
+  if (!numbers_lines(options_.dialect) || !options_.busy_lines) busy_interval_s_ = 0;
   print(banner_of(options_.dialect));
+  if (speaks(VirtualDialect::kKlipper)) klipper_begin(options_.ready_after);
 }
 
 std::size_t VirtualController::Firmware::input(std::span<const std::byte> bytes, Instant now) {
@@ -78,7 +79,7 @@ bool VirtualController::Firmware::step() {
     return true;
   }
   if (halted_ || blocked()) return false;
-  if (report()) return true;
+  if (report() || klipper_turn()) return true;
   if (handling_ && finish_command()) return true;
   if (!handling_ && slot_count_ > 0) {
     begin_command();
@@ -120,6 +121,7 @@ std::optional<Instant> VirtualController::Firmware::next_event() const {
   if (halted_ || blocked()) return next;
   if (auto_report_) take_earlier(next, auto_report_next_);
   if (const auto planner = planner_.next_event()) take_earlier(next, *planner);
+  if (const auto klipper = klipper_next()) take_earlier(next, *klipper);
   if (!handling_) return next;
   if (busy_interval_s_ > 0) take_earlier(next, busy_next_);
   switch (waiting_) {
@@ -145,6 +147,12 @@ bool VirtualController::Firmware::owes_answer() const {
 
 void VirtualController::Firmware::reset(Instant now) {
   advance(now);
+  forget_all();
+  print(banner_of(options_.dialect));
+  if (speaks(VirtualDialect::kKlipper)) klipper_begin(options_.ready_after);
+}
+
+void VirtualController::Firmware::forget_all() {
   wire_.clear();
   receive_.clear();
   unpacker_ = {};
@@ -156,8 +164,8 @@ void VirtualController::Firmware::reset(Instant now) {
   waiting_ = Waiting::kNothing;
   homing_ = false;
   pending_blocks_ = 0;
-  busy_interval_s_ = numbers_lines(options_.dialect) ? 2 : 0;
-  shutdown_words_.clear();
+  busy_interval_s_ = numbers_lines(options_.dialect) && options_.busy_lines ? 2 : 0;
+  klipper_words_.clear();
   delay_next_ = Duration(0);
   auto_report_.reset();
   halted_ = false;
@@ -173,7 +181,6 @@ void VirtualController::Firmware::reset(Instant now) {
   feed_percent_ = 100;
   relative_ = relative_e_ = false;
   early_size_ = 0;
-  print(banner_of(options_.dialect));
 }
 
 VirtualControllerState VirtualController::Firmware::state() const {
@@ -259,8 +266,7 @@ void VirtualController::Firmware::kill(std::string_view words) {
   bed_.set_target(0);
   planner_.clear();
   if (speaks(VirtualDialect::kKlipper)) {
-    shutdown_words_ = std::string(words.substr(0, words.find('\n')));
-    print("// Klipper state: Shutdown\n");
+    klipper_shut_down(words);
     return;
   }
   print(words);

@@ -5,6 +5,7 @@
 //     virtual_commands.cpp   moves and waits: what G commands do, and when a handler is done
 //     virtual_arc.cpp        G2, G3, and blocks for the planner
 //     virtual_machine_codes.cpp   what M commands do
+//     virtual_klipper.cpp    Klipper's states, words and refusals
 //     virtual_texts.h        long texts: the banner, M115
 #pragma once
 
@@ -67,6 +68,7 @@ class VirtualController::Firmware {
   [[nodiscard]] bool owes_answer() const;
   [[nodiscard]] bool moving() const { return !planner_.empty(); }
   void reset(Instant now);
+  void restart(Duration ready_after, Instant now);
   void halt(std::string_view words, Instant now);
   void say(std::string_view words, Instant now);
   void delay_next(Duration delay) { delay_next_ = delay; }
@@ -112,6 +114,22 @@ class VirtualController::Firmware {
   [[nodiscard]] std::string temperatures() const;
   [[nodiscard]] bool speaks(VirtualDialect dialect) const { return options_.dialect == dialect; }
   void kill(std::string_view words);
+  void forget_all();
+
+  // virtual_klipper.cpp
+  enum class KlipperState { kStartup, kReady, kShutdown, kError };
+  void klipper_begin(Duration ready_after);
+  [[nodiscard]] bool klipper_turn();
+  [[nodiscard]] std::optional<Instant> klipper_next() const;
+  [[nodiscard]] std::string klipper_state_message() const;
+  void klipper_error(std::string_view message);
+  void klipper_shut_down(std::string_view words);
+  [[nodiscard]] bool klipper_answers(std::string_view text);
+  [[nodiscard]] bool klipper_answers_unready(std::string_view command);
+  void klipper_help();
+  void klipper_set_position(std::string_view text);
+  [[nodiscard]] bool klipper_refuses(const std::array<std::int64_t, 3>& target_um,
+                                     std::int64_t filament_10nm);
 
   // virtual_queue.cpp
   bool read_bytes();
@@ -173,6 +191,7 @@ class VirtualController::Firmware {
 
   // The command in its handler, always that of the first slot.
   bool handling_ = false;
+  bool refused_ = false;  // it did nothing
   Waiting waiting_ = Waiting::kNothing;
   std::optional<std::int64_t> current_number_;
   bool temperatures_asked_ = false;
@@ -193,7 +212,11 @@ class VirtualController::Firmware {
   std::optional<Duration> auto_report_;
   Instant auto_report_next_;
   bool halted_ = false;
-  std::string shutdown_words_;  // Klipper: every line is answered with them
+  KlipperState klipper_ = KlipperState::kReady;
+  std::string klipper_words_;             // why it is shut down
+  std::optional<Instant> klipper_ready_;  // when it will be
+  bool klipper_idle_ = true;              // its motors and heaters are off, or will not be let go
+  Instant moved_last_;
   Duration delay_next_{0};
   std::array<char, 4> early_{};  // of the line that comes in, for what acts before its turn
   std::size_t early_size_ = 0;

@@ -136,6 +136,7 @@ class Monitor {
   void tell_heat(const firmware_link::Temperatures& heat);
   void tell_events();
   void tell_event(const firmware_link::SessionEvent& event);
+  void tell_action(const std::string& action);
   void report_progress();
 
   // monitor_recovery.cpp: journal, and going on.
@@ -162,6 +163,8 @@ class Monitor {
   [[nodiscard]] LinkOutcome faulted();
   [[nodiscard]] LinkOutcome outcome(LinkEnd end) const;
   [[nodiscard]] std::string heaters_off_unheard();
+  [[nodiscard]] std::string sent_and_heard();
+  void hear();
   void flush_output(double limit_s);
   [[nodiscard]] bool moves_end();
 

@@ -22,10 +22,21 @@ using firmware_link::Instant;
 using firmware_link::SessionState;
 
 constexpr int kWait_ms = 5;
-// How long a controller that has faulted may take to accept the last bytes.
+// How long a controller that has faulted may take to accept the last bytes, and to tell that it has
+// obeyed: what was in flight goes first.
 constexpr double kLastWords_s = 2;
 // And one that was stopped, to move what it had taken.
 constexpr double kMovesEnd_s = 10;
+constexpr double kConfirm_s = 3;
+
+// What is true of a controller to which nothing was sent any more.
+const char* left_alone(FaultKind kind) {
+  return kind == FaultKind::kReset
+             ? "nothing more was sent: a controller that starts anew has its heaters off; check "
+               "the printer"
+             : "nothing more was sent: a controller that has halted switches its heaters off; "
+               "check the printer";
+}
 
 }  // namespace
 
@@ -77,6 +88,7 @@ LinkOutcome Monitor::stop(LinkEnd end) {
   while (session_->state() != SessionState::kStopped) {
     if (options_.stop_count() + wished > 1) return halt();
     firmware_link::step(*session_, *port_, link_now(), kWait_ms);
+    tell_events();
     if (session_->state() != SessionState::kFaulted) continue;
     LinkOutcome halted = halt();
     halted.end = end == LinkEnd::kUserStopped ? end : LinkEnd::kFaulted;
@@ -145,9 +157,38 @@ LinkOutcome Monitor::faulted() {
       break;
   }
   session_->stop_now(safe_sequence(), link_now());
-  flush_output(kLastWords_s);
-  result.measures = "heaters off and a lift were sent, but not confirmed: check the printer";
+  if (session_->output().empty()) {
+    result.measures = left_alone(fault_kind());
+    return result;
+  }
+  result.measures = sent_and_heard();
   return result;
+}
+
+// What has become of a safe sequence that nobody acknowledges line by line.
+std::string Monitor::sent_and_heard() {
+  flush_output(kLastWords_s);
+  if (!session_->output().empty()) {
+    return "nothing more could be sent: check that the heaters are off";
+  }
+  const double until_s = steady_seconds() + kConfirm_s;
+  while (!session_->safe_confirmed() && steady_seconds() < until_s &&
+         port_->state() == firmware_link::PortState::kOpen) {
+    hear();
+  }
+  const bool lifted = first_road_ > 0 && !pauses_.nozzle_z_um();
+  if (!session_->safe_confirmed()) {
+    return std::string(lifted ? "heaters off and a lift were sent" : "heaters off was sent") +
+           ", but not confirmed: check the printer";
+  }
+  return std::string(lifted ? "nozzle lifted and heaters off" : "heaters off") +
+         ", as the controller confirms";
+}
+
+void Monitor::hear() {
+  std::array<std::byte, 256> answer;
+  const std::size_t count = port_->read(answer, kWait_ms);
+  session_->input(std::span(answer).first(count), link_now());
 }
 
 // To a controller that may be there, and may have forgotten where it is: nothing moves.
@@ -199,8 +240,7 @@ void Monitor::flush_output(double limit_s) {
          steady_seconds() < until_s) {
     const Instant now = link_now();
     session_->written(port_->write(session_->output()), now);
-    std::byte answer[256];
-    (void)port_->read(answer, kWait_ms);
+    hear();
   }
 }
 

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "host/pipeline/stage_clock.h"  // steady_seconds
 #include "host/printing/monitor.h"
@@ -196,12 +198,41 @@ void Monitor::tell_event(const firmware_link::SessionEvent& event) {
     case Kind::kResendsFrequent:
       reporter_.note("resends", event.text);
       return;
+    case Kind::kNotReady:
+      reporter_.note("waiting", "the printer is not ready yet: it says \"" + event.text +
+                                    "\"; waiting for it, for two minutes at most");
+      return;
+    case Kind::kStopWaits:
+      reporter_.note("waiting",
+                     "the stop waits for the printer to end " +
+                         (event.text.empty() ? "what it is at" : event.text) +
+                         "; Ctrl-C once more halts it at once, and it needs a reset then");
+      return;
     case Kind::kFilamentCorrected:
       reporter_.note("corrected", "a line ran in part: " + event.text + ", made up for");
       return;
     default:
-      reporter_.note("action", "the printer says: " + event.text);
+      tell_action(event.text);
       return;
+  }
+}
+
+// Actions are words for programs. Those who read events get all of them, people what is for them.
+void Monitor::tell_action(const std::string& action) {
+  const auto behind = [&](std::string_view word) -> std::optional<std::string> {
+    if (action.compare(0, word.size(), word) != 0) return std::nullopt;
+    const std::size_t text = action.find_first_not_of(' ', word.size());
+    return text == std::string::npos ? std::string() : action.substr(text);
+  };
+  if (const auto question = behind("prompt_begin"); question && !question->empty()) {
+    reporter_.note("action", "the printer asks, on its display: " + *question);
+  } else if (behind("out_of_filament")) {
+    reporter_.note("action", "the printer has run out of filament");
+  } else if (action == "paused" || action == "resumed") {
+    reporter_.note("action", action == "paused" ? "the printer has paused by itself"
+                                                : "the printer goes on by itself");
+  } else {
+    reporter_.event("action", {{"text", action}});
   }
 }
 

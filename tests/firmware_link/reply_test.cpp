@@ -85,9 +85,43 @@ TEST_CASE("temperatures in their dialects") {
   CHECK_FALSE(read_reply("ok").temperatures.nozzle_celsius.has_value());
 }
 
+TEST_CASE("a controller that has stopped is heard in any case of letters") {
+  for (const std::string line :
+       {"Error:Thermal Runaway, system stopped! Heater_ID: 0", "error:thermal runaway",
+        "ERROR: THERMAL RUNAWAY on T0", "Error:MINTEMP triggered, system stopped!",
+        "Error:0: Extruder switched off. mintemp triggered !", "error: MaxTemp",
+        "fatal:Heater decoupled", "FATAL: heater/sensor error", "Thermal runaway E1",
+        "echo:Thermal Runaway, printer stopped", "Error:Heating failed", "error:heating FAILED",
+        "Error:Printer halted. kill() called!", "printer halted. kill() called"}) {
+    CAPTURE(line);
+    CHECK(read_reply(line).kind == Reply::Kind::kHalted);
+  }
+  // Talk about it is none.
+  for (const std::string line : {"echo:Unknown command: \"M117 thermal runaway\"",
+                                 "// thermal runaway is watched", "echo:  M301 P22 ; mintemp",
+                                 "ok thermal runaway", "Error:checksum mismatch, Last Line: 5"}) {
+    CAPTURE(line);
+    CHECK(read_reply(line).kind != Reply::Kind::kHalted);
+  }
+}
+
+TEST_CASE("lines end with either character or both, in either order") {
+  for (const std::string end : {"\n", "\r", "\r\n", "\n\r"}) {
+    const std::string text = "start" + end + "ok T:20" + end + end + "wait" + end;
+    LineSplitter splitter;
+    std::vector<std::string> lines;
+    auto rest = std::as_bytes(std::span(text));
+    while (!rest.empty()) {
+      rest = rest.subspan(splitter.take(rest));
+      if (const auto line = splitter.line()) lines.emplace_back(*line);
+    }
+    CHECK(lines == std::vector<std::string>{"start", "ok T:20", "wait"});
+  }
+}
+
 TEST_CASE("bytes become lines however they are cut") {
   const std::string text = "ok\n\nResend: 5\r\nok\n" + std::string(600, 'x') + "\nwait\npart";
-  const std::vector<std::string> expected = {"ok",  "", "Resend: 5\r", "ok", std::string(512, 'x'),
+  const std::vector<std::string> expected = {"ok", "Resend: 5", "ok", std::string(512, 'x'),
                                              "wait"};
   for (std::size_t piece = 1; piece <= text.size(); ++piece) {
     LineSplitter splitter;

@@ -85,11 +85,20 @@ inline void check_end(const Scenario& scenario, ScenarioRun& run,
     CHECK(std::abs(excess) <= 1'100);
     return;
   }
+  if (session.state() == SessionState::kStopped) {
+    ++ends.finished;
+    CHECK(scenario.mishap == Mishap::kStopHoming);
+    REQUIRE(run.printed.size() >= 10);
+    CHECK(std::equal(texts.begin(), texts.begin() + 8, run.printed.begin()));
+    CHECK(run.printed.back() == "M107");
+    return;
+  }
   ++ends.faulted;
   REQUIRE(session.state() == SessionState::kFaulted);
   CHECK_FALSE(session.reason().empty());
   CAPTURE(static_cast<int>(session.fault_kind()));
   CHECK((scenario.faults & fault_bit(session.fault_kind())) != 0);
+  CHECK(session.reason().find(scenario.says) != std::string::npos);
   if (session.fault_kind() == FaultKind::kPosition) return;
   REQUIRE(run.printed.size() <= texts.size());
   CHECK(std::equal(run.printed.begin(), run.printed.end(), texts.begin()));

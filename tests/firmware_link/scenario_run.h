@@ -5,6 +5,7 @@
 #include <array>
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,7 @@ class ScenarioRun {
               VirtualControllerOptions options = {})
       : scenario_(scenario) {
     options.extrude_celsius_min = 0;
+    options.homed = true;
     options.executed = [this](const ExecutedCommand& command) { note(command); };
     controller = std::make_unique<HostileController>(scenario, seed, options, within_lines, now);
     SessionOptions wanted;
@@ -41,6 +43,8 @@ class ScenarioRun {
         if (next % 10 == 9) session->check_position(now);
         if (session->can_take()) session->take(commands[next++], now);
       }
+      stand_still();
+      stop_in_homing(next);
       if (next == commands.size() && session->state() == SessionState::kStreaming &&
           session->can_take()) {
         session->finish(now);
@@ -85,6 +89,29 @@ class ScenarioRun {
  private:
   static constexpr Duration kShort = std::chrono::milliseconds(2);
   static constexpr Duration kLong = std::chrono::seconds(1);
+
+  // The host's clock jumps ahead; the controller's does not.
+  void stand_still() {
+    if (scenario_.mishap != Mishap::kHostStands || !controller->mishap_happened() || stood_) return;
+    stood_ = true;
+    now += std::chrono::seconds(70 + turns % 200);
+  }
+
+  // A homing among the commands, and a stop in it.
+  void stop_in_homing(std::size_t next) {
+    if (scenario_.mishap != Mishap::kStopHoming || next < 8) return;
+    if (!homing_since_ && session->can_take()) {
+      session->take(std::get<Verbatim>(verbatim_from("G28")), now);
+      homing_since_ = now;
+    }
+    if (homing_since_ && now - *homing_since_ > std::chrono::seconds(4)) {
+      const Command off = SetFan{};
+      session->stop_now({&off, 1}, now);
+    }
+  }
+
+  bool stood_ = false;
+  std::optional<Instant> homing_since_;
 
   // One exchange of bytes; false when there was none.
   bool turn() {

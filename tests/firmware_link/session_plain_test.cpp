@@ -33,6 +33,8 @@ struct ByHand {
     CHECK(session.dialect_name() == "Klipper");
     CHECK(session.state() == SessionState::kConnecting);
     pass(300ms);
+    CHECK(output() == "STATUS\n");
+    say("// Klipper state: Ready\nok\n");
     CHECK(session.state() == SessionState::kStreaming);
     CHECK(session.firmware_name() == "Klipper");
   }

@@ -103,6 +103,22 @@ TEST_CASE("a heater that loses its heat is found; a new target is no loss") {
   CHECK(complaint->find("the bed has lost its heat: 40.0 C") == 0);
 }
 
+TEST_CASE("time in which nothing was heard counts for little") {
+  HeaterWatch watch("the nozzle", nozzle_watch_limits());
+  CHECK_FALSE(watch.heard(25, 210, Instant(1s)));
+  CHECK_FALSE(watch.heard(25.5, 210, Instant(76s)));   // the host stood still
+  CHECK_FALSE(watch.heard(26, 210, Instant(3'000s)));  // and again
+  CHECK_FALSE(watch.heard(26.1, 210, Instant(3'010s)));
+  CHECK_FALSE(watch.heard(209, 210, Instant(3'100s)));  // reached
+  CHECK_FALSE(watch.heard(150, 210, Instant(3'110s)));
+  CHECK_FALSE(watch.heard(150, 210, Instant(9'000s)));
+  // One that reports seldom is still found out.
+  std::optional<std::string> complaint;
+  Instant now(9'000s);
+  for (; !complaint && now < Instant(9'400s); now += 30s) complaint = watch.heard(150, 210, now);
+  CHECK(complaint.has_value());
+}
+
 TEST_CASE("a planner that is fed in time is never low, one that waits for lines is") {
   PlannerWatch watch;
   Instant now{};
