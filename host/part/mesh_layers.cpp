@@ -9,6 +9,7 @@
 
 #include "core/slices/plane_sweep.h"    // PlaneSweep, layer_count
 #include "host/part/bed_placing.h"      // shift_to_bed, check_on_bed
+#include "host/part/height_check.h"     // check_height
 #include "host/part/mesh_sorter.h"      // MeshSorter
 #include "host/part/mesh_survey.h"      // MeshSurvey
 #include "host/part/plane_check.h"      // check_planes
@@ -57,6 +58,7 @@ class MeshLayers : public LayerSource {
     const bool in_order = survey_.in_order() && (options_.order_is_sure || guess_.in_order());
     if (mesh_.again || !options_.stream_pipes || !in_order) return {};
     streaming_ = true;
+    if (Status meant = check_tall(); !meant.ok()) return meant;
     shift_ = shift_to_bed(survey_.extent(), settings_);
     summarise();
     start_sweep(std::nullopt);
@@ -102,13 +104,26 @@ class MeshLayers : public LayerSource {
       }
       if (surveyed_ ? can_be_cut(taken) : survey_.add(taken)) batch_.push_back(taken);
     }
-    return {};
+    return streaming_ ? check_tall() : Status();
   }
 
   // The first look already tells what will never fit.
   [[nodiscard]] Status check_so_far() const {
-    const MeshExtent& extent = survey_.extent();
-    return check_on_bed(extent, shift_to_bed(extent, settings_), settings_, mesh_.name);
+    return check_fit(shift_to_bed(survey_.extent(), settings_));
+  }
+
+  // Names what went astray, where that is why it does not fit.
+  [[nodiscard]] Status check_fit(const Shift& shift) const {
+    Status fits = check_on_bed(survey_.extent(), shift, settings_, mesh_.name);
+    if (fits.ok()) return fits;
+    return Error{fits.error().code, fits.error().message + stray_text(survey_)};
+  }
+
+  // Whether it is as high as it can have been meant, as far as that is known.
+  [[nodiscard]] Status check_tall() {
+    if (options_.tall || !survey_.highest_cut()) return {};
+    return streaming_ && !ended_ ? check_height_so_far(survey_, settings_, mesh_.name)
+                                 : check_height(survey_, settings_, mesh_.name);
   }
 
   // A file that is in order so far: to its end, or to where the order breaks.
@@ -225,7 +240,8 @@ class MeshLayers : public LayerSource {
                                               "(road_width_min); is it in millimetres?");
     }
     shift_ = shift_to_bed(extent, settings_);
-    if (Status fits = check_on_bed(extent, shift_, settings_, mesh_.name); !fits.ok()) return fits;
+    if (Status fits = check_fit(shift_); !fits.ok()) return fits;
+    if (Status meant = check_tall(); !meant.ok()) return meant;
     summarise();
     return {};
   }

@@ -46,6 +46,8 @@ bool can_be_cut(const core::Triangle& triangle) {
 
 bool MeshSurvey::add(const core::Triangle& triangle) {
   extent_.add(triangle);
+  const bool cut = can_be_cut(triangle);
+  outermost_.add(triangle, ++facets_, cut);
   if (is_degenerate(triangle)) {
     ++degenerate_;
     return false;
@@ -54,7 +56,11 @@ bool MeshSurvey::add(const core::Triangle& triangle) {
   const std::uint64_t p = number_of(a), q = number_of(b), r = number_of(c);
   edge_sum_ += edge_number(p, q) + edge_number(q, r) + edge_number(r, p);
   const std::int64_t low = triangle.lowest_z(), high = triangle.highest_z();
-  if (low == high) return false;
+  if (!cut) return false;
+  for (const core::Vertex& corner : triangle.corners) {
+    fill_.add(corner.z);
+    if (corner.z == high && high - low > tallest_.span) tallest_ = {high - low, {corner, facets_}};
+  }
   highest_cut_ = std::max(high, highest_cut_.value_or(high));
   order_.add(triangle);
   // Most facets stand where the one before stood.
@@ -106,6 +112,17 @@ MeshSurvey::EmptyLayers MeshSurvey::empty_layers(core::Length layer_height) {
     empty.count += count;
   }
   return empty;
+}
+
+MeshSurvey::Gap MeshSurvey::widest_gap() {
+  unite_spans();
+  Gap widest;
+  std::int64_t reached = extent_.lowest_z;
+  for (const Span& span : spans_) {
+    if (span.low - reached > widest.high - widest.low) widest = {reached, span.low};
+    reached = span.high;
+  }
+  return widest;
 }
 
 std::optional<std::string> unit_warning(const MeshExtent& extent) {

@@ -1,5 +1,6 @@
 // What can be known of a mesh from seeing each facet once, in constant memory: its extent, whether
-// it nearly is in order of height, whether its surface is closed, where no facet stands.
+// it nearly is in order of height, whether its surface is closed, where no facet stands, which
+// corners lie outermost.
 //
 // Closed: every edge is walked once in either direction. Each directed edge adds a number made
 // from its ends, and its reverse takes the same away; a closed surface leaves 0. A sum of 0 by
@@ -12,10 +13,12 @@
 #include <string>
 #include <vector>
 
-#include "core/geometry.h"             // Triangle
-#include "core/units.h"                // LayerIndex, Length
-#include "host/part/bed_placing.h"     // MeshExtent
-#include "host/part/reorder_window.h"  // OrderGauge
+#include "core/geometry.h"                // Triangle
+#include "core/units.h"                   // LayerIndex, Length
+#include "host/part/bed_placing.h"        // MeshExtent
+#include "host/part/height_fill.h"        // HeightFill
+#include "host/part/outermost_corners.h"  // OutermostCorners
+#include "host/part/reorder_window.h"     // OrderGauge
 
 namespace host {
 
@@ -47,6 +50,23 @@ class MeshSurvey {
   };
   [[nodiscard]] EmptyLayers empty_layers(core::Length layer_height);
 
+  // The longest stretch of height above the lowest point that no facet reaches.
+  struct Gap {
+    std::int64_t low = 0;
+    std::int64_t high = 0;
+  };
+  [[nodiscard]] Gap widest_gap();
+
+  // The facet that spans most of the height, by its highest corner.
+  struct TallFacet {
+    std::int64_t span = 0;
+    FacetCorner corner;
+  };
+  [[nodiscard]] const TallFacet& tallest() const { return tallest_; }
+  // Of facets that a plane can cross; downwards and sidewards of all.
+  [[nodiscard]] const OutermostCorners& outermost() const { return outermost_; }
+  [[nodiscard]] const HeightFill& fill() const { return fill_; }
+
  private:
   struct Span {
     std::int64_t low = 0;
@@ -57,6 +77,10 @@ class MeshSurvey {
 
   MeshExtent extent_;
   std::optional<std::int64_t> highest_cut_;
+  OutermostCorners outermost_;
+  HeightFill fill_;
+  TallFacet tallest_;
+  std::int64_t facets_ = 0;
   std::int64_t degenerate_ = 0;
   std::uint64_t edge_sum_ = 0;
   OrderGauge order_;

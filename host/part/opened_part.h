@@ -37,6 +37,8 @@ struct OpenOptions {
   // triangles are nearly in order.
   bool order_is_sure = false;
   PlaneCheck plane_check = PlaneCheck::kNone;
+  // Somebody says that a mesh is meant to be as high as it is (height_check.h).
+  bool tall = false;
 };
 
 // What is known of a part before its first slice. One that is sliced as it comes through a pipe is

@@ -244,6 +244,7 @@ TEST_CASE("a part 100 km high, in a file and in a pipe") {
   for (const Way& way : kWays) {
     CAPTURE(way.name);
     OpenOptions options{host::kSortBytesMin, 4, false};
+    options.tall = true;
     OpenedPart part = opened(triangles, settings, way, options);
     if (!way.stream) {
       CHECK_EQ(part.summary.layers, 500'000'000);

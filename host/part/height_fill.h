@@ -1,0 +1,33 @@
+// How evenly a mesh's corners fill its height, in constant memory and in one pass, whatever the
+// order: the height in up to 128 bins, twice as wide whenever the mesh has outgrown them.
+#pragma once
+
+#include <bitset>
+#include <cstddef>
+#include <cstdint>
+
+namespace host {
+
+class HeightFill {
+ public:
+  void add(std::int64_t z);
+
+  // The longest stretch without a corner, to a bin's width; low >= high: there is none.
+  struct Stretch {
+    std::int64_t low = 0;
+    std::int64_t high = 0;
+  };
+  [[nodiscard]] Stretch longest_empty() const;
+
+ private:
+  static constexpr std::size_t kBins = 128;
+
+  void widen();
+
+  std::bitset<kBins> filled_;  // the first one is
+  std::int64_t first_ = 0;     // its number, counted from height 0
+  std::int64_t last_ = -1;
+  int shift_ = 0;  // a bin is 2^shift_ units wide
+};
+
+}  // namespace host
