@@ -15,6 +15,11 @@ inline constexpr std::size_t kQueuedBytesMax = std::size_t{512} * 1'024;
 // Layers whose mended defects are told by height; further ones are only counted.
 inline constexpr std::size_t kDefectHeightsMax = 16;
 
+// Layers that took long to compute and are told one by one; further ones are only counted. And of
+// how many it is known that they were counted, so that each is so once.
+inline constexpr std::size_t kSlowLayersTold = 16;
+inline constexpr std::size_t kSlowLayersKnown = 256;
+
 // Jobs at most, by default, and how many layers more than jobs may be on their way: enough that
 // none waits for a slow layer, few enough to be forgotten beside the window.
 inline constexpr int kJobsMax = 64;
@@ -23,6 +28,12 @@ inline constexpr int kBatchesAhead = 1;
 
 // Bytes gathered before a write() to an output file.
 inline constexpr std::size_t kFileBufferBytes = std::size_t{64} * 1'024;
+
+// Temporary names of outputs at a time: the output, its statistics, and some to spare.
+inline constexpr std::size_t kUnfinishedFilesMax = 8;
+
+// Bytes of a file that is there, looked at to see what it holds.
+inline constexpr std::size_t kLookBytesMax = 4'096;
 
 // Memory for sorting a mesh: what it gets, and the least it can do with.
 inline constexpr std::size_t kSortBytesDefault = std::size_t{8} << 20;

@@ -1,4 +1,7 @@
 // Arguments in, exit code out; the rest is in commands/.
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -6,9 +9,11 @@
 #include <variant>
 
 #include "host/commands/commands.h"
+#include "host/commands/output_names.h"
 #include "host/exit_codes.h"
 #include "host/log_file.h"
 #include "host/memory_budget.h"
+#include "host/output/output_file.h"
 #include "host/printing/stop_signals.h"
 #include "host/settings/options.h"
 
@@ -36,26 +41,47 @@ int run(const host::Options& options, host::Reporter& reporter) {
   return host::kExitUsage;
 }
 
+// A program may be started without standard input, output or error; the first files it opened would
+// take their numbers then, and be written to instead. Nothing can be written to what stands in.
+void take_standard_descriptors() {
+  int descriptor = -1;
+  do {
+    descriptor = ::open("/dev/null", O_RDONLY);
+  } while (descriptor >= 0 && descriptor <= STDERR_FILENO);
+  if (descriptor >= 0) ::close(descriptor);
+}
+
+int tell_instead(const host::OptionsExit& exit) {
+  if (exit.exit_code != host::kExitDone) {
+    std::fputs(exit.text.c_str(), stderr);
+    return exit.exit_code;
+  }
+  const core::Status told = host::write_standard_output(exit.text);
+  if (told.ok()) return exit.exit_code;
+  std::fprintf(stderr, "rind: %s\n", told.error().message.c_str());
+  return host::kExitBadInput;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  take_standard_descriptors();
   const auto parsed = host::parse_options(argc, argv);
-  if (const auto* refused = std::get_if<host::OptionsExit>(&parsed)) {
-    std::fputs(refused->text.c_str(), refused->exit_code == host::kExitDone ? stdout : stderr);
-    return refused->exit_code;
-  }
+  if (const auto* exit = std::get_if<host::OptionsExit>(&parsed)) return tell_instead(*exit);
   const auto& options = std::get<host::Options>(parsed);
   host::share_heaps(options.jobs);
   host::watch_stop_signals();
-  host::Reporter reporter({options.quiet, options.json,
-                           options.output == "-" || options.subcommand == host::Subcommand::kPlan});
+  host::Reporter reporter(
+      {options.quiet, options.json,
+       host::result_on_standard_output(options) || options.subcommand == host::Subcommand::kPlan});
+  host::set_last_words(reporter.words_of_error(host::stopped_message(options), host::kExitStopped));
   try {
+    if (core::Status fine = host::check_output_names(options); !fine.ok()) {
+      return host::fail(fine.error(), reporter);
+    }
     if (!options.log.empty()) {
       auto log = host::LogFile::open(options.log);
-      if (!log.ok()) {
-        reporter.error(log.error().message, host::kExitBadInput);
-        return host::kExitBadInput;
-      }
+      if (!log.ok()) return host::fail(log.error(), reporter);
       reporter.log_to(std::move(log).value());
     }
     host::set_memory_limit(static_cast<std::int64_t>(options.memory_limit_bytes));

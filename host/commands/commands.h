@@ -40,7 +40,18 @@ void report_defects(const DefectLog& defects, Reporter& reporter);
 [[nodiscard]] int save_statistics(const Options& options, const GeometryStatistics& geometry,
                                   const LinkStatistics* link, int exit_code, Reporter& reporter);
 
-// Reports an error of the part, a setting or a file, and returns its exit code.
+// A whole file, or none (OutputFile); after a stop signal, too.
+[[nodiscard]] core::Status write_output(const std::string& path, const std::string& text);
+
+// To standard output, where the text is what the command is for. Returns the exit code.
+[[nodiscard]] int show_result(const std::string& text, Reporter& reporter);
+
+// Reports that a stop signal ended the command, and returns its exit code.
+[[nodiscard]] int stopped(const Options& options, Reporter& reporter);
+[[nodiscard]] std::string stopped_message(const Options& options);
+
+// Reports an error of the part, a setting or a file, and returns its exit code; after a stop signal
+// that it was stopped.
 [[nodiscard]] int fail(const core::Error& error, Reporter& reporter);
 
 // The part's name without its folder, for titles.

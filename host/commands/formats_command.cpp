@@ -1,15 +1,13 @@
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "host/commands/commands.h"
-#include "host/exit_codes.h"
 #include "host/formats/formats.h"
 
 namespace host {
 
-int formats_command(const Options& options, Reporter&) {
+int formats_command(const Options& options, Reporter& reporter) {
   if (options.json) {
     nlohmann::ordered_json json = nlohmann::ordered_json::array();
     for (const FormatRow& row : formats()) {
@@ -20,8 +18,7 @@ int formats_command(const Options& options, Reporter&) {
                       {"writes", row.writes},
                       {"remarks", row.remarks}});
     }
-    std::puts(json.dump(2).c_str());
-    return kExitDone;
+    return show_result(json.dump(2) + "\n", reporter);
   }
   std::string text = fmt::format("{:<12} {:<12} {:<7} {:<5} {:<6} {}\n", "format", "named", "holds",
                                  "read", "write", "");
@@ -29,8 +26,7 @@ int formats_command(const Options& options, Reporter&) {
     text += fmt::format("{:<12} {:<12} {:<7} {:<5} {:<6} {}\n", row.name, row.extensions, row.holds,
                         row.reads ? "yes" : "-", row.writes ? "yes" : "-", row.remarks);
   }
-  std::fputs(text.c_str(), stdout);
-  return kExitDone;
+  return show_result(text, reporter);
 }
 
 }  // namespace host

@@ -3,8 +3,11 @@
 #include <utility>
 
 #include "host/commands/commands.h"
+#include "host/commands/output_names.h"
 #include "host/exit_codes.h"
+#include "host/output/output_file.h"
 #include "host/pipeline/motion_encoder.h"
+#include "host/printing/stop_signals.h"
 #include "host/settings/settings_file.h"
 #include "host/settings/settings_table.h"
 
@@ -53,6 +56,8 @@ core::Result<Job> open_job(const Options& options, Reporter& reporter) {
   open.stream_pipes =
       options.sorted == PipeSorted::kYes || (options.sorted == PipeSorted::kAuto && sliced);
   open.order_is_sure = options.sorted == PipeSorted::kYes;
+  // What is resumed was asked about when it began.
+  open.tall = options.tall || options.subcommand == Subcommand::kResume;
   OnBadLayer on_bad_layer = options.on_bad_layer;
   if (on_bad_layer == OnBadLayer::kPause && !prints) on_bad_layer = OnBadLayer::kStop;
   const bool ends = on_bad_layer == OnBadLayer::kStop;
@@ -79,13 +84,42 @@ void report_defects(const DefectLog& defects, Reporter& reporter) {
 int save_statistics(const Options& options, const GeometryStatistics& geometry,
                     const LinkStatistics* link, int exit_code, Reporter& reporter) {
   if (options.stats.empty()) return exit_code;
-  const core::Status status = write_statistics(options.stats, statistics_json(geometry, link));
+  // Much may have come to be at that name since the command began.
+  core::Status status = check_output_names(options);
+  if (status.ok()) status = write_output(options.stats, statistics_json(geometry, link));
   if (status.ok()) return exit_code;
   const int failed = fail(status.error(), reporter);
   return exit_code == kExitDone ? failed : exit_code;
 }
 
+core::Status write_output(const std::string& path, const std::string& text) {
+  core::Result<OutputFile> file = OutputFile::open(path);
+  if (!file.ok()) return file.error();
+  if (core::Status written = file.value().write(text); !written.ok()) return written;
+  return file.value().commit(OutputFile::AfterStop::kWrite);
+}
+
+int show_result(const std::string& text, Reporter& reporter) {
+  reporter.clear();
+  const core::Status written = write_standard_output(text);
+  return written.ok() ? kExitDone : fail(written.error(), reporter);
+}
+
+int stopped(const Options& options, Reporter& reporter) {
+  reporter.error(stopped_message(options), kExitStopped);
+  return kExitStopped;
+}
+
+std::string stopped_message(const Options& options) {
+  return options.output.empty() ? "stopped" : "stopped; " + options.output + " is not written";
+}
+
 int fail(const core::Error& error, Reporter& reporter) {
+  // What fails after a stop signal fails because of it.
+  if (stop_signal_count() > 0) {
+    reporter.error("stopped", kExitStopped);
+    return kExitStopped;
+  }
   reporter.error(error.message, kExitBadInput);
   return kExitBadInput;
 }

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <iterator>
 #include <numbers>
 #include <string>
@@ -9,6 +8,7 @@
 #include "host/commands/commands.h"
 #include "host/exit_codes.h"
 #include "host/pipeline/pipeline.h"
+#include "host/printing/slow_layer_note.h"
 #include "host/printing/stop_signals.h"
 
 namespace host {
@@ -102,21 +102,16 @@ int plan_command(const Options& options, Reporter& reporter) {
   outputs.on_motion = [](const auto&, const auto&) { return stop_signal_count() == 0; };
   PipelineSignals signals;
   signals.stop_asked = [] { return stop_signal_count() > 0; };
+  signals.on_slow_layer = [&reporter](const SlowLayer& slow) { tell_slow_layer(slow, reporter); };
   GeometryStatistics statistics;
   const core::Result<PipelineEnd> end = run_pipeline(job, outputs, signals, statistics);
   report_warnings(signals, reporter);
   if (!end.ok()) return fail(end.error(), reporter);
-  if (end.value() == PipelineEnd::kStopped) {
-    reporter.error("stopped", kExitStopped);
-    return kExitStopped;
-  }
-  if (options.json) {
-    std::fputs(statistics_json(statistics, nullptr).c_str(), stdout);
-  } else {
-    reporter.clear();
-    std::fputs(table(options, job, statistics).c_str(), stdout);
-  }
-  return save_statistics(options, statistics, nullptr, kExitDone, reporter);
+  if (end.value() == PipelineEnd::kStopped) return stopped(options, reporter);
+  const int shown = show_result(
+      options.json ? statistics_json(statistics, nullptr) : table(options, job, statistics),
+      reporter);
+  return save_statistics(options, statistics, nullptr, shown, reporter);
 }
 
 }  // namespace host

@@ -1,29 +1,31 @@
-#include <cstdio>
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "firmware_link/ports.h"
 #include "host/commands/commands.h"
-#include "host/exit_codes.h"
 
 namespace host {
 
-int ports_command(const Options& options, Reporter&) {
+int ports_command(const Options& options, Reporter& reporter) {
   const std::vector<firmware_link::PortDescription> ports = firmware_link::list_ports();
   if (options.json) {
     nlohmann::ordered_json json = nlohmann::ordered_json::array();
     for (const firmware_link::PortDescription& port : ports) {
       json.push_back({{"port", port.path}, {"description", port.description}, {"usb", port.usb}});
     }
-    std::puts(json.dump(2).c_str());
-    return kExitDone;
+    return show_result(json.dump(2) + "\n", reporter);
   }
+  std::string text;
   for (const firmware_link::PortDescription& port : ports) {
-    std::printf("%-16s %s%s%s\n", port.path.c_str(), port.description.c_str(),
-                port.usb.empty() ? "" : "  ", port.usb.c_str());
+    text += fmt::format("{:<16} {}{}{}\n", port.path, port.description,
+                        port.usb.empty() ? "" : "  ", port.usb);
   }
-  if (ports.empty()) std::puts("no serial port found");
-  std::puts("virtual          a controller inside this program; nothing real is printed");
-  return kExitDone;
+  if (ports.empty()) text += "no serial port found\n";
+  text += "virtual          a controller inside this program; nothing real is printed\n";
+  return show_result(text, reporter);
 }
 
 }  // namespace host

@@ -134,7 +134,7 @@ CutAnswer ask_about(const Options& options, const FoundJournal& journal, Reporte
         [] { return stop_signal_count() > 0; });
     if (answer && trimmed(*answer) == "r") return CutAnswer::kResume;
     if (answer && trimmed(*answer) == "a") return CutAnswer::kAnew;
-    if (answer) return CutAnswer::kStop;
+    if (answer || stop_signal_count() > 0) return CutAnswer::kStop;
   }
   reporter.error(fmt::format("{}; go on with it by: rind resume {} --port {}; or print it from the "
                              "begin with --anew, which sets that journal aside as {}",
@@ -182,7 +182,7 @@ int print_command(const Options& options, Reporter& reporter) {
       case CutAnswer::kResume:
         return resume_instead(options, choice.value().cut.front(), reporter);
       case CutAnswer::kStop:
-        return kExitUsage;
+        return stop_signal_count() > 0 ? stopped(options, reporter) : kExitUsage;
     }
   }
   JournalKeeper keeper;

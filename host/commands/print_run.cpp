@@ -1,9 +1,11 @@
 #include "host/commands/print_run.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <utility>
@@ -25,6 +27,9 @@ using firmware_link::BytePort;
 
 // With nothing to lay and the planner empty for so long, the nozzle leaves the part.
 constexpr double kStarved_s = 0.3;
+
+// How long the geometry's last layer is waited for when the link has ended.
+constexpr double kGeometryGrace_s = 0.1;
 
 bool is_virtual(const Options& options) { return options.port == "virtual"; }
 
@@ -178,7 +183,8 @@ int run_print(const Options& options, Job& job, JournalKeeper& keeper, RunExtras
   PrintOutcome outcome;
   {
     Controls controls(options.part != "-");
-    PrintRequest request{job, *port, reporter, stop_signal_count, began_s};
+    PrintRequest request{job, *port, reporter, stop_urgency, began_s};
+    request.geometry_grace_s = kGeometryGrace_s;
     request.link.wish = [&controls] { return controls.next(); };
     request.link.journal = [&keeper] { return keeper.journal(); };
     request.link.may_begin = [&keeper, &reporter] { return keeper.reserve(reporter); };
@@ -194,7 +200,15 @@ int run_print(const Options& options, Job& job, JournalKeeper& keeper, RunExtras
   set_at_stake(false);
   keeper.drop_if_empty();
   tell_end(options, outcome, keeper, reporter);
-  return save_statistics(options, outcome.geometry, &outcome.link, outcome.exit_code, reporter);
+  const int exit_code =
+      save_statistics(options, outcome.geometry, &outcome.link, outcome.exit_code, reporter);
+  if (!outcome.geometry.ended) {
+    // The geometry still computes, and uses what lies below on the stack: nothing of it goes.
+    port.reset();
+    reporter.clear();
+    _exit(exit_code);
+  }
+  return exit_code;
 }
 
 }  // namespace host

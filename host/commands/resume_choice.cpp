@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "host/exit_codes.h"
+#include "host/commands/commands.h"
 #include "host/part/content_hash.h"        // content_of
 #include "host/printing/journal_places.h"  // find_journals
 
@@ -107,17 +106,18 @@ bool is_set_aside(const FoundJournal& journal) {
 
 }  // namespace
 
-int list_journals(const Options& options) {
+int list_journals(const Options& options, Reporter& reporter) {
   const std::vector<FoundJournal> journals = find_journals();
+  std::string text;
   if (options.json) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const FoundJournal& journal : journals) list.push_back(json_of(journal));
-    std::puts(list.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace).c_str());
-    return kExitDone;
+    text = list.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+    return show_result(text, reporter);
   }
-  for (const FoundJournal& journal : journals) std::puts(text_of(journal).c_str());
-  if (journals.empty()) std::puts("no print was cut: there is nothing to go on with");
-  return kExitDone;
+  for (const FoundJournal& journal : journals) text += text_of(journal) + "\n";
+  if (journals.empty()) text = "no print was cut: there is nothing to go on with\n";
+  return show_result(text, reporter);
 }
 
 Result<std::string> journal_named(const std::string& name) {

@@ -3,15 +3,16 @@
 
 #include <string>
 
-#include "core/result.h"            // Result
-#include "host/settings/options.h"  // Options
+#include "core/result.h"             // Result
+#include "host/printing/progress.h"  // Reporter
+#include "host/settings/options.h"   // Options
 
 namespace host {
 
 // `rind resume` without a name: part, layer, time, journal, and whether the part still is what it
 // was, on standard output; as JSON with --json. COSTS: reads each part that is there once.
 // Returns the exit code.
-[[nodiscard]] int list_journals(const Options& options);
+[[nodiscard]] int list_journals(const Options& options, Reporter& reporter);
 
 // The journal with that path, or of the part with that path or file name. An error tells what
 // there is instead.

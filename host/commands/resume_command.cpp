@@ -10,7 +10,8 @@
 #include "host/exit_codes.h"
 #include "host/pipeline/stage_clock.h"
 #include "host/printing/journal_places.h"  // layer_text, state_text
-#include "host/settings/settings_file.h"   // load_settings
+#include "host/printing/stop_signals.h"
+#include "host/settings/settings_file.h"  // load_settings
 #include "host/settings/settings_table.h"
 #include "host/version.h"
 
@@ -127,7 +128,7 @@ Result<Job> job_of(Options& options, const JournalHead& head, Reporter& reporter
 int resume_command(const Options& told, Reporter& reporter) {
   const double began_s = steady_seconds();
   Options options = told;
-  if (options.journal.empty()) return list_journals(options);
+  if (options.journal.empty()) return list_journals(options, reporter);
   const Result<std::string> which = journal_named(options.journal);
   if (!which.ok()) {
     reporter.error(which.error().message, kExitUsage);
@@ -157,6 +158,7 @@ int resume_command(const Options& told, Reporter& reporter) {
       fmt::format("{}: {}, at {}", head.part_title, state_text(record.state), layer_text(record)),
       {{"layer", record.checkpoint.layer + 1}});
   const Result<std::int64_t> z_um = nozzle_height(options, record);
+  if (!z_um.ok() && stop_signal_count() > 0) return stopped(options, reporter);
   if (!z_um.ok()) {
     reporter.error(z_um.error().message, kExitUsage);
     return kExitUsage;

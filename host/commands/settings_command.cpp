@@ -1,17 +1,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "host/commands/commands.h"
-#include "host/exit_codes.h"
 #include "host/settings/settings_table.h"
 
 namespace host {
 namespace {
 
-void print_json(const std::vector<SettingRow>& rows) {
+std::string json_of(const std::vector<SettingRow>& rows) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   for (const SettingRow& row : rows) {
     json.push_back({{"key", row.key},
@@ -21,11 +21,11 @@ void print_json(const std::vector<SettingRow>& rows) {
                     {"range", row.range},
                     {"help", row.help}});
   }
-  std::puts(json.dump(2).c_str());
+  return json.dump(2) + "\n";
 }
 
 // The output is a profile that says what holds now.
-void print_table(const std::vector<SettingRow>& rows) {
+std::string table_of(const std::vector<SettingRow>& rows) {
   std::string text = "# rind's settings; this text is itself a profile\n";
   for (const SettingRow& row : rows) {
     text += fmt::format("\n# {}\n", row.help);
@@ -34,7 +34,7 @@ void print_table(const std::vector<SettingRow>& rows) {
                         row.default_value.empty() ? "empty" : row.default_value);
     text += fmt::format("{} = {}\n", row.key, row.value);
   }
-  std::fputs(text.c_str(), stdout);
+  return text;
 }
 
 }  // namespace
@@ -43,12 +43,7 @@ int settings_command(const Options& options, Reporter& reporter) {
   const core::Result<core::Settings> settings = load_settings_of(options, reporter);
   if (!settings.ok()) return fail(settings.error(), reporter);
   const std::vector<SettingRow> rows = describe_settings(settings.value());
-  if (options.json) {
-    print_json(rows);
-  } else {
-    print_table(rows);
-  }
-  return kExitDone;
+  return show_result(options.json ? json_of(rows) : table_of(rows), reporter);
 }
 
 }  // namespace host

@@ -16,18 +16,14 @@
 #include "host/output/picture_style.h"
 #include "host/output/section_picture.h"
 #include "host/pipeline/pipeline.h"
+#include "host/printing/slow_layer_note.h"
 #include "host/printing/stop_signals.h"
 
 namespace host {
 namespace {
 
-int stopped(const Options& options, Reporter& reporter) {
-  reporter.error("stopped; " + options.output + " is not written", kExitStopped);
-  return kExitStopped;
-}
-
 // The layer's neighbours are waited for: they say why its wall is where it is.
-int show_layer(const Options& options, Job& job, Reporter& reporter) {
+int show_layer(const Options& options, Job& job, OutputFile& file, Reporter& reporter) {
   const core::LayerIndex layers = job.part.summary.layers;
   const auto no_such_layer = [&](core::LayerIndex highest) {
     return fail(
@@ -55,6 +51,7 @@ int show_layer(const Options& options, Job& job, Reporter& reporter) {
   };
   PipelineSignals signals;
   signals.stop_asked = [] { return stop_signal_count() > 0; };
+  signals.on_slow_layer = [&reporter](const SlowLayer& slow) { tell_slow_layer(slow, reporter); };
   GeometryStatistics statistics;
   const core::Result<PipelineEnd> end = run_pipeline(job, outputs, signals, statistics);
   report_warnings(signals, reporter);
@@ -66,12 +63,8 @@ int show_layer(const Options& options, Job& job, Reporter& reporter) {
   }
   if (svg.empty()) return stopped(options, reporter);
 
-  core::Result<OutputFile> file = OutputFile::open(options.output);
-  if (!file.ok()) return fail(file.error(), reporter);
-  if (core::Status status = file.value().write(svg); !status.ok()) {
-    return fail(status.error(), reporter);
-  }
-  if (core::Status status = file.value().commit(); !status.ok()) {
+  if (core::Status status = file.write(svg); !status.ok()) return fail(status.error(), reporter);
+  if (core::Status status = file.commit(); !status.ok()) {
     return fail(status.error(), reporter);
   }
   reporter.note("done",
@@ -153,7 +146,7 @@ SectionPicture::Options picture_options(const Options& options, const Job& job,
 }
 
 // Row by row into the file: what is held does not grow with the part.
-int show_section(const Options& options, Job& job, Reporter& reporter) {
+int show_section(const Options& options, Job& job, OutputFile& file, Reporter& reporter) {
   const core::Result<core::SectionLine> line =
       line_through(*options.section, job.part.summary.box, options.part);
   if (!line.ok()) return fail(line.error(), reporter);
@@ -164,13 +157,11 @@ int show_section(const Options& options, Job& job, Reporter& reporter) {
     if (!view.ok()) return fail(view.error(), reporter);
     asked.view = view.value();
   }
-  core::Result<OutputFile> file = OutputFile::open(options.output);
-  if (!file.ok()) return fail(file.error(), reporter);
   SectionPicture picture(std::move(asked));
   core::LayerWindow window(core::with_style(job.settings));
-  core::Status written = file.value().write(picture.begin());
+  core::Status written = file.write(picture.begin());
   const auto write = [&](const std::string& svg) {
-    if (written.ok() && !svg.empty()) written = file.value().write(svg);
+    if (written.ok() && !svg.empty()) written = file.write(svg);
     return written.ok();
   };
   const auto draw = [&] {
@@ -191,6 +182,7 @@ int show_section(const Options& options, Job& job, Reporter& reporter) {
   }
   PipelineSignals signals;
   signals.stop_asked = [] { return stop_signal_count() > 0; };
+  signals.on_slow_layer = [&reporter](const SlowLayer& slow) { tell_slow_layer(slow, reporter); };
   GeometryStatistics statistics;
   const core::Result<PipelineEnd> end = run_pipeline(job, outputs, signals, statistics);
   if (!end.ok()) return fail(end.error(), reporter);
@@ -198,7 +190,7 @@ int show_section(const Options& options, Job& job, Reporter& reporter) {
   if (end.value() == PipelineEnd::kStopped) return stopped(options, reporter);
   window.finish();
   if (!draw() || !write(picture.end())) return fail(written.error(), reporter);
-  if (core::Status status = file.value().commit(); !status.ok()) {
+  if (core::Status status = file.commit(); !status.ok()) {
     return fail(status.error(), reporter);
   }
   reporter.note("done",
@@ -210,10 +202,12 @@ int show_section(const Options& options, Job& job, Reporter& reporter) {
 }  // namespace
 
 int show_command(const Options& options, Reporter& reporter) {
+  core::Result<OutputFile> file = OutputFile::open(options.output);
+  if (!file.ok()) return fail(file.error(), reporter);
   core::Result<Job> opened = open_job(options, reporter);
   if (!opened.ok()) return fail(opened.error(), reporter);
-  return options.section ? show_section(options, opened.value(), reporter)
-                         : show_layer(options, opened.value(), reporter);
+  return options.section ? show_section(options, opened.value(), file.value(), reporter)
+                         : show_layer(options, opened.value(), file.value(), reporter);
 }
 
 }  // namespace host

@@ -18,6 +18,7 @@
 #include "host/output/output_file.h"
 #include "host/pipeline/pipeline.h"
 #include "host/pipeline/stage_clock.h"
+#include "host/printing/slow_layer_note.h"
 #include "host/printing/stop_signals.h"
 
 namespace host {
@@ -173,17 +174,18 @@ void report_done(const Options& options, const GeometryStatistics& statistics, R
 
 int slice_command(const Options& options, Reporter& reporter) {
   const double began_s = steady_seconds();
+  core::Result<OutputFile> output = OutputFile::open(options.output);
+  if (!output.ok()) return fail(output.error(), reporter);
   core::Result<Job> opened = open_job(options, reporter);
   if (!opened.ok()) return fail(opened.error(), reporter);
   Job& job = opened.value();
-  core::Result<OutputFile> output = OutputFile::open(options.output);
-  if (!output.ok()) return fail(output.error(), reporter);
 
   GeometryStatistics statistics;
   SliceFile file(job, std::move(output).value(), layer_writer(options, job), statistics, began_s,
                  reporter);
   PipelineSignals signals;
   signals.stop_asked = [] { return stop_signal_count() > 0; };
+  signals.on_slow_layer = [&reporter](const SlowLayer& slow) { tell_slow_layer(slow, reporter); };
   const core::Result<PipelineEnd> end = run_pipeline(job, file.outputs(), signals, statistics);
   report_warnings(signals, reporter);
 
@@ -193,8 +195,7 @@ int slice_command(const Options& options, Reporter& reporter) {
   } else if (!file.status().ok()) {
     exit_code = fail(file.status().error(), reporter);
   } else if (end.value() == PipelineEnd::kStopped) {
-    reporter.error("stopped; " + options.output + " is not written", kExitStopped);
-    exit_code = kExitStopped;
+    exit_code = stopped(options, reporter);
   } else if (const core::Status status = file.commit(); !status.ok()) {
     exit_code = fail(status.error(), reporter);
   } else {

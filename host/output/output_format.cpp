@@ -23,6 +23,18 @@ constexpr std::array kOutputFormats = {
     NamedFormat{"svg", OutputFormat::kSvg},
 };
 
+bool is_nameless(const std::string& output) {
+  return output == "-" || output.rfind("/dev/", 0) == 0;
+}
+
+// Without the dot, in lower case.
+std::string ending_of(const std::string& output) {
+  std::string ending = std::filesystem::path(output).extension().string();
+  if (!ending.empty()) ending.erase(0, 1);
+  for (char& c : ending) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+  return ending;
+}
+
 }  // namespace
 
 std::vector<std::string> output_format_names() {
@@ -32,18 +44,17 @@ std::vector<std::string> output_format_names() {
 }
 
 std::optional<OutputFormat> output_format_of(const std::string& output, const std::string& word) {
-  std::string name = word;
-  const bool nameless = output == "-" || output.rfind("/dev/", 0) == 0;
-  if (name.empty() && nameless) return OutputFormat::kGcode;
-  if (name.empty()) {
-    name = std::filesystem::path(output).extension().string();
-    if (!name.empty()) name.erase(0, 1);
-  }
-  for (char& c : name) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+  if (word.empty() && is_nameless(output)) return OutputFormat::kGcode;
+  const std::string name = word.empty() ? ending_of(output) : word;
   for (const NamedFormat& named : kOutputFormats) {
     if (name == named.name) return named.format;
   }
   return std::nullopt;
+}
+
+bool may_be_picture(const std::string& output) {
+  const std::string ending = is_nameless(output) ? "" : ending_of(output);
+  return ending.empty() || ending == "svg";
 }
 
 LayerContents contents_of(OutputFormat format, const std::string& word) {

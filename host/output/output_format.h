@@ -19,6 +19,9 @@ enum class OutputFormat { kGcode, kCli, kCliBinary, kCliRoads, kLsif, kSliceV0, 
 [[nodiscard]] std::optional<OutputFormat> output_format_of(const std::string& output,
                                                            const std::string& word);
 
+// Whether a picture may have that name: pictures are SVG.
+[[nodiscard]] bool may_be_picture(const std::string& output);
+
 // `word` is --contents': "walls", "slices", "quickslice", or empty: walls where the format tells
 // them from insides.
 [[nodiscard]] LayerContents contents_of(OutputFormat format, const std::string& word);

@@ -25,7 +25,7 @@ core::Error unreadable(const std::string& name, const std::string& cause) {
 
 std::atomic<bool> g_stop_waiting = false;
 
-constexpr int kWait_ms = 100;
+constexpr int kWait_ms = 50;
 
 }  // namespace
 
@@ -107,7 +107,8 @@ core::Status InputFile::fill() {
     begin_ = 0;
   }
   pollfd waiting{descriptor_, POLLIN, 0};
-  while (::poll(&waiting, 1, kWait_ms) == 0) {
+  int ready = 0;
+  while ((ready = ::poll(&waiting, 1, kWait_ms)) == 0 || (ready < 0 && errno == EINTR)) {
     if (g_stop_waiting.load() || stop_signal_count() > 0) {
       return unreadable(name_, "stopped while waiting for more of it");
     }

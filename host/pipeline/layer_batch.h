@@ -30,6 +30,7 @@ struct LayerBatch {
   std::int64_t offset_retries = 0;
   std::vector<SettledLayer> settled;
   StageUse use;
+  double watched_s = 0;  // in stages that are watched (layer_watch.h)
 };
 
 }  // namespace host

@@ -17,6 +17,7 @@
 #include "host/memory_budget.h"
 #include "host/part/layer_rules.h"
 #include "host/pipeline/layer_batch.h"
+#include "host/pipeline/layer_watch.h"
 #include "host/pipeline/motion_encoder.h"
 #include "host/pipeline/ordered_stages.h"
 
@@ -37,6 +38,7 @@ class Pipeline {
         signals_(signals),
         statistics_(statistics),
         bad_layers_(job.on_bad_layer, job.part_path, signals.warnings),
+        watch_(signals.on_slow_layer, signals.slow_layer_s),
         cutter_(settings_),
         splitter_(settings_),
         planner_(settings_),
@@ -133,9 +135,11 @@ class Pipeline {
     return job_.start && split.layer.slice.index < job_.start->layer;
   }
 
-  void cut(LayerBatch& batch) const {
+  void cut(LayerBatch& batch) {
     if (!batch.slice || !batch.offsets.to_fill) return;
     const StageMeter meter(Stage::kOffset, batch.use);
+    const LayerWatch::Look look(watch_, batch.slice->index, batch.slice->top(),
+                                &batch.slice->region, batch.watched_s);
     batch.offset_retries = cutter_.fill(*batch.slice, *batch.offsets.offsets);
   }
 
@@ -151,6 +155,8 @@ class Pipeline {
     }
     if (splitter_.next_index() == 0) splitter_.begin_at(batch.slice->index);
     if (batch.pause) pauses_.emplace_back(batch.slice->index, *std::move(batch.pause));
+    const LayerWatch::Look look(watch_, batch.slice->index, batch.slice->top(),
+                                size_of(batch.slice->region), batch.watched_s);
     std::optional<core::SplitLayer> settled =
         splitter_.push({*std::move(batch.slice), std::move(batch.offsets.offsets)});
     for (; settled; settled = splitter_.next()) {
@@ -174,10 +180,14 @@ class Pipeline {
     return pause;
   }
 
-  void plan(LayerBatch& batch) const {
+  void plan(LayerBatch& batch) {
     const StageMeter meter(Stage::kRoads, batch.use);
     for (SettledLayer& settled : batch.settled) {
-      if (settled.place.to_fill) planner_.fill(*settled.place.plan, wants_roads());
+      if (!settled.place.to_fill) continue;
+      const core::Slice& slice = settled.place.plan->split.layer.slice;
+      const LayerWatch::Look look(watch_, settled.index, settled.bottom + slice.height,
+                                  &slice.region, batch.watched_s);
+      planner_.fill(*settled.place.plan, wants_roads());
     }
   }
 
@@ -264,6 +274,14 @@ class Pipeline {
     statistics_.peak_triangles_held = used.peak_triangles_held;
     statistics_.spilled_bytes = used.spilled_bytes;
     statistics_.bad_layers = bad_layers_.count();
+    statistics_.slow_layers = watch_.slow_layers();
+    if (statistics_.slow_layers.count > static_cast<std::int64_t>(kSlowLayersTold)) {
+      const SlowLayer& slowest = statistics_.slow_layers.slowest;
+      signals_.warnings.put(fmt::format(
+          "{} layers took more than {:g} s each to compute; the slowest, layer {}, took {:.1f} s",
+          statistics_.slow_layers.count, signals_.slow_layer_s, slowest.layer + 1,
+          slowest.seconds));
+    }
     const core::WallSplitter::Usage window = splitter_.usage();
     statistics_.peak_layers_held = static_cast<std::int64_t>(window.layers_held_peak);
     statistics_.peak_regions_held = static_cast<std::int64_t>(window.regions_held_peak);
@@ -291,6 +309,7 @@ class Pipeline {
 
   // Of take().
   BadLayers bad_layers_;
+  LayerWatch watch_;           // of all stages
   core::OffsetCutter cutter_;  // cut() only reads its settings
   bool source_ended_ = false;
 

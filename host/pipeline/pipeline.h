@@ -26,6 +26,7 @@
 #include "firmware_link/command.h"      // Command
 #include "host/part/bad_layers.h"       // OnBadLayer
 #include "host/part/part_file.h"        // OpenedPart
+#include "host/pipeline/layer_watch.h"  // SlowLayer
 #include "host/pipeline/statistics.h"   // GeometryStatistics
 #include "host/printing/checkpoint.h"   // Checkpoint
 #include "host/printing/warning_box.h"  // WarningBox
@@ -68,6 +69,9 @@ struct PipelineSignals {
   std::atomic<std::int64_t> slices_cut = 0;  // told to others
   std::atomic<core::LayerIndex> layers = 0;  // of the part; 0: not known yet, or at all
   WarningBox warnings;                       // met on the way
+  // A layer that takes long, while it does; called by a thread of its own; may be empty.
+  std::function<void(const SlowLayer&)> on_slow_layer;
+  double slow_layer_s = kSlowLayer_s;
 };
 
 enum class PipelineEnd { kDone, kStopped };

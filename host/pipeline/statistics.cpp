@@ -4,9 +4,6 @@
 #include <sys/resource.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
@@ -54,6 +51,21 @@ Json defects_json(const DefectLog& defects) {
           {"doubled_facets", defects.doubled_facets()},
           {"widest_gap_mm", defects.widest_gap().mm()},
           {"heights_mm", heights}};
+}
+
+Json slow_layers_json(const SlowLayers& slow) {
+  const auto one = [](const SlowLayer& layer) {
+    return Json{{"layer", layer.layer + 1},
+                {"height_mm", layer.height.mm()},
+                {"edges", layer.size.edges},
+                {"islands", layer.size.islands},
+                {"seconds", layer.seconds}};
+  };
+  Json first = Json::array();
+  for (const SlowLayer& layer : slow.first) first.push_back(one(layer));
+  return {{"count", slow.count},
+          {"slowest", slow.count > 0 ? one(slow.slowest) : Json()},
+          {"first", first}};
 }
 
 Json allocations_json(const AllocationLog& allocations) {
@@ -154,6 +166,7 @@ std::string statistics_json(const GeometryStatistics& geometry, const LinkStatis
                {"peak_triangles_held", geometry.peak_triangles_held},
                {"spilled_bytes", geometry.spilled_bytes},
                {"bad_layers", geometry.bad_layers},
+               {"slow_layers", slow_layers_json(geometry.slow_layers)},
                {"mountain_retries", geometry.mountain_retries},
                {"boolean_retries", geometry.boolean_retries},
                {"region_operations", geometry.region_operations},
@@ -176,6 +189,7 @@ std::string statistics_json(const GeometryStatistics& geometry, const LinkStatis
                {"regularised_g", geometry.regularised_mm3 * kDensityGramsMm3},
                {"filament_mm", filament_json(geometry.filament_mm)},
                {"time_s", geometry.time_s},
+               {"geometry_ended", geometry.ended},
                {"defects", defects_json(geometry.defects)}};
   json["first_road_s"] = or_null(link != nullptr ? link->first_road_s : geometry.first_road_s);
   json["first_road_cpu_s"] =
@@ -193,17 +207,6 @@ std::string statistics_json(const GeometryStatistics& geometry, const LinkStatis
     json["recoveries"] = link->recoveries;
   }
   return json.dump(2) + "\n";
-}
-
-core::Status write_statistics(const std::string& path, const std::string& json) {
-  std::ofstream file(path, std::ios::binary);
-  file << json;
-  file.close();
-  if (!file) {
-    return core::Error{core::ErrorCode::kUnreadable,
-                       path + ": can't write the statistics: " + std::strerror(errno)};
-  }
-  return {};
 }
 
 }  // namespace host

@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "core/result.h"                // Status
 #include "core/roads/road.h"            // RoadKind
 #include "core/slices/slice.h"          // Slice
 #include "core/units.h"                 // LayerIndex, Length
 #include "host/pipeline/layer_times.h"  // LayerTimes
+#include "host/pipeline/layer_watch.h"  // SlowLayers
 #include "host/pipeline/stage_clock.h"  // StageClock
 #include "host/pipeline/stage_meter.h"  // StageCounts
 
@@ -85,6 +85,7 @@ struct GeometryStatistics {
   std::int64_t peak_triangles_held = 0;
   std::int64_t spilled_bytes = 0;      // to the temporary file for sorting
   std::int64_t bad_layers = 0;         // bad_layers.h
+  SlowLayers slow_layers;              // layer_watch.h
   std::int64_t mountain_retries = 0;   // Voronoi diagrams that failed their check
   std::int64_t boolean_retries = 0;    // operands that crossed themselves (core/booleans/boolean.h)
   std::int64_t region_operations = 0;  // of the window: intersections and subtractions
@@ -97,6 +98,7 @@ struct GeometryStatistics {
   double loose_mm3 = 0;
   FilamentUse filament_mm{};
   double time_s = 0;  // estimated, heating left out
+  bool ended = true;  // false: left in the middle of a layer, and nothing else here is known
   DefectLog defects;
   // Of a file: when the first road was handed to it. LinkStatistics has a print's.
   std::optional<double> first_road_s;      // since the program began
@@ -127,8 +129,5 @@ struct LinkStatistics {
 // The statistics as JSON text; `link` is null where nothing was sent.
 [[nodiscard]] std::string statistics_json(const GeometryStatistics& geometry,
                                           const LinkStatistics* link);
-
-// Writes the text to `path`.
-[[nodiscard]] core::Status write_statistics(const std::string& path, const std::string& json);
 
 }  // namespace host

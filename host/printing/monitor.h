@@ -75,7 +75,7 @@ struct LostPortOptions {
 
 struct MonitorOptions {
   double began_s = 0;               // steady_seconds() when the program began
-  std::function<int()> stop_count;  // signals so far
+  std::function<int()> stop_count;  // stop_urgency(): 0 go on, 1 a safe end, 2 halt
   std::function<std::int64_t()> slices_cut;
   std::function<core::LayerIndex()> layers;            // of the part; 0: not known yet
   std::function<std::vector<std::string>()> warnings;  // since it was asked last

@@ -83,10 +83,9 @@ LinkOutcome Monitor::stop(LinkEnd end) {
   LinkOutcome result = outcome(end);
   result.reason = refused_;
   if (!given_) return result;  // nothing was heated or moved
-  const int wished = stop_wished_ ? 1 : 0;
   session_->stop_now(safe_sequence(), link_now());
   while (session_->state() != SessionState::kStopped) {
-    if (options_.stop_count() + wished > 1) return halt();
+    if (options_.stop_count() > 1) return halt();
     firmware_link::step(*session_, *port_, link_now(), kWait_ms);
     tell_events();
     if (session_->state() != SessionState::kFaulted) continue;

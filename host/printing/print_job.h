@@ -4,10 +4,12 @@
 //         geometry thread                                       caller's thread
 //
 // Whatever ends one side ends the other: an error of the part closes the queue and the link brings
-// the printer to a safe end; a fault of the link closes the queue and the geometry gives up.
+// the printer to a safe end; a fault of the link closes the queue and the geometry gives up. The
+// link never waits for the geometry: a safe stop takes no longer where a layer takes minutes.
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "firmware_link/byte_port.h"   // BytePort
@@ -22,17 +24,21 @@ struct PrintRequest {
   Job& job;
   firmware_link::BytePort& port;
   Reporter& reporter;
-  std::function<int()> stop_count;  // signals so far; asked all the time
+  std::function<int()> stop_count;  // stop_urgency(); asked all the time
   double began_s = 0;               // steady_seconds() when the program began
   // What else the link is to do: wishes, pauses, journal, lost ports, resumption. The rest of it is
   // filled in here.
   MonitorOptions link = {};
+  // How long the geometry may take to end when the link has; it can't be interrupted within a
+  // layer. Nothing: as long as it takes. REQUIRES: when it is left behind (PrintOutcome), the
+  // program ends without touching the job, the reporter or the standard library's exit any more.
+  std::optional<double> geometry_grace_s = std::nullopt;
 };
 
 struct PrintOutcome {
   int exit_code = 0;
   std::string message;  // one line: what was printed, or where and why it ended and what was done
-  GeometryStatistics geometry;
+  GeometryStatistics geometry;  // `ended` false: it was left behind, and runs on
   LinkStatistics link;
 };
 

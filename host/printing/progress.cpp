@@ -67,27 +67,39 @@ Reporter::~Reporter() {
 }
 
 void Reporter::clear() {
+  const std::lock_guard lock(mutex_);
+  clear_line();
+}
+
+void Reporter::clear_line() {
   if (line_shown_) std::fputs("\r\x1b[K", stderr);
   line_shown_ = false;
 }
 
-void Reporter::json_line(const std::string& name, EventFields fields) {
+std::string Reporter::json_text(const std::string& name, EventFields fields) const {
   nlohmann::ordered_json json = {{"event", name}};
   for (auto& [key, value] : fields) {
     std::visit([&json, &key = key](auto& one) { json[key] = std::move(one); }, value);
   }
   // Names of files may hold anything.
-  const std::string text =
-      json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+void Reporter::json_line(const std::string& name, EventFields fields) {
+  const std::string text = json_text(name, std::move(fields));
   FILE* out = options_.stdout_taken ? stderr : stdout;
   std::fputs(text.c_str(), out);
   std::fflush(out);
 }
 
-void Reporter::log_to(std::unique_ptr<LogFile> log) { log_ = std::move(log); }
+void Reporter::log_to(std::unique_ptr<LogFile> log) {
+  const std::lock_guard lock(mutex_);
+  log_ = std::move(log);
+}
 
 void Reporter::note(const std::string& name, const std::string& message,
                     const EventFields& fields) {
+  const std::lock_guard lock(mutex_);
   if (log_) log_->write(name + ": " + message);
   if (options_.json) {
     EventFields all = {{"message", message}};
@@ -96,25 +108,41 @@ void Reporter::note(const std::string& name, const std::string& message,
     return;
   }
   if (options_.quiet) return;
-  clear();
+  clear_line();
   std::fprintf(stderr, "%s\n", message.c_str());
 }
 
 void Reporter::event(const std::string& name, EventFields fields) {
+  const std::lock_guard lock(mutex_);
   if (options_.json) json_line(name, std::move(fields));
 }
 
 void Reporter::error(const std::string& message, int exit_code) {
+  const std::lock_guard lock(mutex_);
   if (log_) log_->write("error: " + message);
   if (options_.json) {
     json_line("error", {{"message", message}, {"exit_code", std::int64_t{exit_code}}});
     if (options_.stdout_taken) return;
   }
-  clear();
+  clear_line();
   std::fprintf(stderr, "rind: %s\n", message.c_str());
 }
 
-bool Reporter::progress_due(double now_s) const { return show_due(now_s) || log_due(now_s); }
+LastWords Reporter::words_of_error(const std::string& message, int exit_code) const {
+  LastWords words;
+  if (options_.json) {
+    std::string& json = options_.stdout_taken ? words.standard_error : words.standard_output;
+    json = json_text("error", {{"message", message}, {"exit_code", std::int64_t{exit_code}}});
+    if (options_.stdout_taken) return words;
+  }
+  words.standard_error = (terminal_ ? "\r\x1b[K" : "") + ("rind: " + message + "\n");
+  return words;
+}
+
+bool Reporter::progress_due(double now_s) const {
+  const std::lock_guard lock(mutex_);
+  return show_due(now_s) || log_due(now_s);
+}
 
 bool Reporter::log_due(double now_s) const {
   return log_ && (!logged_at_s_ || now_s - *logged_at_s_ >= kLogPeriod_s);
@@ -128,6 +156,7 @@ bool Reporter::show_due(double now_s) const {
 }
 
 void Reporter::progress(const ProgressReport& report, double now_s) {
+  const std::lock_guard lock(mutex_);
   if (log_due(now_s)) {
     logged_at_s_ = now_s;
     log_->write("progress: " + progress_line(report));

@@ -4,14 +4,16 @@
 
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
-#include "core/units.h"     // LayerIndex, Length
-#include "host/log_file.h"  // LogFile
+#include "core/units.h"                  // LayerIndex, Length
+#include "host/log_file.h"               // LogFile
+#include "host/printing/stop_signals.h"  // LastWords
 
 namespace host {
 
@@ -39,7 +41,7 @@ struct ProgressReport {
 using EventValue = std::variant<std::string, double, std::int64_t, bool>;
 using EventFields = std::vector<std::pair<std::string, EventValue>>;
 
-// Not for two threads at once.
+// For any thread.
 class Reporter {
  public:
   struct Options {
@@ -74,11 +76,17 @@ class Reporter {
   // Takes the progress line away, before something else is printed.
   void clear();
 
+  // What error() would say, for whoever can't call it.
+  [[nodiscard]] LastWords words_of_error(const std::string& message, int exit_code) const;
+
  private:
+  void clear_line();
   [[nodiscard]] bool show_due(double now_s) const;
   [[nodiscard]] bool log_due(double now_s) const;
+  [[nodiscard]] std::string json_text(const std::string& name, EventFields fields) const;
   void json_line(const std::string& name, EventFields fields);
 
+  mutable std::mutex mutex_;  // for all below, and both outputs
   Options options_;
   std::unique_ptr<LogFile> log_;
   std::optional<double> logged_at_s_;  // progress

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "host/exit_codes.h"
-#include "host/settings/settings_text.h"
+#include "host/settings/section_words.h"
 #include "host/version.h"
 
 namespace host {
@@ -19,10 +19,6 @@ namespace {
 constexpr const char* kAbout =
     "rind prints a part while it is still being sliced: a dense wall where the surface is near, "
     "loose fill inside, in memory that does not grow with the part's height.";
-
-// Sides of the square that show --zoom draws; the bed is no larger.
-constexpr double kZoomMinMm = 0.1;
-constexpr double kZoomMaxMm = 100'000;
 
 // Adds `--flag VALUE` as a short way to type `--set key=VALUE`.
 void add_shortcut(CLI::App& command, Options& options, const std::string& flag,
@@ -107,10 +103,17 @@ void add_memory(CLI::App& command, Options& options) {
       ->transform(CLI::AsSizeValue(false).description(""));
 }
 
+void add_tall(CLI::App& command, Options& options) {
+  command.add_flag("--tall", options.tall,
+                   "the part is meant to be as high as it is: what looks like a corner gone astray "
+                   "is not asked about");
+}
+
 void add_part(CLI::App& command, Options& options) {
   command.add_option("PART", options.part, "the part's file, or - for standard input")
       ->required()
       ->type_name("");
+  add_tall(command, options);
   add_memory(command, options);
   add_bad_layer(command, options);
 }
@@ -240,39 +243,11 @@ CLI::App* add_slice(CLI::App& app, Options& options, std::string& format, std::s
   return command;
 }
 
-SectionPlace section_place(const std::string& text) {
-  SectionPlace place;
-  const bool named = text.size() > 2 && text[1] == '=';
-  place.axis = named && (text[0] == 'x' || text[0] == 'X') ? 'X' : 'Y';
-  const bool known = named && (place.axis == 'X' || text[0] == 'y' || text[0] == 'Y');
-  std::string number = known ? text.substr(2) : "";
-  place.percent = !number.empty() && number.back() == '%';
-  if (place.percent) number.pop_back();
-  const core::Result<double> read = read_number(number, "mm");
-  if (!known || !read.ok()) {
-    throw CLI::ValidationError("--section", "'" + text + "' is no place to cut; write Y=12.5 for " +
-                                                "12.5 mm behind the part's front, X=50% for the " +
-                                                "middle between its left and right side");
-  }
-  place.value = read.value();
-  return place;
-}
-
-SectionZoom section_zoom(const std::string& text) {
-  std::vector<double> numbers;
-  std::istringstream parts(text);
-  for (std::string part; std::getline(parts, part, ',');) {
-    const core::Result<double> read = read_number(part, "mm");
-    if (!read.ok()) break;
-    numbers.push_back(read.value());
-  }
-  const bool three = std::count(text.begin(), text.end(), ',') == 2 && numbers.size() == 3;
-  if (!three || numbers[2] < kZoomMinMm || numbers[2] > kZoomMaxMm) {
-    throw CLI::ValidationError(
-        "--zoom", "'" + text + "' is no square; write 4,10,6 for 6 mm around the place 4 mm from " +
-                      "the part's edge and 10 mm above the bed");
-  }
-  return {numbers[0], numbers[1], numbers[2]};
+// Words that are more than a number; `error` is what is wrong with them.
+template <typename Value>
+Value taken(const char* option, core::Result<Value> read) {
+  if (!read.ok()) throw CLI::ValidationError(option, read.error().message);
+  return std::move(read).value();
 }
 
 CLI::App* add_show(CLI::App& app, Options& options) {
@@ -287,14 +262,19 @@ CLI::App* add_show(CLI::App& app, Options& options) {
   which
       ->add_option_function<std::string>(
           "--section",
-          [&options](const std::string& text) { options.section = section_place(text); },
+          [&options](const std::string& text) {
+            options.section = taken("--section", section_place(text));
+          },
           "cut across all layers, in mm from the part's front (Y) or left side (X), or in per cent")
       ->type_name("Y=MM|X=MM")
       ->trigger_on_parse();
   which->require_option(1);
   command
       ->add_option_function<std::string>(
-          "--zoom", [&options](const std::string& text) { options.zoom = section_zoom(text); },
+          "--zoom",
+          [&options](const std::string& text) {
+            options.zoom = taken("--zoom", section_zoom(text));
+          },
           "only a square of the section: the middle's mm from the part's edge, mm above the bed, "
           "and its side in mm")
       ->type_name("ALONG,HEIGHT,SIZE")
@@ -319,6 +299,11 @@ std::string unknown_format(const Options& options) {
   for (const std::string& name : output_format_names()) known += " " + name;
   return "what '" + options.output +
          "' is to be can't be told from its name; add --format, one of" + known;
+}
+
+std::string no_picture(const Options& options) {
+  return "a picture is SVG, and '" + options.output +
+         "' is the name of something else; name it .svg";
 }
 
 // CLI11 says only that a command is missing when it met a word that is none.
@@ -384,6 +369,7 @@ std::variant<Options, OptionsExit> parse_options(int argc, const char* const* ar
     options.subcommand = Subcommand::kPlan;
   } else if (*show) {
     options.subcommand = Subcommand::kShow;
+    if (!may_be_picture(options.output)) return usage_error(no_picture(options));
   } else if (*ports) {
     options.subcommand = Subcommand::kPorts;
   } else if (*formats) {

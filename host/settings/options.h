@@ -10,10 +10,11 @@
 #include <variant>
 #include <vector>
 
-#include "core/units.h"                 // LayerIndex
-#include "host/limits.h"                // kSortBytesDefault
-#include "host/output/output_format.h"  // OutputFormat
-#include "host/part/bad_layers.h"       // OnBadLayer
+#include "core/units.h"                   // LayerIndex
+#include "host/limits.h"                  // kSortBytesDefault
+#include "host/output/output_format.h"    // OutputFormat
+#include "host/part/bad_layers.h"         // OnBadLayer
+#include "host/settings/section_words.h"  // SectionPlace, SectionZoom
 
 namespace host {
 
@@ -28,22 +29,6 @@ enum class PipeSorted {
   kAuto,  // slice: yes when it begins so; print: no
   kYes,   // when it begins so
   kNo,
-};
-
-// Where `show --section` cuts: "Y=12.5" is 12.5 mm behind the part's front, "X=50%" half-way
-// between its left and its right side.
-struct SectionPlace {
-  char axis = 'Y';  // or 'X'
-  double value = 0;
-  bool percent = false;  // otherwise mm
-};
-
-// The square of the section that `show --zoom` draws, in mm: its middle, from the part's edge and
-// above the bed, and its side.
-struct SectionZoom {
-  double along = 0;
-  double height = 0;
-  double size = 0;
 };
 
 // As many as there are processors, and at most kJobsDefaultMax.
@@ -85,6 +70,7 @@ struct Options {
   std::string log;  // empty: none
   std::size_t sort_bytes = kSortBytesDefault;
   PipeSorted sorted = PipeSorted::kAuto;
+  bool tall = false;  // OpenOptions::tall
 
   // Settings: the profile first, then these in the order they were typed, shortcuts included.
   std::string profile;  // empty: none

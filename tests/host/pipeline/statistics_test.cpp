@@ -65,7 +65,8 @@ TEST_CASE("the statistics file has every key that was promised") {
        {"layers", "peak_layers_held", "peak_regions_held", "peak_triangles_held", "peak_rss_bytes",
         "cpu_seconds", "worst_layer_ms", "first_command_s", "first_road_s",
         "slices_cut_at_first_road", "spilled_bytes", "bad_layers", "filament_mm", "time_s",
-        "allocations_per_layer", "boolean_retries", "stalls", "resends", "defects"}) {
+        "allocations_per_layer", "boolean_retries", "stalls", "resends", "defects",
+        "slow_layers", "geometry_ended"}) {
     CAPTURE(key);
     CHECK(with_link.contains(key));
   }

@@ -1,0 +1,210 @@
+#include "host/commands/output_names.h"
+
+#include <unistd.h>
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "host/formats/formats.h"  // kind_of
+#include "host/limits.h"           // kLookBytesMax
+#include "host/log_file.h"         // older_logs
+#include "host/output/output_target.h"
+#include "host/part/input_file.h"
+#include "host/printing/journal_file.h"  // look_at_journal
+
+namespace host {
+namespace {
+
+using core::Error;
+using core::ErrorCode;
+using core::Result;
+using core::Status;
+
+struct Named {
+  std::string what;  // "the part", "--stats"
+  std::string path;
+};
+
+Error refused(const std::string& path, const std::string& cause) {
+  return {ErrorCode::kUnreadable, path + ": " + cause};
+}
+
+std::vector<Named> inputs_of(const Options& options) {
+  std::vector<Named> inputs;
+  if (!options.part.empty()) inputs.push_back({"the part", options.part});
+  if (!options.profile.empty()) inputs.push_back({"the profile", options.profile});
+  if (options.subcommand == Subcommand::kResume && !options.journal.empty()) {
+    inputs.push_back({"the journal", options.journal});
+  }
+  return inputs;
+}
+
+std::vector<Named> outputs_of(const Options& options) {
+  std::vector<Named> outputs;
+  if (!options.output.empty()) outputs.push_back({"--output", options.output});
+  if (!options.stats.empty()) outputs.push_back({"--stats", options.stats});
+  if (!options.log.empty()) outputs.push_back({"--log", options.log});
+  if (options.subcommand == Subcommand::kPrint && !options.journal.empty()) {
+    outputs.push_back({"--journal", options.journal});
+  }
+  return outputs;
+}
+
+std::optional<FileIdentity> input_identity(const Named& input) {
+  return input.path == "-" ? identity_of(STDIN_FILENO) : identity_of(input.path);
+}
+
+// An output that is a file, or will be one.
+struct Claim {
+  std::string what;
+  OutputTarget target;
+};
+
+bool same_file(const OutputTarget& a, const OutputTarget& b) {
+  using Kind = OutputTarget::Kind;
+  if (a.kind == Kind::kStream || b.kind == Kind::kStream) return false;
+  if (a.kind == Kind::kRegular && b.kind == Kind::kRegular && a.file == b.file) return true;
+  return a.folder_place == b.folder_place && a.name == b.name;
+}
+
+// Standard output has been opened by the shell, and may be a file, too.
+Status check_standard_output(const std::vector<Named>& inputs, const std::vector<Claim>& claims) {
+  struct stat status {};
+  if (::fstat(STDOUT_FILENO, &status) != 0 || !S_ISREG(status.st_mode)) return {};
+  const std::optional<FileIdentity> out = identity_of(STDOUT_FILENO);
+  for (const Named& input : inputs) {
+    if (input_identity(input) != out) continue;
+    return refused(input.path,
+                   "standard output goes to " + input.what + " itself; send it elsewhere");
+  }
+  for (const Claim& claim : claims) {
+    if (claim.target.kind != OutputTarget::Kind::kRegular || claim.target.file != out) continue;
+    return refused(claim.target.path,
+                   "standard output and " + claim.what + " go to the same file; name another one");
+  }
+  return {};
+}
+
+// What a file is that this output may replace; nothing: text only.
+std::optional<FileKind> own_kind(const Options& options, const std::string& what) {
+  if (what != "--output") return std::nullopt;
+  if (options.subcommand == Subcommand::kShow) return FileKind::kSvg;
+  switch (options.format) {
+    case OutputFormat::kGcode:
+      return std::nullopt;
+    case OutputFormat::kCli:
+    case OutputFormat::kCliBinary:
+    case OutputFormat::kCliRoads:
+      return FileKind::kCli;
+    case OutputFormat::kLsif:
+      return FileKind::kLsif;
+    case OutputFormat::kSliceV0:
+      return FileKind::kSliceV0;
+    case OutputFormat::kSvg:
+      return FileKind::kSvg;
+  }
+  return std::nullopt;
+}
+
+// ASCII STL is the kind of all text that is no other; this one has its words.
+bool begins_like_stl(std::string bytes) {
+  for (char& c : bytes) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+  const std::size_t begin = bytes.find_first_not_of(" \t\r\n");
+  return begin != std::string::npos && bytes.compare(begin, 5, "solid") == 0 &&
+         bytes.find("facet") != std::string::npos;
+}
+
+bool is_journal(const std::string& path) {
+  const JournalStanding standing = look_at_journal(path).standing;
+  return standing != JournalStanding::kAbsent && standing != JournalStanding::kForeign;
+}
+
+Status check_content(const Options& options, const Claim& claim) {
+  if (is_journal(claim.target.path)) {
+    return refused(claim.target.path, "this is the journal of a print, which " + claim.what +
+                                          " does not replace; name another file");
+  }
+  Result<InputFile> opened = InputFile::open(claim.target.path);
+  if (!opened.ok()) {
+    return refused(claim.target.path, "there is a file that can't be looked at, so " + claim.what +
+                                          " does not replace it; name another one");
+  }
+  const Result<std::string_view> looked = opened.value().window(kLookBytesMax);
+  if (!looked.ok()) return looked.error();
+  const std::string bytes(looked.value().substr(0, kLookBytesMax));
+  if (bytes.empty()) return {};
+  const Result<FileKind> kind = kind_of(opened.value());
+  if (kind.ok() && kind.value() == own_kind(options, claim.what)) return {};
+  const bool text = bytes.find('\0') == std::string::npos;
+  if (text && kind.ok() && kind.value() == FileKind::kStl && !begins_like_stl(bytes)) return {};
+  return refused(claim.target.path,
+                 "this file holds something else than what " + claim.what +
+                     " writes (a part, an archive, a picture), so it is not replaced; name another "
+                     "file, or delete this one first");
+}
+
+Status check_against_inputs(const Claim& claim, const std::vector<Named>& inputs) {
+  if (claim.target.kind == OutputTarget::Kind::kNew) return {};
+  for (const Named& input : inputs) {
+    const bool same = input_identity(input) == claim.target.file;
+    // The terminal, or /dev/null, may be both.
+    if (!same ||
+        (claim.target.kind == OutputTarget::Kind::kStream && !claim.target.standard_output)) {
+      continue;
+    }
+    return refused(claim.target.path, claim.what + " names " + input.what +
+                                          " itself, which would be lost; name another file");
+  }
+  return {};
+}
+
+Status check_against_others(const Claim& claim, const std::vector<Claim>& others) {
+  for (const Claim& other : others) {
+    if (!same_file(claim.target, other.target)) continue;
+    return refused(claim.target.path,
+                   claim.what + " and " + other.what + " name the same file; name two");
+  }
+  return {};
+}
+
+}  // namespace
+
+Status check_output_names(const Options& options) {
+  const std::vector<Named> inputs = inputs_of(options);
+  std::vector<Claim> claims;
+  for (const Named& output : outputs_of(options)) {
+    if (output.path == "-") continue;
+    // A journal is opened with rules of its own (printing/journal.h).
+    const bool journal = output.what == "--journal";
+    Result<OutputTarget> target = look_at_target(output.path);
+    if (!target.ok() && journal) continue;
+    if (!target.ok()) return target.error();
+    const Claim claim{output.what, std::move(target).value()};
+    if (Status apart = check_against_inputs(claim, inputs); !apart.ok()) return apart;
+    if (Status apart = check_against_others(claim, claims); !apart.ok()) return apart;
+    if (!journal && claim.target.kind == OutputTarget::Kind::kRegular) {
+      if (Status like = check_content(options, claim); !like.ok()) return like;
+    }
+    claims.push_back(claim);
+    if (output.what != "--log") continue;
+    for (const std::string& older : older_logs(claim.target.path)) {
+      Result<OutputTarget> place = look_at_target(older);
+      if (!place.ok()) return place.error();
+      const Claim kept{"the older part of --log", std::move(place).value()};
+      if (Status apart = check_against_inputs(kept, inputs); !apart.ok()) return apart;
+      if (Status apart = check_against_others(kept, claims); !apart.ok()) return apart;
+      claims.push_back(kept);
+    }
+  }
+  return check_standard_output(inputs, claims);
+}
+
+bool result_on_standard_output(const Options& options) {
+  if (options.output.empty()) return false;
+  return options.output == "-" || identity_of(options.output) == identity_of(STDOUT_FILENO);
+}
+
+}  // namespace host

@@ -1,0 +1,127 @@
+#include "host/pipeline/layer_watch.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "host/pipeline/stage_clock.h"  // steady_seconds
+
+namespace host {
+namespace {
+
+// A look that comes so much later than it should: the program was stopped.
+constexpr double kStoppedAfter_s = 2;
+
+}  // namespace
+
+LayerSize size_of(const core::Region& region) {
+  LayerSize size;
+  for (const core::Ring& ring : region.rings()) {
+    size.edges += static_cast<std::int64_t>(ring.size());
+    size.islands += core::doubled_area_units(ring) > 0 ? 1 : 0;
+  }
+  return size;
+}
+
+std::string slow_layer_text(const SlowLayer& layer) {
+  const std::string size = layer.size.edges > 0 ? fmt::format(" ({} edges, {} islands)",
+                                                              layer.size.edges, layer.size.islands)
+                                                : "";
+  return fmt::format("layer {}, at {:g} mm{}: computing it takes long, {:.1f} s so far",
+                     layer.layer + 1, layer.height.mm(), size, layer.seconds);
+}
+
+LayerWatch::LayerWatch(Tell tell, double limit_s)
+    : tell_(std::move(tell)), limit_s_(limit_s), thread_([this] { run(); }) {}
+
+LayerWatch::~LayerWatch() {
+  {
+    const std::lock_guard lock(mutex_);
+    ended_ = true;
+  }
+  ended_changed_.notify_all();
+  thread_.join();
+}
+
+LayerWatch::Look::Look(LayerWatch& watch, core::LayerIndex layer, core::Length height,
+                       const core::Region* region, double& spent_s)
+    : watch_(watch), layer_{layer, height, {}, 0}, region_(region), spent_s_(spent_s), begin_s_(0) {
+  watch_.enter(*this);
+}
+
+LayerWatch::Look::Look(LayerWatch& watch, core::LayerIndex layer, core::Length height,
+                       LayerSize size, double& spent_s)
+    : watch_(watch),
+      layer_{layer, height, size, 0},
+      region_(nullptr),
+      spent_s_(spent_s),
+      begin_s_(0) {
+  watch_.enter(*this);
+}
+
+LayerWatch::Look::~Look() { watch_.leave(*this); }
+
+SlowLayers LayerWatch::slow_layers() const {
+  const std::lock_guard lock(mutex_);
+  return slow_;
+}
+
+double LayerWatch::running_s() const { return steady_seconds() - stopped_s_; }
+
+void LayerWatch::enter(Look& look) {
+  const std::lock_guard lock(mutex_);
+  look.begin_s_ = running_s();
+  looks_.push_back(&look);
+}
+
+void LayerWatch::leave(Look& look) {
+  const std::lock_guard lock(mutex_);
+  looks_.erase(std::find(looks_.begin(), looks_.end(), &look));
+  look.spent_s_ += running_s() - look.begin_s_;
+  if (!look.over_) return;
+  const core::LayerIndex layer = look.layer_.layer;
+  const auto same = [layer](const SlowLayer& each) { return each.layer == layer; };
+  const auto told = std::find_if(slow_.first.begin(), slow_.first.end(), same);
+  if (told != slow_.first.end()) told->seconds = std::max(told->seconds, look.spent_s_);
+  if (look.spent_s_ <= slow_.slowest.seconds) return;
+  slow_.slowest = look.layer_;
+  slow_.slowest.seconds = look.spent_s_;
+}
+
+// By the lock. Whether it is to be told.
+bool LayerWatch::note(Look& look) {
+  const double seconds = look.spent_s_ + running_s() - look.begin_s_;
+  if (look.over_ || seconds <= limit_s_) return false;
+  look.over_ = true;
+  look.layer_.seconds = seconds;
+  if (look.region_ != nullptr) look.layer_.size = size_of(*look.region_);
+  if (std::find(known_.begin(), known_.end(), look.layer_.layer) != known_.end()) return false;
+  known_.push_back(look.layer_.layer);
+  if (known_.size() > kSlowLayersKnown) known_.pop_front();
+  if (++slow_.count > static_cast<std::int64_t>(kSlowLayersTold)) return false;
+  slow_.first.push_back(look.layer_);
+  return true;
+}
+
+void LayerWatch::run() {
+  std::unique_lock lock(mutex_);
+  double looked_s = steady_seconds();
+  while (!ended_) {
+    ended_changed_.wait_for(lock, std::chrono::duration<double>(kWatchPeriod_s));
+    const double now_s = steady_seconds();
+    if (now_s - looked_s > kStoppedAfter_s) stopped_s_ += now_s - looked_s - kWatchPeriod_s;
+    looked_s = now_s;
+    std::vector<SlowLayer> to_tell;
+    for (Look* look : looks_) {
+      if (note(*look)) to_tell.push_back(look->layer_);
+    }
+    if (!tell_ || to_tell.empty()) continue;
+    lock.unlock();
+    for (const SlowLayer& layer : to_tell) tell_(layer);
+    lock.lock();
+  }
+}
+
+}  // namespace host
