@@ -142,6 +142,7 @@ void Session::reset_seen(Instant now) {
   if (state_ == SessionState::kConnecting) {
     // It may come late, behind a greeting that the boot loader ate.
     start_seen_ = true;
+    found_line_.reset();  // it told that before, and knows it no longer
     phase_ = Phase::kBanner;
     phase_began_ = now;
     window_.restart(window_.oldest());

@@ -78,12 +78,14 @@ void VirtualController::Firmware::queue_arc(const ArcWay& way, PlannerMove block
 void VirtualController::Firmware::queue_blocks(const PlannerMove& block, std::size_t count) {
   pending_block_ = block;
   pending_blocks_ = count;
+  pending_command_ = totals_.commands;
   if (!plan_pending()) wait(Waiting::kPlannerSlot);
 }
 
 // As many blocks as there is room for; true when all are in the planner.
 bool VirtualController::Firmware::plan_pending() {
   while (pending_blocks_ > 0 && !planner_.full()) {
+    pending_block_.last_of = pending_blocks_ == 1 ? pending_command_ : -1;
     planner_.push(pending_block_, now_, pause_was_asked_);
     pause_was_asked_ = false;
     --pending_blocks_;

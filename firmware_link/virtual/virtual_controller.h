@@ -46,6 +46,11 @@ struct VirtualControllerOptions {
   // Called for every command whose handler begins, in order. May be empty.
   std::function<void(const ExecutedCommand&)> executed;
 
+  // Called when a move has ended, and not only been planned, with its place among the commands that
+  // executed() tells, from 0. Not called for moves that a reset cut off, and for those too short
+  // for a block, which are part of the next. May be empty.
+  std::function<void(std::int64_t)> moved;
+
   // Bits a second on the wire (10 a byte); 0: bytes arrive in no time.
   // REQUIRES: >= 0.  DEFAULT: 0.
   std::int64_t baud = 0;

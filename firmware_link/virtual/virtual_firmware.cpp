@@ -25,6 +25,7 @@ VirtualController::Firmware::Firmware(const VirtualControllerOptions& options, I
   LINK_CHECK(options_.baud >= 0 && options_.command_cost.count() >= 0);
   LINK_CHECK(options_.acceleration_mm_s2 > 0);
   if (!numbers_lines(options_.dialect) || !options_.busy_lines) busy_interval_s_ = 0;
+  planner_.moved = options_.moved;
   print(banner_of(options_.dialect));
   if (speaks(VirtualDialect::kKlipper)) klipper_begin(options_.ready_after);
 }

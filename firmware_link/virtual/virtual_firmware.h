@@ -206,7 +206,8 @@ class VirtualController::Firmware {
   std::optional<Instant> within_window_since_;
   PlannerMove pending_block_;
   std::size_t pending_blocks_ = 0;  // of the command in its handler, not in the planner yet
-  double pending_turn_ = 0;         // from one to the next
+  std::int64_t pending_command_ = 0;
+  double pending_turn_ = 0;  // from one to the next
 
   int busy_interval_s_ = 2;
   std::optional<Duration> auto_report_;

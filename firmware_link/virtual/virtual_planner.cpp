@@ -61,8 +61,10 @@ Instant VirtualPlanner::end_of_first(Instant begin) {
 void VirtualPlanner::advance(Instant now) {
   while (count_ > 0 && running_until_ <= now) {
     if (count_ < kPlannerBlocks / 2) low_ += running_until_ - running_since_;
+    const std::int64_t ended = at(0).move.last_of;
     first_ = (first_ + 1) % blocks_.size();
     if (--count_ > 0) start(running_until_);
+    if (ended >= 0 && moved) moved(ended);
   }
 }
 

@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 
 #include "firmware_link/instant.h"  // Instant
@@ -22,6 +23,7 @@ struct PlannerMove {
   double speed_mm_s = 0;              // REQUIRES: > 0
   std::array<double, 3> direction{};  // of x, y, z; zero when only filament moves
   double acceleration_mm_s2 = 0;      // REQUIRES: > 0
+  std::int64_t last_of = -1;          // the command whose last block it is; -1: others follow
 };
 
 class VirtualPlanner {
@@ -32,6 +34,9 @@ class VirtualPlanner {
 
   // REQUIRES: !full(). `pause_was_asked`: a gap before this move is no starvation.
   void push(const PlannerMove& move, Instant now, bool pause_was_asked);
+
+  // Called when a command's last block has ended.
+  std::function<void(std::int64_t command)> moved;
 
   // Ends blocks whose time is over. REQUIRES: no block ends before a time already passed.
   void advance(Instant now);

@@ -220,7 +220,7 @@ std::optional<LinkOutcome> Monitor::recover() {
     }
     z_um = *told;
   }
-  session_base_ = index_ = point.command;
+  session_base_ = index_ = skip_until_ = point.command;
   sure_base_ = left->sure;
   place_known_ = point.lives;
   forget_lines(*left, point.command, z_um);

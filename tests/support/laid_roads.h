@@ -38,6 +38,7 @@ class RoadTracer {
   }
 
   [[nodiscard]] const std::vector<LaidPiece>& laid() const { return laid_; }
+  [[nodiscard]] double height() const { return height_; }
   // Filament pushed or drawn back while x and y stood still.
   [[nodiscard]] double primed_mm() const { return primed_mm_; }
 
