@@ -3,7 +3,9 @@
 #include "host/printing/journal.h"
 
 #include <doctest/doctest.h>
+#include <sys/stat.h>
 
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <random>
@@ -178,6 +180,99 @@ TEST_CASE("a journal is held by one program, taken up behind its newest record, 
   }
   again.value().remove();
   CHECK_FALSE(host::read_journal(path).ok());
+}
+
+TEST_CASE("a journal takes the place of nothing but a useless one of ours") {
+  const test::TemporaryFolder folder;
+  std::mt19937_64 random(5);
+  const auto made = [](const std::string& path, bool anew = false) {
+    return host::Journal::create(path, some_head(), anew).ok();
+  };
+  const std::string other = folder.path("part.stl");
+  std::ofstream(other) << "solid part";
+  std::filesystem::create_symlink(other, folder.path("link"));
+  std::filesystem::create_symlink(folder.path("nowhere"), folder.path("dangling"));
+  REQUIRE_EQ(::mkfifo(folder.path("pipe").c_str(), 0600), 0);
+  std::ofstream(folder.path("nothing")).close();
+  for (const char* name : {"part.stl", "link", "dangling", "pipe", "nothing", "."}) {
+    CAPTURE(name);
+    for (const bool anew : {false, true}) CHECK_FALSE(made(folder.path(name), anew));
+    CHECK(host::look_at_journal(folder.path(name)).standing == host::JournalStanding::kForeign);
+  }
+  CHECK_EQ(bytes_of(other), "solid part");
+  CHECK_FALSE(std::filesystem::exists(folder.path("nowhere")));
+
+  const std::string path = folder.path("print.journal");
+  CHECK(host::look_at_journal(path).standing == host::JournalStanding::kAbsent);
+  CHECK(made(path));
+  CHECK(host::look_at_journal(path).standing == host::JournalStanding::kEmpty);
+  {
+    core::Result<host::Journal> journal = host::Journal::create(path, some_head());  // over it
+    REQUIRE(journal.ok());
+    CHECK(host::look_at_journal(path).standing == host::JournalStanding::kHeld);
+    CHECK_FALSE(made(path, true));
+    journal.value().note_last(record_of(random));
+  }
+  CHECK(host::look_at_journal(path).standing == host::JournalStanding::kResumable);
+  const std::string cut = bytes_of(path);
+  CHECK_FALSE(made(path));
+  CHECK_EQ(bytes_of(path), cut);
+  CHECK(made(path, true));
+  CHECK_EQ(bytes_of(host::set_aside_name(path)), cut);
+  // Nothing is left of those that were refused.
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
+    CHECK_EQ(entry.path().string().find(".partial"), std::string::npos);
+  }
+  // What has taken its name is not deleted with it.
+  core::Result<host::Journal> journal = host::Journal::create(path, some_head());
+  REQUIRE(journal.ok());
+  std::filesystem::rename(other, path);
+  journal.value().remove();
+  CHECK_EQ(bytes_of(path), "solid part");
+}
+
+TEST_CASE("a journal that is cut short is taken up where it can be, and not damaged further") {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.path("print.journal");
+  std::mt19937_64 random(6);
+  {
+    core::Result<host::Journal> journal = host::Journal::create(path, some_head());
+    REQUIRE(journal.ok());
+    for (int i = 0; i < 9; ++i) journal.value().note(record_of(random), i % 4 == 0);
+  }
+  const std::string whole = bytes_of(path);
+  const std::size_t head = host::head_bytes(some_head()).size();
+  for (std::size_t size = 0; size < whole.size(); size += size < head ? 301 : 37) {
+    CAPTURE(size);
+    std::ofstream(path, std::ios::binary | std::ios::trunc) << whole.substr(0, size);
+    const auto before = host::read_journal(path);
+    core::Result<host::Journal> journal = host::Journal::go_on(path);
+    REQUIRE_EQ(journal.ok(), before.ok());
+    if (!journal.ok()) {
+      REQUIRE_EQ(bytes_of(path), whole.substr(0, size));
+      continue;
+    }
+    REQUIRE(same(host::read_journal(path).value().record, before.value().record));
+    const host::JournalRecord next = record_of(random);
+    journal.value().renumber(next);
+    REQUIRE(same(host::read_journal(path).value().record, next));
+    REQUIRE_EQ(bytes_of(path).size(), whole.size());
+    REQUIRE_EQ(bytes_of(path).substr(0, head), whole.substr(0, head));
+  }
+}
+
+TEST_CASE("a day of printing syncs no more than is promised") {
+  host::SyncPace pace;
+  double syncs = 0;
+  std::int64_t sure = 0;
+  for (double now_s = 0; now_s < 86'400; now_s += 0.01) {
+    const bool paused = now_s > 40'000 && now_s < 50'000;
+    if (!paused) ++sure;
+    if (pace.due(now_s, sure)) ++syncs;
+  }
+  CHECK_LE(syncs * host::kJournalBlockBytes, host::kJournalDayBytesMax);
+  CHECK_GT(syncs, 76'000 / host::kSyncPeriod_s);
+  CHECK_LT(syncs, 76'500 / host::kSyncPeriod_s);
 }
 
 TEST_CASE("what is no journal is refused") {

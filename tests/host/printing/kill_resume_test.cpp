@@ -165,3 +165,74 @@ TEST_CASE("a print that is killed in its midst is gone on with, every road once"
     REQUIRE(same);
   }
 }
+
+TEST_CASE("a print that was cut is neither overwritten nor lost") {
+  const test::PartFolder parts_folder;
+  const test::TemporaryFolder folder;
+  REQUIRE_EQ(::setenv("XDG_STATE_HOME", folder.path("state").c_str(), 1), 0);
+  const std::string part = parts_folder.add("cut.stl", parts::box({8, 8, 0}, 14, 10, 6));
+  const std::string state = folder.path("state/rind");
+  const std::string rind = kBinaries + "/rind ";
+  const std::string port = folder.path("printer");
+  const auto journals = [&state](const std::string& ending) {
+    std::vector<std::string> paths;
+    for (const auto& entry : std::filesystem::directory_iterator(state)) {
+      const std::string path = entry.path().string();
+      if (path.size() > ending.size() &&
+          path.compare(path.size() - ending.size(), ending.size(), ending) == 0) {
+        paths.push_back(path);
+      }
+    }
+    return paths;
+  };
+  const auto bytes_of = [](const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(file), {});
+  };
+  const auto cut = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> words = {kBinaries + "/rind", "print", part, "--port", port, "--json"};
+    words.insert(words.end(), options.begin(), options.end());
+    Program print(words);
+    REQUIRE(print.wait_for("\"event\":\"layer\",\"layer\":6,"));
+    print.end(SIGKILL);
+  };
+
+  CHECK_EQ(run_program(rind + "print " + part + " --port " + port).exit_code, 4);
+  CHECK_FALSE(std::filesystem::exists(state));  // a failed start leaves nothing behind
+
+  Program controller(
+      {kBinaries + "/tools/virtual_controller", "--keep", "--link", port, "--speed", "100"});
+  REQUIRE(controller.wait_for("\n"));
+  cut({});
+  REQUIRE_EQ(journals(".journal").size(), 1);
+  const std::string journal = journals(".journal").front();
+  const std::string left = bytes_of(journal);
+  const std::string again = "timeout 60 " + rind + "print " + part + " --port " + port;
+  const test::ProgramRun refused = run_program(again + " < /dev/null");
+  CAPTURE(refused.output);
+  CHECK_EQ(refused.exit_code, 2);
+  CHECK_NE(refused.output.find("--anew"), std::string::npos);
+  CHECK_NE(refused.output.find(journal), std::string::npos);
+  CHECK_EQ(bytes_of(journal), left);
+  const std::string list = run_program(rind + "resume").output;
+  CHECK_NE(list.find("cut.stl: layer "), std::string::npos);
+  CHECK_NE(list.find("(unchanged)"), std::string::npos);
+
+  // Not even with --anew, as long as the printer does not answer.
+  CHECK_EQ(run_program(rind + "print " + part + " --anew --port " + folder.path("no")).exit_code,
+           4);
+  CHECK_EQ(bytes_of(journal), left);
+  cut({"--anew"});
+  REQUIRE_EQ(journals(".old").size(), 1);
+  CHECK_EQ(bytes_of(journals(".old").front()), left);
+
+  const test::ProgramRun resumed =
+      run_program("timeout 60 " + rind + "resume cut.stl --yes --set bed_x=200 --set bed_y=200");
+  CAPTURE(resumed.output);
+  CHECK_EQ(resumed.exit_code, 0);
+  CHECK(journals(".journal").empty());
+  CHECK_EQ(journals(".old").size(), 1);
+  CHECK_EQ(run_program(rind + "resume nothing.stl").exit_code, 2);
+  CHECK_EQ(run_program(again + " --journal " + part).exit_code, 3);
+  CHECK(std::filesystem::exists(part));
+}
