@@ -16,9 +16,10 @@ namespace {
 
 constexpr Duration kAskAgain = std::chrono::seconds(1);
 
-// A shutdown's reason comes within milliseconds, as the answer to what was in flight or to our
-// question.
+// A shutdown's reason comes within milliseconds, as the answer to our question; where something was
+// in flight, that ends first (a homing took more than a second).
 constexpr Duration kReasonWait = std::chrono::seconds(1);
+constexpr Duration kReasonWaitBehind = std::chrono::seconds(3);
 
 std::string quoted(std::string_view words) { return "\"" + std::string(words) + "\""; }
 
@@ -153,7 +154,10 @@ void Session::reply_while_shut_down(const Reply& reply) {
 }
 
 void Session::tick_shut_down(Instant now) {
-  if (now - *shut_down_since_ > kReasonWait) end_shut_down(shut_down_words_);
+  const bool behind = window_.lines_in_flight() > 0;
+  if (now - *shut_down_since_ > (behind ? kReasonWaitBehind : kReasonWait)) {
+    end_shut_down(shut_down_words_);
+  }
 }
 
 void Session::end_shut_down(std::string_view reason) {

@@ -99,10 +99,9 @@ bool VirtualController::Firmware::handle_g(std::int64_t code, std::string_view t
       home(text);
       return true;
     case 90:
-      relative_ = relative_e_ = false;
-      return true;
     case 91:
-      relative_ = relative_e_ = true;
+      relative_ = code == 91;
+      if (!speaks(VirtualDialect::kKlipper)) relative_e_ = relative_;
       return true;
     case 92:
       set_position(text);

@@ -143,6 +143,7 @@ std::optional<Instant> VirtualController::Firmware::next_event() const {
 }
 
 bool VirtualController::Firmware::owes_answer() const {
+  if (klipper_ready_) return true;
   return !halted_ && (wire_.size() > 0 || receive_.size() > 0 || slot_count_ > 0);
 }
 

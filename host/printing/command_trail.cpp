@@ -55,4 +55,12 @@ std::optional<std::int64_t> CommandTrail::executed_before(std::int64_t number,
   return number;
 }
 
+std::optional<std::int64_t> CommandTrail::executed_before(std::int64_t number,
+                                                          double seconds) const {
+  if (number == begin_) return std::nullopt;
+  const double until = at(number - 1).seconds - seconds;
+  while (number > begin_ && at(number - 1).seconds > until) --number;
+  return number > begin_ ? std::optional(number) : std::nullopt;
+}
+
 }  // namespace host

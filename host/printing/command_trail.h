@@ -21,7 +21,7 @@ inline constexpr std::size_t kPlannerBlocksMax = 64;
 
 // More than can be in doubt: the session's lines, and the moves in the planner with commands of
 // other kinds among them.
-inline constexpr std::size_t kTrailCommandsMax = 256;
+inline constexpr std::size_t kTrailCommandsMax = 512;
 static_assert(kTrailCommandsMax >= 2 * (firmware_link::kHistoryLinesMax + kPlannerBlocksMax));
 
 // A shorter move may get no block of its own: Marlin adds moves of less than 6 steps to the next.
@@ -87,6 +87,11 @@ class CommandTrail {
   // than the trail. REQUIRES: begin() <= number <= end()
   [[nodiscard]] std::optional<std::int64_t> executed_before(std::int64_t number,
                                                             std::size_t blocks) const;
+
+  // The same of a controller that plans by time: it has executed all but the last so many seconds
+  // of motion at full speed.
+  [[nodiscard]] std::optional<std::int64_t> executed_before(std::int64_t number,
+                                                            double seconds) const;
 
  private:
   [[nodiscard]] QueuedCommand& place(std::int64_t number) {

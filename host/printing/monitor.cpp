@@ -64,6 +64,7 @@ LinkOutcome Monitor::run() {
     watch_queue(now);
     feed(now);
     if (!refused_.empty()) return stop(LinkEnd::kRefused);
+    if (!unplaced_.empty()) return unplaced();
     keep_journal();
     firmware_link::step(*session_, *port_, now, kWait_ms);
     note_acknowledged();

@@ -155,6 +155,12 @@ class Monitor {
                                                              std::int64_t nozzle_z_um,
                                                              bool at_once) const;
 
+  // monitor_place.cpp: where a controller that numbers nothing was found.
+  [[nodiscard]] bool trail_reaches(std::int64_t command);
+  [[nodiscard]] ResumePoint point_of(const JournalRecord& left, bool same_boot) const;
+  [[nodiscard]] bool cannot_be_placed(const ResumePoint& point) const;
+  [[nodiscard]] LinkOutcome unplaced() const;
+
   // monitor_ends.cpp: how it ends.
   [[nodiscard]] std::vector<firmware_link::Command> safe_sequence() const;
   [[nodiscard]] LinkOutcome done();
@@ -208,6 +214,8 @@ class Monitor {
   std::int64_t paused_before_ = -1;     // the command that has asked for it last
   std::optional<double> idle_since_s_;  // nothing to lay, and nothing in the planner
 
+  bool trail_begun_ = false;     // of a resumption
+  std::string unplaced_;         // why it cannot be told its height; empty: it can
   bool starting_ = false;        // a resumption whose point is not known yet
   std::int64_t skip_until_ = 0;  // executed before
   std::optional<ResumePoint> go_on_at_;

@@ -11,6 +11,7 @@
 #include "firmware_link/link_step.h"
 #include "host/printing/monitor.h"
 #include "host/printing/port_clock.h"
+#include "host/printing/told_place.h"
 
 namespace host {
 namespace {
@@ -38,6 +39,14 @@ class GonePort final : public firmware_link::BytePort {
   }
 };
 
+constexpr const char* kUnplaced =
+    "Klipper does not know any more how high the nozzle is (it was restarted, or stood idle), and "
+    "has no command to be told: write [force_move] with enable_force_move: True into its "
+    "configuration, give it a RESTART, then run rind resume";
+
+// How far ahead Klipper plans: a second, and what it looks ahead for junctions.
+constexpr double kKlipperPlans_s = 2.5;
+
 // No line of a controller is behind this one.
 constexpr std::int32_t kNoLine = std::numeric_limits<std::int32_t>::max() - kJournalLinesMax;
 
@@ -52,7 +61,12 @@ std::optional<std::int64_t> Monitor::sure_before(std::int64_t accepted) const {
                                         firmware_link::kPlannerBlocks, kPlannerBlocksMax);
   // A command that was accepted behind the way back: that way has emptied the planner.
   std::int64_t sure = session_->accepted() > 0 ? session_base_ : sure_base_;
-  sure = std::max(sure, trail_.executed_before(accepted, blocks).value_or(sure));
+  if (is_klipper(*session_)) {
+    const double seconds = kKlipperPlans_s * std::max(1.0, feed_percent_ / 100.0);
+    sure = std::max(sure, trail_.executed_before(accepted, seconds).value_or(trail_.begin()));
+  } else {
+    sure = std::max(sure, trail_.executed_before(accepted, blocks).value_or(sure));
+  }
   // Nothing is laid before the first road.
   sure = std::max(sure, first_road_ - 1);
   if (sure < trail_.begin() || sure > accepted) return std::nullopt;
@@ -136,27 +150,37 @@ void Monitor::close_journal(PrintState state) {
 
 // Finds where to go on, once geometry has shown that it computes the same print; false: not yet.
 bool Monitor::start_resumed() {
-  if (peek() == nullptr) {
-    // All had been executed already.
-    if (queue_.drained() && !queue_.closed()) starting_ = false;
-    return !starting_;
-  }
   const Resumption& resumption = *options_.resumption;
   const JournalRecord& left = resumption.record;
-  RIND_CHECK(waiting_ && waiting_->before != nullptr);
-  trail_.begin_at(left.sure, *waiting_->before,
-                  {std::make_shared<const Checkpoint>(left.checkpoint), left.sure_hash});
-  index_ = sure_base_ = left.sure;
-  go_on_at_ =
-      resume_point(left, {session_->found_line(), session_->numbers_lines(), resumption.same_boot});
-  skip_until_ = session_base_ = go_on_at_->command;
-  place_known_ = go_on_at_->lives;
+  if (!trail_begun_) {
+    if (peek() == nullptr) {
+      // All had been executed already.
+      if (queue_.drained() && !queue_.closed()) starting_ = false;
+      return !starting_;
+    }
+    RIND_CHECK(waiting_ && waiting_->before != nullptr);
+    trail_.begin_at(left.sure, *waiting_->before,
+                    {std::make_shared<const Checkpoint>(left.checkpoint), left.sure_hash});
+    index_ = sure_base_ = left.sure;
+    trail_begun_ = true;
+  }
+  if (session_->found_place() && !trail_reaches(commands_sent(left))) return false;
+  const ResumePoint point = point_of(left, resumption.same_boot);
+  if (cannot_be_placed(point)) {
+    unplaced_ = kUnplaced;
+    return false;
+  }
+  index_ = left.sure;
+  go_on_at_ = point;
+  skip_until_ = session_base_ = point.command;
+  place_known_ = point.lives;
   first_road_ = left.sure;
   starting_ = false;
   forget_lines(left, std::max(skip_until_, left.sure), resumption.nozzle_z_um);
+  const bool told = session_->found_line() || session_->found_place();
   reporter_.note("resume",
                  fmt::format("going on behind command {} of the print{}", skip_until_,
-                             go_on_at_->lives ? ", which the controller confirms" : ""),
+                             point.lives && told ? ", which the controller confirms" : ""),
                  {{"command", skip_until_}});
   return true;
 }
@@ -205,8 +229,13 @@ std::optional<LinkOutcome> Monitor::recover() {
     end->height = at_fault.height;
     return end;
   }
-  ResumePoint point =
-      resume_point(*left, {session_->found_line(), session_->numbers_lines(), true});
+  ResumePoint point = point_of(*left, true);
+  if (cannot_be_placed(point)) {
+    LinkOutcome end = at_fault;
+    end.reason = reason + "; " + kUnplaced;
+    end.measures = "nothing was heated or moved any more";
+    return end;
+  }
   point.command = std::clamp(point.command, trail_.begin(), trail_.end());
   std::int64_t z_um = left->nozzle_z_um;
   if (!point.lives) {
@@ -267,8 +296,10 @@ std::optional<LinkOutcome> Monitor::reconnect(bool reset, double until_s) {
       port_ = reopened_.get();
     }
     begin_session(true);
-    while (session_->state() == SessionState::kConnecting && !stop_asked()) {
+    while (session_->state() == SessionState::kConnecting && !stop_asked() &&
+           steady_seconds() <= until_s) {
       firmware_link::step(*session_, *port_, link_now(), kWait_ms);
+      tell_events();
     }
     if (session_->state() == SessionState::kStreaming) return std::nullopt;
     open = port_->state() == firmware_link::PortState::kOpen;

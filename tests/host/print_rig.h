@@ -65,7 +65,7 @@ inline host::Job open(const core::Settings& settings, const std::string& path) {
 
 struct Rig {
   host::Job job;
-  // Numbered commands as the controller took them, without the link's own.
+  // Commands as the controller took them, without the link's own; to a Marlin the numbered ones.
   std::vector<std::string> executed;
   std::function<void()> on_executed;  // after each
   std::function<int()> stop_count = [] { return 0; };
@@ -81,9 +81,11 @@ struct Rig {
       : job(std::move(opened)) {
     options.bed_x_mm = settings.bed_x.mm();
     options.bed_y_mm = settings.bed_y.mm();
-    options.executed = [this](const firmware_link::ExecutedCommand& command) {
+    const bool numbers = options.dialect == firmware_link::VirtualDialect::kMarlin ||
+                         options.dialect == firmware_link::VirtualDialect::kPrusa;
+    options.executed = [this, numbers](const firmware_link::ExecutedCommand& command) {
       const std::string text(command.text);
-      if (command.number && !test::is_own_line(text)) executed.push_back(text);
+      if ((command.number || !numbers) && !test::is_own_line(text)) executed.push_back(text);
       if (on_executed) on_executed();
     };
     port = std::make_unique<firmware_link::VirtualPort>(options, host::steady_port_clock(), 0);

@@ -1,0 +1,43 @@
+// Where a controller that numbers nothing was found, and what follows for going on.
+#include <algorithm>
+
+#include "host/printing/monitor.h"
+#include "host/printing/told_place.h"
+
+namespace host {
+
+// Fills the trail up to that command of the print; false: geometry has not made it yet.
+bool Monitor::trail_reaches(std::int64_t command) {
+  while (index_ < command) {
+    if (peek() == nullptr) return queue_.drained() && !queue_.closed();
+    advance();
+  }
+  return true;
+}
+
+// REQUIRES: what was sent is in the trail, as far as there is any.
+ResumePoint Monitor::point_of(const JournalRecord& left, bool same_boot) const {
+  const std::optional<firmware_link::Position>& place = session_->found_place();
+  if (session_->numbers_lines() || !place || left.accepted < trail_.begin() ||
+      left.accepted > trail_.end()) {
+    return resume_point(left, {session_->found_line(), session_->numbers_lines(), same_boot});
+  }
+  const std::int64_t last = std::max(left.accepted, std::min(commands_sent(left), trail_.end()));
+  return resume_point_at(left, {*place, session_->found_homed().value_or(false)}, last,
+                         [this](std::int64_t command) { return trail_.state_before(command); });
+}
+
+// Klipper that has lost its place is told its height by a command that it may not have.
+bool Monitor::cannot_be_placed(const ResumePoint& point) const {
+  return !point.lives && session_->dialect_name() == "Klipper" &&
+         !session_->capabilities().sets_position;
+}
+
+LinkOutcome Monitor::unplaced() const {
+  LinkOutcome result = outcome(LinkEnd::kFaulted);
+  result.reason = unplaced_;
+  result.measures = "nothing was heated or moved";
+  return result;
+}
+
+}  // namespace host
