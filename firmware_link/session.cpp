@@ -49,7 +49,7 @@ Session::Session(std::unique_ptr<Dialect> dialect, const SessionOptions& options
 
 bool Session::can_take() const {
   return state_ == SessionState::kStreaming && window_.all_sent() && !own_line_due() &&
-         !confirming_ && !deferred_ && !shut_down_since_;
+         !confirming_ && !deferred_ && !is_still();
 }
 
 void Session::take(const Command& command, Instant now) { give(command, true, now); }
@@ -92,7 +92,7 @@ void Session::written(std::size_t count, Instant now) {
 void Session::tick(Instant now) {
   bridge_gap(now);
   if (ended()) return;
-  if (shut_down_since_) {
+  if (is_still()) {
     tick_shut_down(now);
     return;
   }
@@ -274,7 +274,7 @@ void Session::tick_silence(Instant now) {
 
 // Moves to the next state when all that this one waits for is there.
 void Session::settle(Instant now) {
-  if (ended() || shut_down_since_ || (phase_ != Phase::kAsking && phase_ != Phase::kOpen)) return;
+  if (ended() || is_still() || (phase_ != Phase::kAsking && phase_ != Phase::kOpen)) return;
   const bool idle = window_.all_sent() && window_.lines_in_flight() == 0 && !resync_pending_ &&
                     !own_line_due() && !question_ && !deferred_;
   if (phase_ == Phase::kAsking && idle) {
@@ -306,7 +306,7 @@ void Session::settle(Instant now) {
 }
 
 void Session::pump(Instant now) {
-  if (ended() || shut_down_since_ || !talks()) return;
+  if (ended() || is_still() || !talks()) return;
   if (state_ == SessionState::kStopping && !end_of_commands_) {
     if (!resync_pending_ && phase_ == Phase::kOpen) resynchronise(now);
     return;

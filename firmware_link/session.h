@@ -192,6 +192,8 @@ class Session {
   void shut_down_seen(std::string_view words, Instant now);
   void reply_while_shut_down(const Reply& reply);
   void tick_shut_down(Instant now);
+  void place_lost(std::string_view words, Instant now);
+  [[nodiscard]] bool is_still() const { return shut_down_since_ || place_lost_since_; }
   void end_shut_down(std::string_view reason);
   void halted(const std::string& why);
 
@@ -335,7 +337,8 @@ class Session {
   std::optional<Instant> query_due_;  // when its state is asked for again
   std::optional<Position> found_place_;
   std::optional<bool> found_homed_;
-  std::optional<Instant> shut_down_since_;  // its reason is waited for
+  std::optional<Instant> shut_down_since_;   // its reason is waited for
+  std::optional<Instant> place_lost_since_;  // likewise: whether it is being restarted
   std::string shut_down_words_;
   std::optional<std::string> stop_behind_;  // a stop waits for this command
   bool stop_told_ = false;

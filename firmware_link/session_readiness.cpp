@@ -153,7 +153,21 @@ void Session::reply_while_shut_down(const Reply& reply) {
   if (reply.kind == Reply::Kind::kAlarm) end_shut_down(reply.text);
 }
 
+// Klipper that is being restarted lets its motors go first, and refuses what comes then: that it is
+// restarted, it says some milliseconds later.
+void Session::place_lost(std::string_view words, Instant now) {
+  if (is_still()) return;
+  place_lost_since_ = now;
+  shut_down_words_ = std::string(words);
+  output_begin_ = output_end_ = 0;
+}
+
 void Session::tick_shut_down(Instant now) {
+  if (!shut_down_since_) {
+    if (now - *place_lost_since_ <= kReasonWait) return;
+    fault(FaultKind::kAlarm, "the controller refused a command: " + quoted(shut_down_words_), true);
+    return;
+  }
   const bool behind = window_.lines_in_flight() > 0;
   if (now - *shut_down_since_ > (behind ? kReasonWaitBehind : kReasonWait)) {
     end_shut_down(shut_down_words_);

@@ -76,6 +76,11 @@ void Session::reply(const Reply& reply, Instant now) {
     halted("the controller stopped: " + quoted(reply.text));
     return;
   }
+  if (meaning == Meaning::kAlarm && dialect_->lost_its_place(reply.text)) {
+    place_lost(reply.text, now);
+    return;
+  }
+  if (place_lost_since_ && meaning != Meaning::kReset) return;
   if (meaning == Meaning::kAlarm) {
     fault(FaultKind::kAlarm, "the controller refused a command: " + quoted(reply.text), true);
     return;

@@ -26,6 +26,7 @@ void Session::bridge_gap(Instant now) {
                          &last_progress_, &quiet_since_, &packing_asked_, &last_probe_}) {
     *since = moved(*since);
   }
+  if (place_lost_since_) place_lost_since_ = moved(*place_lost_since_);
   if (shut_down_since_) shut_down_since_ = moved(*shut_down_since_);
 }
 

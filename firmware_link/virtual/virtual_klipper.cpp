@@ -125,6 +125,8 @@ void VirtualController::Firmware::klipper_shut_down(std::string_view words) {
 void VirtualController::Firmware::restart(Duration ready_after, Instant now) {
   advance(now);
   if (blocked()) return;
+  // Its motors are let go first, and what comes then is refused.
+  if (slot_count_ > 0) print("!! Must home axis first: 1.000 2.000 0.200 [3.000]\nok\n");
   print("// Klipper state: Disconnect\n");
   forget_all();
   klipper_begin(std::max(ready_after, kShutdownTakes));

@@ -191,6 +191,30 @@ TEST_CASE("what others ask Klipper, and its notes, are no fault") {
   CHECK(hand.session.fault_kind() == FaultKind::kReset);
 }
 
+TEST_CASE("a restart is told from a place that was lost") {
+  ByHand hand;
+  hand.open_klipper();
+  hand.take(1000);
+  hand.take(2000);
+  (void)hand.output();
+  hand.say("!! Must home axis first: 1.000 2.000 0.200 [3.000]\nok\n");
+  CHECK_FALSE(hand.session.can_take());
+  hand.pass(200ms);
+  CHECK(hand.output().empty());
+  CHECK(hand.session.state() == SessionState::kStreaming);
+  SUBCASE("restarted") {
+    hand.say(
+        "!! Must home axis first: 2.000 2.000 0.200 [3.000]\nok\n"
+        "// Klipper state: Disconnect\n");
+    CHECK(hand.session.fault_kind() == FaultKind::kReset);
+  }
+  SUBCASE("not") {
+    hand.pass(1s);
+    CHECK(hand.session.fault_kind() == FaultKind::kAlarm);
+    CHECK(holds(hand.session.reason(), "Must home axis first: 1.000"));
+  }
+}
+
 TEST_CASE("to resume, Klipper is asked where it is, what it knows and whether it is homed") {
   SessionOptions options;
   options.ask_found_line = true;
