@@ -62,7 +62,7 @@ struct Settings {
   // Slicing.
   Length simplify_tolerance = Length::from_units(50);  // 5 µm
   Length arc_tolerance = Length::from_units(25);       // 2.5 µm
-  Length chain_gap_max = Length::from_units(20'000);   // open chains are closed across at most this
+  Length chain_gap_max = Length::from_units(20'000);   // beyond it, only one way
 
   // Roads as motions.
   ArcUse arcs = ArcUse::kAuto;

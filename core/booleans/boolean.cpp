@@ -1,6 +1,7 @@
 #include "core/booleans/boolean.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/booleans/overlay.h"  // Overlay
 #include "core/check.h"             // RIND_CHECK
@@ -36,13 +37,20 @@ Overlay& overlay() {
 }  // namespace
 
 Region clean(const std::vector<Ring>& rings, FillRule rule) {
+  return clean_with_winding(rings, rule).region;
+}
+
+CleanedRings clean_with_winding(const std::vector<Ring>& rings, FillRule rule) {
   for (const Ring& ring : rings) {
     for (const Point p : ring) {
       RIND_CHECK(p.x >= -kCoordinateMax && p.x <= kCoordinateMax);
       RIND_CHECK(p.y >= -kCoordinateMax && p.y <= kCoordinateMax);
     }
   }
-  return overlay().combine(rings, winding_rule(rule));
+  if (rings.empty()) return {};
+  Region region = overlay().combine(rings, winding_rule(rule));
+  const std::int32_t least = region.empty() ? 0 : overlay().least_winding();
+  return {std::move(region), least};
 }
 
 Region unite(const Region& a, const Region& b) {

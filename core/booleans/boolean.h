@@ -32,6 +32,14 @@ enum class FillRule {
 // COSTS: near-linear in edges and crossings, as all that follow.
 [[nodiscard]] Region clean(const std::vector<Ring>& rings, FillRule rule);
 
+// The same, and the lowest winding number that the rings have anywhere, or 0: below it, something
+// is turned inside out.
+struct CleanedRings {
+  Region region;
+  std::int32_t least_winding = 0;
+};
+[[nodiscard]] CleanedRings clean_with_winding(const std::vector<Ring>& rings, FillRule rule);
+
 // Equal, empty and far operands cost a comparison.
 [[nodiscard]] Region unite(const Region& a, const Region& b);
 [[nodiscard]] Region intersect(const Region& a, const Region& b);

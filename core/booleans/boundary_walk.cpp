@@ -34,6 +34,7 @@ bool BoundaryWalk::run(const ContourEdges& edges, const SnapRounding& snapped,
   leaving_.assign(graph.node_count(), 0);
   walked_.assign(graph.node_count(), 0);
   known_.clear();
+  least_winding_ = 0;
   for (NodeIndex node = 0; node < graph.node_count(); ++node) {
     if (walked_[node] != 0 || graph.spokes(node).empty()) continue;
     if (!operands_clean || !start_at_corner(edges, graph, node, ray)) {
@@ -95,6 +96,7 @@ void BoundaryWalk::walk_from(const ContourEdges& edges, const ChainGraph& graph,
       [&](ChainEnd first, std::int32_t change) {
         const bool right = rule.inside(winding);
         winding += change;
+        least_winding_ = std::min(least_winding_, winding);
         const bool left = rule.inside(winding);
         // From the far end, the left side is the right one.
         known_.push_back({first ^ 1, winding});

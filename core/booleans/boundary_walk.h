@@ -32,6 +32,8 @@ class BoundaryWalk {
   // In a fixed order, each once; of a bundle the first chain stands for all.
   [[nodiscard]] std::span<const BoundaryPiece> pieces() const { return pieces_; }
   [[nodiscard]] BoundaryPiece next(BoundaryPiece piece) const { return next_[piece]; }
+  // The lowest winding number beside any chain, or 0.
+  [[nodiscard]] std::int32_t least_winding() const { return least_winding_; }
   // How many pieces leave the node.
   [[nodiscard]] std::uint32_t leaving(NodeIndex node) const { return leaving_[node]; }
 
@@ -56,6 +58,7 @@ class BoundaryWalk {
   std::vector<std::uint32_t> leaving_;  // by node
   std::vector<std::uint8_t> walked_;    // by node
   std::vector<Known> known_;
+  std::int32_t least_winding_ = 0;
 };
 
 }  // namespace core

@@ -42,6 +42,9 @@ class Overlay {
   // Rings of any kind, weighted 1.
   [[nodiscard]] Region combine(const std::vector<Ring>& rings, const WindingRule& rule);
 
+  // The lowest winding number in the last operation, or 0. REQUIRES: it was on rings of any kind
+  [[nodiscard]] std::int32_t least_winding() const { return walk_.least_winding(); }
+
   // Second runs since birth.
   [[nodiscard]] std::int64_t retries() const { return retries_; }
 

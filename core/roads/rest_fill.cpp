@@ -168,8 +168,8 @@ class Cutter {
 }  // namespace
 
 Length rest_room_min(const Settings& settings, RestEdges edges) {
-  const double share = edges == RestEdges::kRoads ? kRoomMinShare : 1;
-  return Length::from_mm(share * settings.road_width_min.mm());
+  if (edges == RestEdges::kPart) return settings.road_width_min - kRoomSlack;
+  return Length::from_mm(kRoomMinShare * settings.road_width_min.mm());
 }
 
 std::vector<Road> rest_roads(const Region& rest, RestEdges edges, Length layer_height,

@@ -23,6 +23,9 @@ enum class RestEdges {
 // Widths of one road differ from the room it has by at most about half this share.
 inline constexpr double kWidthStep = 0.2;
 
+// What the grid and its roundings may take from a wall that is as wide as the narrowest road.
+inline constexpr Length kRoomSlack = Length::from_units(10);
+
 // Narrower room gets no road.
 [[nodiscard]] Length rest_room_min(const Settings& settings, RestEdges edges);
 

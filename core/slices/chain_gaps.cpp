@@ -56,7 +56,7 @@ class GapCloser {
     join_in_order(std::move(pairs), Rule::kEndToBegin);
   }
 
-  [[nodiscard]] std::vector<Chain> closed(SliceDefects& defects) {
+  [[nodiscard]] std::vector<Chain> closed(Length gap_max, SliceDefects& defects) {
     std::vector<bool> visited(chains_.size(), false);
     std::vector<Chain> rings;
     // Runs of joined chains that have a free end do not close.
@@ -66,7 +66,7 @@ class GapCloser {
       ++defects.dropped_chains;
     }
     for (std::size_t i = 0; i < chains_.size(); ++i) {
-      if (!visited[i]) rings.push_back(ring_from(2 * i, visited, defects));
+      if (!visited[i]) rings.push_back(ring_from(2 * i, visited, gap_max, defects));
     }
     return rings;
   }
@@ -148,15 +148,17 @@ class GapCloser {
     }
   }
 
-  [[nodiscard]] Chain ring_from(End start, std::vector<bool>& visited, SliceDefects& defects) {
+  [[nodiscard]] Chain ring_from(End start, std::vector<bool>& visited, Length gap_max,
+                                SliceDefects& defects) {
     Chain ring;
     End at = start;
     do {
       Chain& piece = chains_[at / 2];
       visited[at / 2] = true;
       const double gap = std::sqrt(static_cast<double>(pair(at ^ 1, joined_[at ^ 1]).squared));
-      defects.widest_gap = std::max(defects.widest_gap,
-                                    Length::from_units(static_cast<std::int64_t>(std::ceil(gap))));
+      const auto width = Length::from_units(static_cast<std::int64_t>(std::ceil(gap)));
+      defects.widest_gap = std::max(defects.widest_gap, width);
+      if (width > gap_max) ++defects.wide_chains;
       ++defects.closed_chains;
       if (at % 2 == 1) piece.reverse();
       ring.points.insert(ring.points.end(), piece.points.begin(), piece.points.end());
@@ -186,7 +188,7 @@ std::vector<Chain> closed_across_gaps(std::vector<Chain> open, Length gap_max,
   GapCloser closer(std::move(open));
   closer.join_nearest(gap_max.units());
   closer.join_wide();
-  return closer.closed(defects);
+  return closer.closed(gap_max, defects);
 }
 
 }  // namespace core

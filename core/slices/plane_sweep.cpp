@@ -7,6 +7,7 @@
 #include "core/booleans/boolean.h"       // clean
 #include "core/check.h"                  // RIND_CHECK
 #include "core/regions/simplify.h"       // simplify
+#include "core/slices/inside_out.h"      // turn_inside_out
 #include "core/slices/segment_chains.h"  // rings_of, OnOneLine
 
 namespace core {
@@ -60,12 +61,13 @@ bool on_one_wall(const Triangle& a, const Triangle& b) {
                      [&](const Vertex& corner) { return cross(begin, end, flat(corner)) == 0; });
 }
 
-// A mesh that is inside out gives the same part, and the same rings.
-void turn_outwards(std::vector<Ring>& rings) {
+// A mesh that is inside out gives the same part, and the same rings. Returns whether it is.
+bool turn_outwards(std::vector<Ring>& rings) {
   double doubled_area = 0;
   for (const Ring& ring : rings) doubled_area += doubled_area_units(ring);
-  if (doubled_area >= 0) return;
+  if (doubled_area >= 0) return false;
   for (Ring& ring : rings) std::reverse(ring.begin() + 1, ring.end());
+  return true;
 }
 
 // Equal slices are to be equal in memory: each ring from its lowest point on, rings in order.
@@ -126,11 +128,34 @@ Result<bool> PlaneSweep::advance() {
   return true;
 }
 
-std::vector<Ring> PlaneSweep::rings(SliceDefects& defects) const {
+SliceRings PlaneSweep::rings(SliceDefects& defects) const {
   const OnOneLine on_one_line = [this](SegmentIndex a, SegmentIndex b) {
     return on_one_wall(held_[a], held_[b]);
   };
   return rings_of(cut(doubled_z_), options_.chain_gap_max, on_one_line, defects);
+}
+
+Region PlaneSweep::region_of(SliceRings contours, SliceDefects& defects) const {
+  std::vector<Ring>& rings = contours.rings;
+  // Bodies that are there twice, once inside out: their contours nest.
+  std::vector<Ring> twice;
+  for (Ring& ring : contours.cancelled) {
+    if (!stands_out(ring, rings)) continue;
+    defects.doubled_facets += static_cast<std::int64_t>(ring.size());
+    twice.push_back(std::move(ring));
+  }
+  if (!twice.empty()) {
+    const Region bodies = clean(twice, FillRule::kEvenOdd);
+    rings.insert(rings.end(), bodies.rings().begin(), bodies.rings().end());
+  }
+  CleanedRings cleaned = clean_with_winding(rings, FillRule::kNonZero);
+  if (cleaned.least_winding < 0 || options_.unsure) {
+    const TurnedRings turned = turn_inside_out(rings, options_.unsure);
+    defects.turned_contours = turned.count;
+    defects.turned_at = turned.first;
+    if (turned.count > 0) cleaned.region = clean(rings, FillRule::kNonZero);
+  }
+  return Region::from_clean_rings(in_one_order(cleaned.region.rings()));
 }
 
 Result<std::optional<SliceDefects>> PlaneSweep::next_defects() {
@@ -150,16 +175,27 @@ Result<std::optional<Slice>> PlaneSweep::next() {
   slice.index = next_index_ - 1;
   slice.bottom = options_.layer_height * slice.index;
   slice.height = options_.layer_height;
-  std::vector<Ring> contours = rings(slice.defects);
-  for (Ring& ring : contours) ring = simplify(ring, options_.simplify_tolerance);
-  std::erase_if(contours, [](const Ring& ring) { return ring.empty(); });
-  turn_outwards(contours);
-  contours = in_one_order(std::move(contours));
+  SliceRings contours = rings(slice.defects);
+  for (std::vector<Ring>* kind : {&contours.rings, &contours.cancelled}) {
+    for (Ring& ring : *kind) ring = simplify(ring, options_.simplify_tolerance);
+    std::erase_if(*kind, [](const Ring& ring) { return ring.empty(); });
+  }
+  const bool inside_out = turn_outwards(contours.rings);
+  if (!contours.rings.empty()) {
+    // A body that is turned otherwise than what was there below, and is alone here.
+    if (inside_out_.value_or(inside_out) != inside_out) {
+      slice.defects.turned_contours = static_cast<std::int64_t>(contours.rings.size());
+      slice.defects.turned_at = contours.rings[0][0];
+    }
+    if (!inside_out_) inside_out_ = inside_out;
+  }
+  contours.rings = in_one_order(std::move(contours.rings));
   if (contours != last_rings_) {
-    last_region_ =
-        Region::from_clean_rings(in_one_order(clean(contours, FillRule::kNonZero).rings()));
+    last_turned_ = {};
+    last_region_ = region_of(contours, last_turned_);
     last_rings_ = std::move(contours);
   }
+  slice.defects.add(last_turned_);
   slice.region = last_region_;
   return std::optional<Slice>(std::move(slice));
 }

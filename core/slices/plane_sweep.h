@@ -12,7 +12,7 @@
 // The segments are chained (segment_chains.h; points between two facets of one upright wall are
 // left out, exactly, so that walls that go straight up give equal slices), simplified, and cleaned
 // by winding number other than 0: what several bodies share is inside, and a mesh that is inside
-// out is a part all the same.
+// out, or a body of it (inside_out.h), is a part all the same.
 #pragma once
 
 #include <cstdint>
@@ -20,10 +20,11 @@
 #include <optional>
 #include <vector>
 
-#include "core/geometry.h"      // Triangle, Segment
-#include "core/result.h"        // Result
-#include "core/slices/slice.h"  // Slice
-#include "core/units.h"         // LayerIndex, Length
+#include "core/geometry.h"               // Triangle, Segment
+#include "core/result.h"                 // Result
+#include "core/slices/segment_chains.h"  // SliceRings
+#include "core/slices/slice.h"           // Slice
+#include "core/units.h"                  // LayerIndex, Length
 
 namespace core {
 
@@ -38,6 +39,8 @@ class PlaneSweep {
     std::optional<LayerIndex> layers;
     Length simplify_tolerance;  // REQUIRES: >= 0
     Length chain_gap_max;       // REQUIRES: >= 0
+    // Where facets are known to be turned over (inside_out.h); nothing: nowhere.
+    std::optional<Box> unsure{};
   };
 
   // Gives the next triangle in order of lowest z, or nothing at the end. REQUIRES: x and y within
@@ -61,7 +64,9 @@ class PlaneSweep {
   // To the next plane; false after the last one.
   [[nodiscard]] Result<bool> advance();
   [[nodiscard]] Status take_triangles_below(std::int64_t doubled_z);
-  [[nodiscard]] std::vector<Ring> rings(SliceDefects& defects) const;
+  [[nodiscard]] SliceRings rings(SliceDefects& defects) const;
+  // What the rings enclose. Turns those that are inside out, and says so.
+  [[nodiscard]] Region region_of(SliceRings contours, SliceDefects& defects) const;
   // One for each triangle held, in the same order.
   [[nodiscard]] std::vector<Segment> cut(std::int64_t doubled_z) const;
 
@@ -74,9 +79,12 @@ class PlaneSweep {
   bool source_ended_ = false;
   std::int64_t peak_triangles_held_ = 0;
 
+  std::optional<bool> inside_out_;  // the first slice was
+
   // The last slice's, before and after it was cleaned: an equal one costs a comparison.
-  std::vector<Ring> last_rings_;
+  SliceRings last_rings_;
   Region last_region_;
+  SliceDefects last_turned_;  // of them, those that were found from the rings
 };
 
 }  // namespace core

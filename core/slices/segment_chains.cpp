@@ -8,7 +8,8 @@
 #include <tuple>
 #include <utility>
 
-#include "core/check.h"  // RIND_DCHECK
+#include "core/check.h"           // RIND_DCHECK
+#include "core/regions/region.h"  // doubled_area_units
 namespace core {
 namespace {
 
@@ -52,6 +53,24 @@ class Links {
     }
     drop_copies();
     drop_reversed_pairs();
+  }
+
+  // Rings of segments that were dropped with their reverses, at whose points nothing else is.
+  [[nodiscard]] std::vector<Chain> cancelled_rings() const {
+    std::vector<std::vector<std::size_t>> at(dropped_.empty() ? 0 : points_.size());
+    std::vector<bool> taken(at.size(), false);
+    for (std::size_t i = 0; i < dropped_.size(); ++i) {
+      at[dropped_[i].from].push_back(i);
+      at[dropped_[i].to].push_back(i);
+    }
+    for (const Link& link : at.empty() ? std::vector<Link>() : links_) {
+      taken[link.from] = taken[link.to] = true;
+    }
+    std::vector<Chain> rings;
+    for (const Link& first : dropped_) {
+      if (!taken[first.from]) append_ring(first.from, at, taken, rings);
+    }
+    return rings;
   }
 
   [[nodiscard]] const std::vector<Point>& points() const { return points_; }
@@ -98,7 +117,10 @@ class Links {
         continue;
       }
       const bool one_needed = degree_[link.from] % 2 == 1 && degree_[link.to] % 2 == 1;
-      if (!one_needed) continue;
+      if (!one_needed) {
+        if (link.from < link.to) dropped_.push_back(link);
+        continue;
+      }
       const bool leaves_lack = surplus_[link.from] - surplus_[link.to] < 0;
       const bool balanced = surplus_[link.from] == surplus_[link.to];
       if (leaves_lack || (balanced && link.from < link.to)) {
@@ -109,8 +131,28 @@ class Links {
     links_ = std::move(kept);
   }
 
+  // Around from a point where two dropped ones meet, if all others on the way do so too.
+  void append_ring(Node start, const std::vector<std::vector<std::size_t>>& at,
+                   std::vector<bool>& taken, std::vector<Chain>& rings) const {
+    Chain ring;
+    Node node = start;
+    std::size_t came = dropped_.size();
+    do {
+      if (taken[node] || at[node].size() != 2) return;
+      taken[node] = true;
+      const std::size_t next = at[node][0] == came ? at[node][1] : at[node][0];
+      ring.points.push_back(points_[node]);
+      ring.segments.push_back(dropped_[next].segment);
+      node = dropped_[next].from == node ? dropped_[next].to : dropped_[next].from;
+      came = next;
+    } while (node != start);
+    if (doubled_area_units(ring.points) < 0) ring.reverse();
+    rings.push_back(std::move(ring));
+  }
+
   std::vector<Point> points_;
   std::vector<Link> links_;
+  std::vector<Link> dropped_;  // of each pair that was dropped, the one to the higher point
   std::vector<int> degree_;
   std::vector<int> surplus_;  // links that leave a point, less those that come in
   std::int64_t doubled_ = 0;
@@ -230,24 +272,28 @@ Chains chain_segments(const std::vector<Segment>& segments) {
   const Links links(segments);
   Chains chains = Walker(links).walk_all();
   chains.doubled_facets = links.doubled();
+  chains.cancelled = links.cancelled_rings();
   return chains;
 }
 
-std::vector<Ring> rings_of(const std::vector<Segment>& segments, Length gap_max,
-                           const OnOneLine& on_one_line, SliceDefects& defects) {
+SliceRings rings_of(const std::vector<Segment>& segments, Length gap_max,
+                    const OnOneLine& on_one_line, SliceDefects& defects) {
   Chains chains = chain_segments(segments);
   defects.doubled_facets += chains.doubled_facets;
   if (!chains.open.empty()) {
     std::vector<Chain> closed = closed_across_gaps(std::move(chains.open), gap_max, defects);
     std::move(closed.begin(), closed.end(), std::back_inserter(chains.closed));
   }
-  std::vector<Ring> rings;
-  rings.reserve(chains.closed.size());
+  SliceRings result;
+  result.rings.reserve(chains.closed.size());
   for (const Chain& chain : chains.closed) {
     defects.flipped_facets += chain.against.facets;
-    rings.push_back(without_points_on_lines(chain, on_one_line));
+    result.rings.push_back(without_points_on_lines(chain, on_one_line));
   }
-  return rings;
+  for (const Chain& chain : chains.cancelled) {
+    result.cancelled.push_back(without_points_on_lines(chain, on_one_line));
+  }
+  return result;
 }
 
 }  // namespace core

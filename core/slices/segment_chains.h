@@ -6,7 +6,9 @@
 //
 //   a segment there twice       once (a doubled facet)
 //   a segment and its reverse   neither (two bodies share a wall), or one where that leaves the
-//                               points around them in pairs (a doubled facet, turned over)
+//                               points around them in pairs (a doubled facet, turned over); a whole
+//                               ring of such, apart from all else, is kept for whoever knows
+//                               whether it lies within a body (a body there twice, once inside out)
 //   a flipped facet             goes with the rest of its chain: chains turn as most of their
 //                               length does
 //   an open chain               closed_across_gaps() below
@@ -48,6 +50,7 @@ struct Chain {
 struct Chains {
   std::vector<Chain> closed;  // the last point joins the first
   std::vector<Chain> open;
+  std::vector<Chain> cancelled;  // closed, counter-clockwise: each segment's reverse was there too
   std::int64_t doubled_facets = 0;
 };
 
@@ -73,9 +76,15 @@ inline constexpr std::size_t kWideGapChainsMax = 64;
 // Whether two segments lie on one straight line, whatever the rounding of their ends.
 using OnOneLine = std::function<bool(SegmentIndex, SegmentIndex)>;
 
+struct SliceRings {
+  std::vector<Ring> rings;
+  std::vector<Ring> cancelled;
+  bool operator==(const SliceRings&) const = default;
+};
+
 // All of the above: every ring turned as most of its length is, without the points between two
 // segments on one line.
-[[nodiscard]] std::vector<Ring> rings_of(const std::vector<Segment>& segments, Length gap_max,
-                                         const OnOneLine& on_one_line, SliceDefects& defects);
+[[nodiscard]] SliceRings rings_of(const std::vector<Segment>& segments, Length gap_max,
+                                  const OnOneLine& on_one_line, SliceDefects& defects);
 
 }  // namespace core

@@ -12,6 +12,7 @@
 #include "host/formats/format_limits.h"  // kWordBytesMax
 #include "host/formats/mesh_store.h"     // MeshStore
 #include "host/formats/number_text.h"    // parse_real
+#include "host/formats/part_kind.h"      // part_kind_of
 #include "host/formats/text_scanner.h"   // is_blank, shown
 
 namespace host {
@@ -24,9 +25,13 @@ struct Unit {
   const char* name;
   double mm;
 };
-constexpr std::array<Unit, 6> kUnits{Unit{"millimeter", 1}, Unit{"inch", 25.4},
-                                     Unit{"feet", 304.8},   Unit{"foot", 304.8},
-                                     Unit{"meter", 1'000},  Unit{"micron", 0.001}};
+// Those of the standard, then what else is written for them; in any case.
+constexpr std::array kUnits{Unit{"millimeter", 1}, Unit{"inch", 25.4},       Unit{"feet", 304.8},
+                            Unit{"meter", 1'000},  Unit{"micron", 0.001},    Unit{"millimetre", 1},
+                            Unit{"mm", 1},         Unit{"centimeter", 10},   Unit{"centimetre", 10},
+                            Unit{"cm", 10},        Unit{"inches", 25.4},     Unit{"in", 25.4},
+                            Unit{"foot", 304.8},   Unit{"ft", 304.8},        Unit{"metre", 1'000},
+                            Unit{"m", 1'000},      Unit{"micrometer", 0.001}};
 
 constexpr std::array<const char*, 3> kAxes{"x", "y", "z"};
 constexpr std::array<const char*, 3> kCorners{"v1", "v2", "v3"};
@@ -36,6 +41,12 @@ std::string_view trimmed(std::string_view text) {
   while (!text.empty() && is_blank(static_cast<unsigned char>(text.front()))) text.remove_prefix(1);
   while (!text.empty() && is_blank(static_cast<unsigned char>(text.back()))) text.remove_suffix(1);
   return text;
+}
+
+std::string lower(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+  return result;
 }
 
 // About x, then y, then z, then moved.
@@ -117,8 +128,10 @@ class AmfReader : public TriangleSource {
     if (event.name == "amf") {
       const std::string* unit = event.attribute("unit");
       if (unit == nullptr) return {};
+      const std::string name = lower(trimmed(*unit));
+      if (name.empty()) return {};
       for (const Unit& one : kUnits) {
-        if (*unit != one.name) continue;
+        if (name != one.name && name != std::string(one.name) + "s") continue;
         unit_mm_ = one.mm;
         return {};
       }
@@ -137,6 +150,13 @@ class AmfReader : public TriangleSource {
       if (id == nullptr) return xml_.bad("an instance without objectid; export the part again");
       instance_ = *id;
       places_ = {};
+    } else if (event.name == "volume") {
+      kind_ = PartKind::kPlastic;
+      volume_begin_ = objects_.empty() ? 0 : store_.triangles(objects_.back());
+      in_volume_ = !objects_.empty() && constellations_.empty();
+    } else if (event.name == "metadata") {
+      const std::string* type = event.attribute("type");
+      metadata_ = type == nullptr ? "" : *type;
     } else if (event.name == "edge" || event.name == "normal") {
       if (!std::exchange(curved_, true)) {
         warnings_.push_back(name_ + ": curved triangles were taken flat");
@@ -169,6 +189,8 @@ class AmfReader : public TriangleSource {
       return store_.add_vertex(point_);
     }
     if (name == "triangle") return triangle();
+    if (name == "metadata" && in_volume_) metadata();
+    if (name == "volume" && in_volume_) return end_volume();
     if (name == "instance") {
       if (constellations_.empty()) return xml_.bad("an instance outside of a constellation");
       const MeshStore::Key key{0, instance_};
@@ -180,6 +202,29 @@ class AmfReader : public TriangleSource {
     if (taken.ok() && !taken.value()) taken = number(name, kCorners, corners_);
     if (taken.ok() && !taken.value()) taken = number(name, kPlaces, places_);
     return taken.ok() ? Status() : taken.error();
+  }
+
+  // Slic3r's and PrusaSlicer's, within a volume.
+  void metadata() {
+    if (metadata_ == "slic3r.volume_type") kind_ = part_kind_of(text_);
+    const bool old_modifier = metadata_ == "slic3r.modifier" && trimmed(text_) == "1";
+    if (old_modifier && kind_ == PartKind::kPlastic) kind_ = PartKind::kModifier;
+  }
+
+  [[nodiscard]] Status end_volume() {
+    in_volume_ = false;
+    if (kind_ == PartKind::kPlastic || kind_ == PartKind::kUnknown) return {};
+    if (kind_ == PartKind::kNegative) {
+      return xml_.bad("a negative part, which can't be read from AMF; export 3MF");
+    }
+    const MeshStore::Key& key = objects_.back();
+    store_.set_role(key, volume_begin_, store_.triangles(key) - volume_begin_, MeshRole::kLeftOut);
+    if (!std::exchange(left_out_, true)) {
+      warnings_.push_back(name_ +
+                          ": modifiers and marks for supports left out: no plastic, and their "
+                          "settings are not used");
+    }
+    return {};
   }
 
   [[nodiscard]] Status triangle() {
@@ -211,6 +256,12 @@ class AmfReader : public TriangleSource {
   std::vector<MeshStore::Key> constellations_;
   std::set<MeshStore::Key> held_;  // by a constellation
   bool curved_ = false;
+  // Of the volume that is being read.
+  bool in_volume_ = false;
+  std::string metadata_;
+  PartKind kind_ = PartKind::kPlastic;
+  std::size_t volume_begin_ = 0;
+  bool left_out_ = false;
 };
 
 }  // namespace

@@ -61,16 +61,61 @@ void MeshStore::count_from_one() {
   object_->first_index = 1;
 }
 
-void MeshStore::add_component(const Key& key, const Transform& transform, bool reversed) {
+void MeshStore::add_component(const Key& key, const Transform& transform, bool reversed,
+                              MeshRole role) {
   RIND_CHECK(object_ != nullptr);
-  if (++components_ <= kMeshInstancesMax) object_->components.push_back({key, transform, reversed});
+  if (++components_ > kMeshInstancesMax) return;
+  object_->components.push_back({key, transform, reversed, role});
 }
 
-std::string MeshStore::add_item(const Key& key, const Transform& transform, bool reversed) {
-  return place({key, transform, reversed}, 0);
+void MeshStore::set_role(const Key& key, std::size_t first, std::size_t count, MeshRole role) {
+  std::vector<Range>& ranges = objects_.at(key).ranges;
+  RIND_CHECK(ranges.empty() || first >= ranges.back().end);
+  if (role != MeshRole::kSolid && count > 0) ranges.push_back({first, first + count, role});
 }
 
-std::string MeshStore::place(const Component& what, int depth) {
+std::size_t MeshStore::triangles(const Key& key) const {
+  const auto found = objects_.find(key);
+  return found == objects_.end() ? 0 : found->second.triangles;
+}
+
+std::string MeshStore::add_item(const Key& key, const Transform& transform, bool reversed,
+                                MeshRole role) {
+  return place({key, transform, reversed, MeshRole::kSolid}, role, 0);
+}
+
+std::vector<MeshStore::Range> MeshStore::stretches(const Object& object, MeshRole outer,
+                                                   MeshRole wanted) {
+  if (outer != MeshRole::kSolid) {
+    if (outer != wanted) return {};
+    return {{0, object.triangles, outer}};
+  }
+  std::vector<Range> found;
+  std::size_t solid_from = 0;
+  for (const Range& range : object.ranges) {
+    if (wanted == MeshRole::kSolid) found.push_back({solid_from, range.first, wanted});
+    if (wanted == range.role) found.push_back(range);
+    solid_from = range.end;
+  }
+  if (wanted == MeshRole::kSolid) found.push_back({solid_from, object.triangles, wanted});
+  return found;
+}
+
+std::size_t MeshStore::count(const Key& key, MeshRole role) const {
+  // No deeper than place() goes.
+  const auto counted = [&](const auto& self, const Key& at, MeshRole outer) -> std::size_t {
+    const Object& object = objects_.at(at);
+    std::size_t sum = 0;
+    for (const Range& range : stretches(object, outer, role)) sum += range.end - range.first;
+    for (const Component& component : object.components) {
+      sum += self(self, component.key, outer == MeshRole::kSolid ? component.role : outer);
+    }
+    return sum;
+  };
+  return counted(counted, key, MeshRole::kSolid);
+}
+
+std::string MeshStore::place(const Component& what, MeshRole wanted, int depth) {
   const auto found = objects_.find(what.key);
   if (found == objects_.end()) {
     return "object '" + shown(what.key.second) + "' is not in the file; export the part again";
@@ -85,26 +130,36 @@ std::string MeshStore::place(const Component& what, int depth) {
     return "objects within one another more than " + std::to_string(kNestingMax) +
            " deep, or in a circle; export the part again";
   }
-  instances_.push_back({&object, what.transform, what.transform.mirrors() != what.reversed});
+  const bool reversed = what.transform.mirrors() != what.reversed;
+  std::vector<Range> ranges = stretches(object, what.role, wanted);
+  if (ranges.empty() && wanted == MeshRole::kSolid) ranges.emplace_back();
+  for (const Range& range : ranges) {
+    instances_.push_back({&object, what.transform, reversed, range.first, range.end});
+  }
   for (const Component& component : object.components) {
+    const MeshRole role = what.role == MeshRole::kSolid ? component.role : what.role;
     std::string cause = place({component.key, component.transform.then(what.transform),
-                               component.reversed != what.reversed},
-                              depth + 1);
+                               component.reversed != what.reversed, role},
+                              wanted, depth + 1);
     if (!cause.empty()) return cause;
   }
   return {};
 }
 
+void MeshStore::clear_items() {
+  instances_.clear();
+  next_instance_ = 0;
+}
+
 MeshStore::Next MeshStore::next() {
   while (next_instance_ < instances_.size() &&
-         next_triangle_ == instances_[next_instance_].object->triangles) {
+         instances_[next_instance_].next >= instances_[next_instance_].end) {
     ++next_instance_;
-    next_triangle_ = 0;
   }
   if (next_instance_ == instances_.size()) return {};
-  const Instance& instance = instances_[next_instance_];
+  Instance& instance = instances_[next_instance_];
   const Object& object = *instance.object;
-  const auto corners = triangles_.at(object.first_triangle + next_triangle_++);
+  const auto corners = triangles_.at(object.first_triangle + instance.next++);
   core::Triangle triangle;
   for (std::size_t i = 0; i < 3; ++i) {
     const PointMm at = instance.transform.applied(

@@ -1,5 +1,7 @@
 #include "host/formats/obj_reader.h"
 
+#include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -18,6 +20,9 @@ using core::Status;
 using core::Triangle;
 using core::Vertex;
 
+// Behind a backslash at a line's end, blanks at most.
+constexpr std::size_t kJoinBytes = 64;
+
 class ObjReader : public TriangleSource {
  public:
   explicit ObjReader(InputFile file) : text_(std::move(file)) {}
@@ -29,12 +34,13 @@ class ObjReader : public TriangleSource {
       if (corners_ >= 2) {
         Result<std::optional<Triangle>> triangle = next_of_fan();
         if (!triangle.ok() || triangle.value()) return triangle;
+        continue;
       }
       if (text_.skip_blanks() == TextScanner::kEnd) return end();
-      const std::string_view word = text_.word();
+      const std::string_view word = text_.word("\\");
       if (word == "v") {
         if (Status read = vertex(); !read.ok()) return read.error();
-      } else if (word == "f") {
+      } else if (word == "f" || word == "fo") {
         if (Status read = begin_face(); !read.ok()) return read.error();
       } else {
         skip_line();
@@ -43,20 +49,46 @@ class ObjReader : public TriangleSource {
   }
 
  private:
+  // A triangle of a face that stands before its vertices.
+  struct Waiting {
+    std::array<std::int64_t, 3> corners{};
+    std::int64_t line = 0;
+  };
+
+  // Behind the last line: what had to wait, then nothing.
   [[nodiscard]] Result<std::optional<Triangle>> end() {
     if (text_.failed()) return text_.bad("");
+    while (next_waiting_ < waiting_.size()) {
+      const Waiting waiting = waiting_.at(next_waiting_++);
+      for (const std::int64_t corner : waiting.corners) {
+        if (known(corner)) continue;
+        return core::Error{core::ErrorCode::kBadPart,
+                           text_.name() + ": line " + std::to_string(waiting.line) + ": vertex " +
+                               std::to_string(corner + 1) + " of " +
+                               std::to_string(vertices_.size()) +
+                               ": there is none; export the part again"};
+      }
+      ++facets_;
+      return std::optional<Triangle>(triangle_of(waiting.corners));
+    }
     if (facets_ == 0) return text_.bad("there is no face in the file; export the part again");
+    if (left_out_ > 0 && !std::exchange(told_, true)) {
+      warnings_.push_back(text_.name() + ": " + std::to_string(left_out_) +
+                          (left_out_ == 1 ? " face" : " faces") +
+                          " of fewer than three corners left out, in line " +
+                          std::to_string(left_out_line_) + (left_out_ == 1 ? "" : " first"));
+    }
     return std::optional<Triangle>();
   }
 
-  // Blanks within a line; a backslash at its end joins the next one.
+  // Blanks within a line of a vertex or a face, where a backslash at the line's end joins the next
+  // one. Returns peek(); a backslash that stands elsewhere is what comes next.
   int skip_spaces() {
     while (true) {
       const int c = text_.peek();
-      if (c == '\\') {
-        text_.take();
-        text_.skip_blanks();
-      } else if (c == ' ' || c == '\t' || c == '\f' || c == '\v') {
+      if (c == '\\' && joins_lines()) {
+        take_line_end();
+      } else if (is_space(c)) {
         text_.take();
       } else {
         return c;
@@ -64,15 +96,35 @@ class ObjReader : public TriangleSource {
     }
   }
 
+  // Takes a backslash that has only blanks behind it, up to the line's end.
+  [[nodiscard]] bool joins_lines() {
+    const std::string_view ahead = text_.lookahead(kJoinBytes).substr(1);
+    const std::size_t at = ahead.find_first_not_of(" \t\f\v");
+    if (at != std::string_view::npos && ahead[at] != '\n' && ahead[at] != '\r') return false;
+    text_.take();
+    return true;
+  }
+
+  // Blanks and one line end; what an empty line would join is not joined.
+  void take_line_end() {
+    while (is_space(text_.peek())) text_.take();
+    const int c = text_.peek();
+    if (c == '\r' || c == '\n') text_.take();
+    if (c == '\r' && text_.peek() == '\n') text_.take();
+  }
+
+  [[nodiscard]] static bool is_space(int c) {
+    return c == ' ' || c == '\t' || c == '\f' || c == '\v';
+  }
+
   [[nodiscard]] static bool ends_line(int c) {
     return c == TextScanner::kEnd || c == '\n' || c == '\r' || c == '#';
   }
 
+  // Comments and unknown lines end where they end, whatever their last character is: Windows paths
+  // end in a backslash.
   void skip_line() {
-    int last = 0;
-    for (int c = text_.peek(); c != TextScanner::kEnd; c = text_.peek()) {
-      if ((c == '\n' || c == '\r') && last != '\\') return;
-      last = c;
+    for (int c = text_.peek(); c != TextScanner::kEnd && c != '\n' && c != '\r'; c = text_.peek()) {
       text_.take();
     }
   }
@@ -88,62 +140,94 @@ class ObjReader : public TriangleSource {
     }
     const std::optional<Vertex> vertex = snapped_vertex(mm);
     if (!vertex) return text_.bad(vertex_too_far(mm));
+    // Weights and colours, also where they stand in the next line.
+    while (!ends_line(skip_spaces())) text_.take();
     skip_line();
     return vertices_.push_back(*vertex);
   }
 
-  // The next corner of the face; nothing at the line's end.
-  [[nodiscard]] Result<std::optional<Vertex>> corner() {
+  // The next corner of the face, counted from 0; nothing at the line's end.
+  [[nodiscard]] Result<std::optional<std::int64_t>> corner() {
     if (ends_line(skip_spaces())) {
       skip_line();
-      return std::optional<Vertex>();
+      return std::optional<std::int64_t>();
     }
     const std::string_view word = text_.word("\\");
     const std::optional<std::int64_t> number = parse_integer(word.substr(0, word.find('/')));
     if (!number) return text_.unexpected(word, "a vertex's number");
     const auto count = static_cast<std::int64_t>(vertices_.size());
     const std::int64_t index = *number < 0 ? count + *number : *number - 1;
-    if (index < 0 || index >= count || *number == 0) {
+    if (index < 0 || *number == 0) {
       return text_.bad("vertex " + std::to_string(*number) + " of " + std::to_string(count) +
                        " so far: there is none; export the part again");
     }
-    return std::optional<Vertex>(vertices_.at(static_cast<std::size_t>(index)));
+    return std::optional<std::int64_t>(index);
   }
 
   [[nodiscard]] Status begin_face() {
     corners_ = 0;
-    for (Vertex* into : {&first_, &last_}) {
-      const Result<std::optional<Vertex>> read = corner();
+    face_line_ = text_.line();
+    for (std::int64_t* into : {&first_, &last_}) {
+      const Result<std::optional<std::int64_t>> read = corner();
       if (!read.ok()) return read.error();
-      if (!read.value()) return text_.bad("a face of fewer than three corners; repair the mesh");
+      if (!read.value()) {
+        leave_face_out();
+        return {};
+      }
       *into = *read.value();
       ++corners_;
     }
     return {};
   }
 
+  void leave_face_out() {
+    corners_ = 0;
+    if (left_out_++ == 0) left_out_line_ = face_line_;
+  }
+
   [[nodiscard]] Result<std::optional<Triangle>> next_of_fan() {
-    const Result<std::optional<Vertex>> read = corner();
+    const Result<std::optional<std::int64_t>> read = corner();
     if (!read.ok()) return read.error();
     if (!read.value()) {
-      const bool whole = corners_ > 2;
+      if (corners_ == 2) leave_face_out();
       corners_ = 0;
-      if (!whole) return text_.bad("a face of fewer than three corners; repair the mesh");
       return std::optional<Triangle>();
     }
-    Triangle triangle{{first_, last_, *read.value()}};
+    const std::array<std::int64_t, 3> corners{first_, last_, *read.value()};
     last_ = *read.value();
     ++corners_;
+    if (!std::all_of(corners.begin(), corners.end(), [this](std::int64_t i) { return known(i); })) {
+      if (Status kept = waiting_.push_back({corners, face_line_}); !kept.ok()) return kept.error();
+      return std::optional<Triangle>();
+    }
     ++facets_;
-    return std::optional<Triangle>(triangle);
+    return std::optional<Triangle>(triangle_of(corners));
+  }
+
+  [[nodiscard]] bool known(std::int64_t corner) const {
+    return static_cast<std::size_t>(corner) < vertices_.size();
+  }
+
+  [[nodiscard]] Triangle triangle_of(const std::array<std::int64_t, 3>& corners) const {
+    Triangle triangle;
+    for (std::size_t i = 0; i < 3; ++i) {
+      triangle.corners[i] = vertices_.at(static_cast<std::size_t>(corners[i]));
+    }
+    return triangle;
   }
 
   TextScanner text_;
   MappedArray<Vertex> vertices_;
+  MappedArray<Waiting> waiting_;
+  std::size_t next_waiting_ = 0;
   // Of the face that is being cut: how many corners were read, the first and the last of them.
   std::int64_t corners_ = 0;
-  Vertex first_;
-  Vertex last_;
+  std::int64_t first_ = 0;
+  std::int64_t last_ = 0;
+  std::int64_t face_line_ = 0;
+  std::int64_t left_out_ = 0;
+  std::int64_t left_out_line_ = 0;
+  bool told_ = false;
 };
 
 }  // namespace

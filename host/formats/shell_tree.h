@@ -1,4 +1,4 @@
-// A solid as booleans of meshes, unevaluated: what a SIF file says.
+// A solid as booleans of meshes, unevaluated: what a SIF file says, and a 3MF with negative parts.
 //
 //     operands    meshes, each a union of closed shells
 //     nodes       union, intersection, difference of nodes; a leaf is an operand
@@ -29,6 +29,8 @@ struct ShellNode {
 struct Shell {
   MeshStore::Key key;
   bool reversed = false;  // its triangles look inwards
+  Transform transform{};
+  MeshRole role = MeshRole::kSolid;  // only its triangles of this role
 };
 
 struct ShellTree {

@@ -24,9 +24,10 @@
 
 namespace host {
 
-// format() is "binary STL" or "ASCII STL". A file that ends within a facet, text without its
-// "endsolid", a corner that is no number or out of range, are errors that name the facet and its
-// byte or line.
+// format() is "binary STL" or "ASCII STL". A file that ends within a facet, and a corner that is no
+// number or out of range, are errors that name the facet and its byte or line. Fewer facets than
+// the head counts, and text without its last "endsolid", leave a doubt(). Text behind "endsolid" is
+// left out, and told.
 class StlReader : public TriangleSource {
  public:
   // Reads as much as tells the kind.

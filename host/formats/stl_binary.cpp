@@ -15,6 +15,8 @@ using core::Result;
 constexpr std::size_t kHeaderBytes = 84;
 constexpr std::size_t kFacetBytes = 50;
 constexpr std::size_t kNormalBytes = 12;
+// More are no count: writers that never came back to fill it in leave -1, and the like.
+constexpr std::uint32_t kCountMax = 0x7FFFFFFE;
 
 std::uint32_t u32_at(const char* bytes) {
   std::uint32_t value = 0;
@@ -66,9 +68,13 @@ class BinaryStlReader : public StlReader {
     if (facets_ == 0) {
       return bad_part("byte 84", "there is no facet in the file; export the part again");
     }
-    warnings_.push_back(file_.name() + ": the header counts " + std::to_string(count_) +
-                        " facets, the file has " + std::to_string(facets_) +
-                        "; all that are there were taken");
+    const std::string what = "the header counts " + std::to_string(count_) +
+                             " facets, the file has " + std::to_string(facets_);
+    if (count_ > facets_ && count_ <= kCountMax) {
+      doubt_ = what;
+    } else {
+      warnings_.push_back(file_.name() + ": " + what + "; all that are there were taken");
+    }
     return std::optional<core::Triangle>();
   }
 

@@ -108,11 +108,17 @@ class TextStlReader : public StlReader {
       if (!word.ok()) return word.error();
       if (word.value().empty()) return end();
       const bool begins = is_word(word.value(), "solid"), ends = is_word(word.value(), "endsolid");
-      if (begins != in_solid_ && (begins || ends)) {
+      const bool facet_begins = is_word(word.value(), "facet");
+      if (begins || (ends && in_solid_)) {
+        if (begins && in_solid_) ++unended_;
         in_solid_ = begins;
+        ended_once_ = ended_once_ || ends;
         if (core::Status skipped = words_.skip_line(); !skipped.ok()) return skipped.error();
-      } else if (in_solid_ && is_word(word.value(), "facet")) {
+      } else if (in_solid_ && facet_begins) {
         return facet();
+      } else if (!in_solid_ && ended_once_ && !facet_begins) {
+        if (text_line_ == 0) text_line_ = words_.line();
+        if (core::Status skipped = words_.skip_line(); !skipped.ok()) return skipped.error();
       } else {
         return unexpected(word.value(), in_solid_ ? "'facet' or 'endsolid'" : "'solid'");
       }
@@ -141,10 +147,20 @@ class TextStlReader : public StlReader {
   }
 
   [[nodiscard]] Result<std::optional<core::Triangle>> end() {
-    if (in_solid_) return unexpected({}, "'endsolid'");
+    if (facets_ == 0 && in_solid_) return unexpected({}, "'endsolid'");
     if (facets_ == 0) {
       return bad_part("line " + std::to_string(words_.line()),
                       "there is no facet in the file; export the part again");
+    }
+    if (std::exchange(told_, true)) return std::optional<core::Triangle>();
+    if (in_solid_) {
+      doubt_ = "the file ends without 'endsolid', after " + std::to_string(facets_) + " facets";
+    } else if (unended_ > 0) {
+      warnings_.push_back(file_.name() + ": 'endsolid' is missing before another 'solid'");
+    }
+    if (text_line_ > 0) {
+      warnings_.push_back(file_.name() + ": what stands behind 'endsolid' was left out (line " +
+                          std::to_string(text_line_) + ")");
     }
     return std::optional<core::Triangle>();
   }
@@ -206,6 +222,10 @@ class TextStlReader : public StlReader {
 
   Words words_;
   bool in_solid_ = false;
+  bool ended_once_ = false;     // a solid, so that other text may follow
+  std::int64_t unended_ = 0;    // solids that another one cut off
+  std::int64_t text_line_ = 0;  // the first line behind a solid that is no STL
+  bool told_ = false;
 };
 
 }  // namespace

@@ -1,21 +1,22 @@
 #include "host/formats/threemf_reader.h"
 
-#include <array>
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <set>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
-#include "host/formats/format_limits.h"   // kWordBytesMax
-#include "host/formats/mesh_store.h"      // MeshStore
-#include "host/formats/number_text.h"     // parse_real
-#include "host/formats/slice_stack.h"     // SlicedItem
-#include "host/formats/text_scanner.h"    // is_blank, shown
-#include "host/formats/threemf_slices.h"  // open_threemf_slices
+#include "host/formats/mesh_store.h"        // MeshStore
+#include "host/formats/number_text.h"       // parse_real
+#include "host/formats/slice_stack.h"       // SlicedItem
+#include "host/formats/text_scanner.h"      // shown
+#include "host/formats/threemf_cut.h"       // cut_items
+#include "host/formats/threemf_elements.h"  // point_of
+#include "host/formats/threemf_roles.h"     // read_roles
+#include "host/formats/threemf_slices.h"    // open_threemf_slices
 
 namespace host {
 namespace {
@@ -30,24 +31,6 @@ constexpr const char* kResolution =
 constexpr const char* kStackId =
     "http://schemas.microsoft.com/3dmanufacturing/slice/2015/07|slicestackid";
 
-// Extensions that a file may require. What they add is taken, or changes no shape.
-constexpr std::array<std::string_view, 5> kKnownExtensions{
-    "http://schemas.microsoft.com/3dmanufacturing/core/",
-    "http://schemas.microsoft.com/3dmanufacturing/production/",
-    "http://schemas.microsoft.com/3dmanufacturing/material/",
-    "http://schemas.microsoft.com/3dmanufacturing/slice/",
-    "http://schemas.microsoft.com/3dmanufacturing/triangleset"};
-
-// The next word of a list parted by blanks; empty at its end.
-std::string_view take_word(std::string_view& list) {
-  while (!list.empty() && is_blank(static_cast<unsigned char>(list.front()))) list.remove_prefix(1);
-  std::size_t end = 0;
-  while (end < list.size() && !is_blank(static_cast<unsigned char>(list[end]))) ++end;
-  const std::string_view word = list.substr(0, end);
-  list.remove_prefix(end);
-  return word;
-}
-
 class ThreeMfReader : public TriangleSource {
  public:
   explicit ThreeMfReader(ZipArchive archive) : archive_(std::move(archive)) {}
@@ -57,12 +40,16 @@ class ThreeMfReader : public TriangleSource {
   [[nodiscard]] Status open() {
     const Result<std::string> root = root_part();
     if (!root.ok()) return root.error();
+    Result<ThreeMfRoles> roles = read_roles(archive_);
+    if (!roles.ok()) return roles.error();
+    roles_ = std::move(roles).value();
     parts_.push_back(root.value());
     for (std::size_t i = 0; i < parts_.size(); ++i) {
       if (Status read = read_part(static_cast<int>(i)); !read.ok()) return read;
     }
+    if (Status applied = apply_roles(); !applied.ok()) return applied;
     if (items_.empty()) return refused("the build has no item to print; export the part again");
-    for (const Item& item : items_) {
+    for (const ThreeMfItem& item : items_) {
       const std::string cause =
           sliced_.contains(item.key) ? add_sliced(item) : store_.add_item(item.key, item.transform);
       if (!cause.empty()) return refused(cause);
@@ -71,6 +58,22 @@ class ThreeMfReader : public TriangleSource {
       return refused("some items are slices, some are meshes; print them apart");
     }
     return {};
+  }
+
+  // Items that others cut: booleans then, and no triangles.
+  [[nodiscard]] bool is_cut() const {
+    return sliced_items_.empty() && std::any_of(items_.begin(), items_.end(), [&](const auto& i) {
+             return store_.count(i.key, MeshRole::kNegative) > 0;
+           });
+  }
+  // REQUIRES: is_cut(); nothing is asked of it afterwards
+  [[nodiscard]] Result<std::unique_ptr<ShellTree>> take_tree() {
+    tree_->format = format();
+    tree_->name = archive_.name();
+    tree_->warnings = std::move(warnings_);
+    store_.clear_items();
+    if (Status cut = cut_items(items_, *tree_); !cut.ok()) return cut.error();
+    return std::move(tree_);
   }
 
   // Empty: what is to be printed are meshes.
@@ -89,10 +92,6 @@ class ThreeMfReader : public TriangleSource {
   }
 
  private:
-  struct Item {
-    MeshStore::Key key;
-    Transform transform;
-  };
   struct Stack {
     double bottom_mm = 0;
     std::vector<StackPlace> referred;  // empty: it has slices of its own
@@ -137,7 +136,7 @@ class ThreeMfReader : public TriangleSource {
   [[nodiscard]] int part_number(const std::string& path) {
     const std::string name = without_slash(path);
     for (std::size_t i = 0; i < parts_.size(); ++i) {
-      if (parts_[i] == name) return static_cast<int>(i);
+      if (entry_key(parts_[i]) == entry_key(name)) return static_cast<int>(i);
     }
     if (parts_.size() >= static_cast<std::size_t>(kThreeMfPartsMax)) return -1;
     parts_.push_back(name);
@@ -157,6 +156,7 @@ class ThreeMfReader : public TriangleSource {
       Status taken;
       if (event.value()->space == kThreeMfCore) taken = take(*event.value(), part, xml);
       if (event.value()->space == kThreeMfSlice) taken = take_stack(*event.value(), part, xml);
+      if (event.value()->name == "volume") taken = take_volume(*event.value(), xml);
       if (!taken.ok()) return taken;
     }
   }
@@ -164,35 +164,15 @@ class ThreeMfReader : public TriangleSource {
   [[nodiscard]] Status take(const XmlEvent& event, int part, const XmlScanner& xml) {
     if (event.name == "vertex") return vertex(event, xml);
     if (event.name == "triangle") return triangle(event, xml);
-    if (event.name == "model") return model(event, xml);
+    if (event.name == "model") {
+      const Result<double> unit = unit_of(event, xml);
+      if (unit.ok()) unit_mm_ = unit.value();
+      return unit.ok() ? Status() : unit.error();
+    }
     if (event.name == "object") return object(event, part, xml);
     if (event.name == "component") return component(event, part, xml);
     // Only the root's build counts.
     if (event.name == "item" && part == 0) return item(event, part, xml);
-    return {};
-  }
-
-  [[nodiscard]] Status model(const XmlEvent& event, const XmlScanner& xml) {
-    if (const std::string* unit = event.attribute("unit")) {
-      const std::optional<double> mm = threemf_unit_mm(*unit);
-      if (!mm) return xml.bad("unit '" + shown(*unit) + "' is none of 3MF's; export it again");
-      unit_mm_ = *mm;
-    }
-    const std::string* required = event.attribute("requiredextensions");
-    if (required == nullptr) return {};
-    std::string_view list = *required;
-    for (std::string_view word = take_word(list); !word.empty(); word = take_word(list)) {
-      const std::string uri = xml.namespace_of(std::string(word));
-      bool known = false;
-      for (const std::string_view extension : kKnownExtensions) {
-        known = known || uri.starts_with(extension);
-      }
-      if (!known) {
-        return xml.bad("the file requires the extension '" +
-                       shown(uri.empty() ? word : uri, kWordBytesMax) +
-                       "', which is not supported; export plain 3MF or STL");
-      }
-    }
     return {};
   }
 
@@ -203,6 +183,7 @@ class ThreeMfReader : public TriangleSource {
       return xml.bad("object '" + shown(*id) + "' is there twice, or there are too many objects");
     }
     in_object_ = true;
+    object_ = {part, *id};
     const std::string* resolution = event.attribute(kResolution);
     if (resolution != nullptr && *resolution == "lowres") {
       const std::string* stack = event.attribute(kStackId);
@@ -217,66 +198,36 @@ class ThreeMfReader : public TriangleSource {
   }
 
   [[nodiscard]] Status vertex(const XmlEvent& event, const XmlScanner& xml) {
-    PointMm point{};
-    constexpr std::array<const char*, 3> kNames{"x", "y", "z"};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::string* text = event.attribute(kNames[i]);
-      const std::optional<double> value = text ? parse_real(*text) : std::nullopt;
-      if (!value) return xml.bad("a vertex without a number for x, y or z; export the part again");
-      point[i] = *value * unit_mm_;
-    }
+    const Result<PointMm> point = point_of(event, xml, unit_mm_);
+    if (!point.ok()) return point.error();
     if (!in_object_) return xml.bad("a vertex outside of an object; export the part again");
-    return store_.add_vertex(point);
+    return store_.add_vertex(point.value());
   }
 
   [[nodiscard]] Status triangle(const XmlEvent& event, const XmlScanner& xml) {
-    std::array<std::uint32_t, 3> corners{};
-    constexpr std::array<const char*, 3> kNames{"v1", "v2", "v3"};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::string* text = event.attribute(kNames[i]);
-      const std::optional<std::int64_t> index = text ? parse_integer(*text) : std::nullopt;
-      const bool known =
-          index && *index >= 0 && static_cast<std::uint64_t>(*index) < store_.vertices();
-      if (!known) {
-        return xml.bad("a triangle's corner '" + (text ? shown(*text) : std::string()) +
-                       "' is no vertex of its object's " + std::to_string(store_.vertices()) +
-                       "; export the part again");
-      }
-      corners[i] = static_cast<std::uint32_t>(*index);
-    }
-    return store_.add_triangle(corners);
-  }
-
-  // Twelve numbers; the translation is in the part's unit.
-  [[nodiscard]] Result<Transform> transform(const XmlEvent& event, const XmlScanner& xml) const {
-    Transform result;
-    const std::string* text = event.attribute("transform");
-    if (text == nullptr) return result;
-    std::string_view list = *text;
-    for (std::size_t i = 0; i < result.m.size(); ++i) {
-      const std::optional<double> value = parse_real(take_word(list));
-      if (!value) return xml.bad("'" + shown(*text) + "' is no transform; export the part again");
-      result.m[i] = i < 9 ? *value : *value * unit_mm_;
-    }
-    return result;
+    const auto corners = corners_of(event, xml, store_.vertices());
+    if (!corners.ok()) return corners.error();
+    painted_ = painted_ || is_painted(event);
+    return store_.add_triangle(corners.value());
   }
 
   // The object that a component or an item names.
-  [[nodiscard]] Result<Item> reference(const XmlEvent& event, int part, const XmlScanner& xml) {
+  [[nodiscard]] Result<ThreeMfItem> reference(const XmlEvent& event, int part,
+                                              const XmlScanner& xml) {
     const std::string* id = event.attribute("objectid");
     if (id == nullptr) return xml.bad("a reference without objectid; export the part again");
-    Result<Transform> placed = transform(event, xml);
+    Result<Transform> placed = transform_of(event, xml, unit_mm_);
     if (!placed.ok()) return placed.error();
     const std::string* path = event.attribute(kPath);
     const int there = path == nullptr ? part : part_number(*path);
     if (there < 0) {
       return xml.bad("more than " + std::to_string(kThreeMfPartsMax) + " model parts; merge them");
     }
-    return Item{{there, *id}, placed.value()};
+    return ThreeMfItem{{there, *id}, placed.value()};
   }
 
   [[nodiscard]] Status component(const XmlEvent& event, int part, const XmlScanner& xml) {
-    Result<Item> read = reference(event, part, xml);
+    Result<ThreeMfItem> read = reference(event, part, xml);
     if (!read.ok()) return read.error();
     if (!in_object_) return xml.bad("a component outside of an object; export the part again");
     if (sliced_.contains(read.value().key)) {
@@ -284,9 +235,57 @@ class ThreeMfReader : public TriangleSource {
                      "', which is slices, as a component: not supported; make it an item of its "
                      "own, or export its full mesh");
     }
-    store_.add_component(read.value().key, read.value().transform);
+    const auto role = roles_.parts.find({object_.second, read.value().key.second});
+    const bool marked = object_.first == 0 && role != roles_.parts.end();
+    store_.add_component(read.value().key, read.value().transform, false,
+                         marked ? role->second : MeshRole::kSolid);
     return {};
   }
+
+  // Slic3r's own: <volume ts te modifier> behind the triangles that it counts.
+  [[nodiscard]] Status take_volume(const XmlEvent& event, const XmlScanner& xml) {
+    const std::string* modifier = event.attribute("modifier");
+    const std::string *first = event.attribute("ts"), *last = event.attribute("te");
+    if (modifier == nullptr || *modifier != "1" || !in_object_) return {};
+    const std::int64_t from = first == nullptr ? -1 : parse_integer(*first).value_or(-1);
+    const std::int64_t to = last == nullptr ? -1 : parse_integer(*last).value_or(-1);
+    if (from < 0 || to < from) {
+      return xml.bad("a volume without a first and a last triangle; export the part again");
+    }
+    std::vector<RoleRange>& ranges = own_volumes_[object_];
+    if (ranges.size() >= kMeshObjectsMax) return xml.bad("too many volumes; merge them");
+    ranges.push_back(
+        {static_cast<std::size_t>(from), static_cast<std::size_t>(to), MeshRole::kLeftOut});
+    ++roles_.modifiers;
+    return {};
+  }
+
+  // With all triangles there.
+  [[nodiscard]] Status apply_roles() {
+    for (const auto& [object, ranges] : roles_.volumes) own_volumes_[{0, object}] = ranges;
+    for (const auto& [place, role] : roles_.parts) {
+      const MeshStore::Key key{0, place.first};
+      const std::size_t count = store_.triangles(key);
+      if (place.first == place.second && count > 0) own_volumes_[key] = {{0, count - 1, role}};
+    }
+    for (auto& [key, ranges] : own_volumes_) {
+      const std::size_t count = store_.triangles(key);
+      if (!in_order(ranges)) {
+        return refused("object '" + shown(key.second) +
+                       "' has volumes that share triangles; export the part again");
+      }
+      for (const RoleRange& range : ranges) {
+        if (range.first >= count) continue;
+        store_.set_role(key, range.first, std::min(range.last + 1, count) - range.first,
+                        range.role);
+      }
+    }
+    for (const std::string& text : roles_.left_out()) warn(text);
+    if (painted_) warn("supports, seams or colours that are painted on are not used");
+    return {};
+  }
+
+  void warn(const std::string& text) { warnings_.push_back(archive_.name() + ": " + text); }
 
   // Where slices stand; they are read when they are asked for.
   [[nodiscard]] Status take_stack(const XmlEvent& event, int part, const XmlScanner& xml) {
@@ -311,7 +310,7 @@ class ThreeMfReader : public TriangleSource {
   }
 
   // Returns why it can't be printed; empty when it can.
-  [[nodiscard]] std::string add_sliced(const Item& item) {
+  [[nodiscard]] std::string add_sliced(const ThreeMfItem& item) {
     const auto& [part, object] = item.key;
     const std::string& id = sliced_.at(item.key);
     const auto found = stacks_.find({part, id});
@@ -332,13 +331,13 @@ class ThreeMfReader : public TriangleSource {
   }
 
   [[nodiscard]] Status item(const XmlEvent& event, int part, const XmlScanner& xml) {
-    Result<Item> read = reference(event, part, xml);
+    Result<ThreeMfItem> read = reference(event, part, xml);
     if (!read.ok()) return read.error();
     const std::string* printable = event.attribute("printable");
     const bool wanted = printable == nullptr || *printable != "0";
     if (!wanted || unprintable_.contains(read.value().key)) {
       if (!told_) {
-        warnings_.push_back(archive_.name() + ": objects that are not to be printed were left out");
+        warn("objects that are not to be printed were left out");
       }
       told_ = true;
       return {};
@@ -349,9 +348,10 @@ class ThreeMfReader : public TriangleSource {
   }
 
   ZipArchive archive_;
-  MeshStore store_;
+  std::unique_ptr<ShellTree> tree_ = std::make_unique<ShellTree>();
+  MeshStore& store_ = tree_->store;
   std::vector<std::string> parts_;  // the package's models; the root is the first
-  std::vector<Item> items_;
+  std::vector<ThreeMfItem> items_;
   std::set<MeshStore::Key> unprintable_;
   std::map<MeshStore::Key, std::string> sliced_;  // objects that are slices: their stack
   std::map<MeshStore::Key, Stack> stacks_;
@@ -359,22 +359,31 @@ class ThreeMfReader : public TriangleSource {
   std::vector<SlicedItem> sliced_items_;
   double unit_mm_ = 1;  // of the part that is being read
   bool in_object_ = false;
+  MeshStore::Key object_;  // the one that was begun last
   bool told_ = false;
+  bool painted_ = false;
+  ThreeMfRoles roles_;
+  std::map<MeshStore::Key, std::vector<RoleRange>> own_volumes_;
 };
 
 }  // namespace
 
-Result<MeshOrLayers> open_threemf(ZipArchive archive) {
+Result<PartContent> open_threemf(ZipArchive archive) {
   auto reader = std::make_unique<ThreeMfReader>(std::move(archive));
   if (Status opened = reader->open(); !opened.ok()) return opened.error();
+  if (reader->is_cut()) {
+    Result<std::unique_ptr<ShellTree>> tree = reader->take_tree();
+    if (!tree.ok()) return tree.error();
+    return PartContent(std::move(tree).value());
+  }
   if (reader->sliced_items().empty()) {
-    return MeshOrLayers(std::unique_ptr<TriangleSource>(std::move(reader)));
+    return PartContent(std::unique_ptr<TriangleSource>(std::move(reader)));
   }
   std::vector<SlicedItem> items = reader->sliced_items();
   Result<std::unique_ptr<LayerReader>> layers =
       open_threemf_slices(reader->take_archive(), std::move(items));
   if (!layers.ok()) return layers.error();
-  return MeshOrLayers(std::move(layers).value());
+  return PartContent(std::move(layers).value());
 }
 
 }  // namespace host

@@ -1,6 +1,7 @@
 // 3MF, core specification 1.x, components in other parts of the package (production extension),
 // and objects given as slices (slice extension): build items, components, transforms, units.
-// Colours and materials are not used.
+// Colours and materials are not used. What slicers say of the meshes (threemf_roles.h) is: negative
+// parts are cut out of their item (threemf_cut.h), modifiers and marks for supports are no plastic.
 //
 // An object that has both a full mesh and slices is read as its mesh; one whose mesh is only a
 // stand-in (meshresolution "lowres"), as its slices.
@@ -11,22 +12,16 @@
 // are slices and some are meshes.
 #pragma once
 
-#include <memory>
-#include <variant>
-
 #include "core/result.h"                // Result
-#include "host/formats/layer_reader.h"  // LayerReader
+#include "host/formats/part_content.h"  // PartContent
 #include "host/formats/zip_archive.h"   // ZipArchive
-#include "host/part/triangle_source.h"  // TriangleSource
 
 namespace host {
 
 // Model parts of one package.
 inline constexpr int kThreeMfPartsMax = 1'024;
 
-using MeshOrLayers = std::variant<std::unique_ptr<TriangleSource>, std::unique_ptr<LayerReader>>;
-
 // COSTS: reads the whole package once, slices once more; see mesh_store.h for what is held.
-[[nodiscard]] core::Result<MeshOrLayers> open_threemf(ZipArchive archive);
+[[nodiscard]] core::Result<PartContent> open_threemf(ZipArchive archive);
 
 }  // namespace host

@@ -18,6 +18,9 @@ using core::Error;
 using core::ErrorCode;
 using core::Result;
 
+// Of an entry, unpacked at once.
+constexpr std::size_t kPieceBytes = std::size_t{1} << 15;
+
 Error unreadable(const std::string& name, const std::string& cause) {
   return {ErrorCode::kUnreadable, name + ": " + cause};
 }
@@ -26,33 +29,63 @@ Error bad_zip(const std::string& name, const std::string& cause) {
   return {ErrorCode::kBadPart, name + ": " + cause};
 }
 
-// A file without a name that holds all of `file`.
-Result<int> copied(InputFile& file) {
-  const char* named = std::getenv("TMPDIR");
-  std::string path =
-      std::string(named != nullptr && *named != '\0' ? named : "/tmp") + "/rind_XXXXXX";
-  const int descriptor = ::mkostemp(path.data(), O_CLOEXEC);
-  if (descriptor < 0) {
-    return unreadable(path, std::string("a temporary file can't be made: ") + std::strerror(errno) +
-                                "; set TMPDIR to another folder");
+// A temporary file without a name.
+class UnnamedFile {
+ public:
+  [[nodiscard]] static Result<UnnamedFile> create() {
+    const char* folder = std::getenv("TMPDIR");
+    UnnamedFile file;
+    file.path_ =
+        std::string(folder != nullptr && *folder != '\0' ? folder : "/tmp") + "/rind_XXXXXX";
+    file.descriptor_ = ::mkostemp(file.path_.data(), O_CLOEXEC);
+    if (file.descriptor_ < 0) {
+      return unreadable(file.path_, std::string("a temporary file can't be made: ") +
+                                        std::strerror(errno) + "; set TMPDIR to another folder");
+    }
+    ::unlink(file.path_.c_str());
+    return file;
   }
-  ::unlink(path.c_str());
+  ~UnnamedFile() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+  UnnamedFile(UnnamedFile&& other) noexcept
+      : path_(std::move(other.path_)), descriptor_(std::exchange(other.descriptor_, -1)) {}
+
+  [[nodiscard]] core::Status append(std::string_view bytes) {
+    while (!bytes.empty()) {
+      const ssize_t count = ::write(descriptor_, bytes.data(), bytes.size());
+      if (count < 0 && errno == EINTR) continue;
+      if (count < 0) {
+        return unreadable(path_, std::string("a temporary file can't be written: ") +
+                                     std::strerror(errno) + "; make room, or set TMPDIR");
+      }
+      bytes.remove_prefix(static_cast<std::size_t>(count));
+    }
+    return {};
+  }
+
+  // From its begin; it is the caller's to close.
+  [[nodiscard]] int release() {
+    ::lseek(descriptor_, 0, SEEK_SET);
+    return std::exchange(descriptor_, -1);
+  }
+
+ private:
+  UnnamedFile() = default;
+  std::string path_;
+  int descriptor_ = -1;
+};
+
+// All of `file`, as a file that can be read from anywhere.
+Result<int> copied(InputFile& file) {
+  Result<UnnamedFile> copy = UnnamedFile::create();
+  if (!copy.ok()) return copy.error();
   while (true) {
     const Result<std::string_view> window = file.window(1);
-    if (!window.ok() || window.value().empty()) {
-      if (window.ok()) return descriptor;
-      ::close(descriptor);
-      return window.error();
-    }
-    const ssize_t count = ::write(descriptor, window.value().data(), window.value().size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) {
-      const int cause = errno;
-      ::close(descriptor);
-      return unreadable(path, std::string("a temporary file can't be written: ") +
-                                  std::strerror(cause) + "; make room, or set TMPDIR");
-    }
-    file.skip(static_cast<std::size_t>(count));
+    if (!window.ok()) return window.error();
+    if (window.value().empty()) return copy.value().release();
+    if (core::Status added = copy.value().append(window.value()); !added.ok()) return added.error();
+    file.skip(window.value().size());
   }
 }
 
@@ -61,7 +94,32 @@ std::string lower(std::string text) {
   return text;
 }
 
+// The value of a hexadecimal digit, or -1.
+int digit_of(char c) {
+  if (c >= '0' && c <= '9') return c - '0';
+  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+  return -1;
+}
+
 }  // namespace
+
+std::string entry_key(std::string_view name) {
+  std::string key;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    char c = name[i] == '\\' ? '/' : name[i];
+    if (c == '%' && i + 2 < name.size()) {
+      const int high = digit_of(name[i + 1]), low = digit_of(name[i + 2]);
+      if (high >= 0 && low >= 0) {
+        c = static_cast<char>(high * 16 + low);
+        i += 2;
+      }
+    }
+    key += c;
+  }
+  while (key.starts_with('/') || key.starts_with("./")) key.erase(0, key.find('/') + 1);
+  return lower(std::move(key));
+}
 
 struct ZipArchive::State {
   std::string name;
@@ -73,7 +131,15 @@ struct ZipArchive::State {
 
   [[nodiscard]] std::optional<zip_uint64_t> place_of(const std::string& entry) const {
     const zip_int64_t at = zip_name_locate(archive, entry.c_str(), ZIP_FL_NOCASE);
-    return at < 0 ? std::nullopt : std::optional(static_cast<zip_uint64_t>(at));
+    if (at >= 0) return static_cast<zip_uint64_t>(at);
+    const std::string key = entry_key(entry);
+    const zip_int64_t entries = zip_get_num_entries(archive, 0);
+    for (zip_int64_t i = 0; i < entries; ++i) {
+      const auto index = static_cast<zip_uint64_t>(i);
+      const char* named = zip_get_name(archive, index, 0);
+      if (named != nullptr && entry_key(named) == key) return index;
+    }
+    return std::nullopt;
   }
 };
 
@@ -120,6 +186,34 @@ std::string ZipArchive::find_ending(const std::string& ending) const {
     if (entry != nullptr && lower(entry).ends_with(ending)) return entry;
   }
   return {};
+}
+
+std::vector<std::string> ZipArchive::entries() const {
+  std::vector<std::string> names;
+  const zip_int64_t count = zip_get_num_entries(state_->archive, 0);
+  for (zip_int64_t i = 0; i < count; ++i) {
+    const char* entry = zip_get_name(state_->archive, static_cast<zip_uint64_t>(i), 0);
+    const std::string name = entry == nullptr ? "" : entry;
+    if (!name.empty() && !name.ends_with('/') && !name.ends_with('\\')) names.push_back(name);
+  }
+  return names;
+}
+
+Result<InputFile> ZipArchive::unpacked(const std::string& entry) const {
+  const Result<XmlScanner::ByteSource> bytes = bytes_of(entry);
+  if (!bytes.ok()) return bytes.error();
+  Result<UnnamedFile> file = UnnamedFile::create();
+  if (!file.ok()) return file.error();
+  std::vector<char> piece(kPieceBytes);
+  while (true) {
+    const Result<std::size_t> count = bytes.value()(piece.data(), piece.size());
+    if (!count.ok()) return count.error();
+    if (count.value() == 0) break;
+    if (core::Status added = file.value().append({piece.data(), count.value()}); !added.ok()) {
+      return added.error();
+    }
+  }
+  return InputFile::from_descriptor(state_->name + " (" + entry + ")", file.value().release());
 }
 
 Result<XmlScanner::ByteSource> ZipArchive::bytes_of(const std::string& entry) const {

@@ -11,7 +11,9 @@
 #include "core/slices/plane_sweep.h"    // PlaneSweep, layer_count
 #include "host/limits.h"                // kSortBytesMin
 #include "host/part/bed_placing.h"      // shift_to_bed, check_on_bed
+#include "host/part/edge_ledger.h"      // EdgeLedger
 #include "host/part/mesh_sorter.h"      // MeshSorter
+#include "host/part/mesh_survey.h"      // is_degenerate, turned_text
 #include "host/pipeline/stage_clock.h"  // CpuTimer
 
 namespace host {
@@ -33,6 +35,7 @@ struct Operand {
 
   MeshSorter sorter;
   MeshExtent extent;
+  EdgeLedger edges;
   std::optional<core::PlaneSweep> sweep;
 };
 
@@ -66,10 +69,19 @@ class BooleanLayers : public LayerSource {
       if (Status read = read_operand(shells, *operands_.back()); !read.ok()) return read.error();
     }
     if (Status placed = place(); !placed.ok()) return placed.error();
-    const core::PlaneSweep::Options sweep{settings_.layer_height, summary_.layers,
-                                          settings_.simplify_tolerance, settings_.chain_gap_max};
+    core::PlaneSweep::Options sweep{settings_.layer_height,
+                                    summary_.layers,
+                                    settings_.simplify_tolerance,
+                                    settings_.chain_gap_max,
+                                    {}};
+    summary_.warnings = tree_->warnings;
     for (const auto& operand : operands_) {
       Operand* source = operand.get();
+      sweep.unsure.reset();
+      if (const auto turned = source->edges.turned()) {
+        sweep.unsure = turned->placed ? shifted(turned->box, shift_) : core::Box();
+        summary_.warnings.push_back(tree_->name + ": " + turned_text(*turned));
+      }
       source->sweep.emplace(sweep, [this, source]() -> Result<std::optional<Triangle>> {
         const CpuTimer timer(counters_.sort_cpu_s);
         Result<std::optional<Triangle>> triangle = source->sorter.next();
@@ -77,7 +89,6 @@ class BooleanLayers : public LayerSource {
         return std::optional<Triangle>(shifted(*triangle.value(), shift_));
       });
     }
-    summary_.warnings = tree_->warnings;
     return summary_;
   }
 
@@ -98,7 +109,8 @@ class BooleanLayers : public LayerSource {
 
   [[nodiscard]] Status read_operand(const std::vector<Shell>& shells, Operand& operand) {
     for (const Shell& shell : shells) {
-      const std::string cause = tree_->store.add_item(shell.key, {}, shell.reversed);
+      const std::string cause =
+          tree_->store.add_item(shell.key, shell.transform, shell.reversed, shell.role);
       if (!cause.empty()) return refused(ErrorCode::kBadPart, cause);
     }
     while (true) {
@@ -108,6 +120,11 @@ class BooleanLayers : public LayerSource {
       const Triangle& triangle = *next.triangle;
       ++summary_.facets;
       operand.extent.add(triangle);
+      if (is_degenerate(triangle)) {
+        ++summary_.degenerate;
+        continue;
+      }
+      operand.edges.add(triangle);
       if (triangle.lowest_z() == triangle.highest_z()) continue;
       if (Status added = operand.sorter.add(triangle); !added.ok()) return added;
     }
@@ -172,14 +189,7 @@ class BooleanLayers : public LayerSource {
     }
     counters_.peak_triangles_held = triangles;
     Slice result = slices_[0];
-    for (std::size_t i = 1; i < slices_.size(); ++i) {
-      const core::SliceDefects& defects = slices_[i].defects;
-      result.defects.closed_chains += defects.closed_chains;
-      result.defects.dropped_chains += defects.dropped_chains;
-      result.defects.widest_gap = std::max(result.defects.widest_gap, defects.widest_gap);
-      result.defects.flipped_facets += defects.flipped_facets;
-      result.defects.doubled_facets += defects.doubled_facets;
-    }
+    for (std::size_t i = 1; i < slices_.size(); ++i) result.defects.add(slices_[i].defects);
     result.region = evaluated(tree_->nodes.back());
     return std::optional<Slice>(std::move(result));
   }

@@ -49,6 +49,12 @@ core::Result<InputFile> InputFile::open(const std::string& path) {
   return file;
 }
 
+InputFile InputFile::from_descriptor(std::string name, int descriptor) {
+  InputFile file(std::move(name), descriptor);
+  file.named_ = false;
+  return file;
+}
+
 InputFile InputFile::from_bytes(std::string name, std::string bytes) {
   InputFile file(std::move(name), -1);
   file.buffer_.assign(bytes.begin(), bytes.end());
@@ -69,6 +75,7 @@ InputFile::~InputFile() {
 InputFile::InputFile(InputFile&& other) noexcept
     : name_(std::move(other.name_)),
       descriptor_(std::exchange(other.descriptor_, -1)),
+      named_(other.named_),
       buffer_(std::move(other.buffer_)),
       begin_(other.begin_),
       end_(other.end_),
@@ -78,6 +85,7 @@ InputFile::InputFile(InputFile&& other) noexcept
 InputFile& InputFile::operator=(InputFile&& other) noexcept {
   std::swap(name_, other.name_);
   std::swap(descriptor_, other.descriptor_);
+  std::swap(named_, other.named_);
   std::swap(buffer_, other.buffer_);
   begin_ = other.begin_;
   end_ = other.end_;
@@ -88,8 +96,8 @@ InputFile& InputFile::operator=(InputFile&& other) noexcept {
 
 bool InputFile::rereadable() const {
   struct stat status {};
-  return name_ != kStandardInput && descriptor_ >= 0 && ::fstat(descriptor_, &status) == 0 &&
-         S_ISREG(status.st_mode);
+  return named_ && name_ != kStandardInput && descriptor_ >= 0 &&
+         ::fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode);
 }
 
 std::optional<std::int64_t> InputFile::size() const {

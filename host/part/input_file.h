@@ -26,6 +26,8 @@ class InputFile {
 
   // `path` "-" is standard input. A folder is refused here.
   static core::Result<InputFile> open(const std::string& path);
+  // Over an open file without a name of its own, which it closes; `name` is for people.
+  static InputFile from_descriptor(std::string name, int descriptor);
   // The same over bytes in memory.
   static InputFile from_bytes(std::string name, std::string bytes);
 
@@ -53,6 +55,7 @@ class InputFile {
 
   std::string name_;
   int descriptor_ = -1;  // -1: none, all bytes are in the buffer
+  bool named_ = true;    // its path gives it once more
   std::vector<char> buffer_;
   std::size_t begin_ = 0;
   std::size_t end_ = 0;

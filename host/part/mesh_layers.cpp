@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/roads/rest_fill.h"       // kRoomSlack
 #include "core/slices/plane_sweep.h"    // PlaneSweep, layer_count
 #include "host/part/bed_placing.h"      // shift_to_bed, check_on_bed
 #include "host/part/height_check.h"     // check_height
@@ -97,7 +98,10 @@ class MeshLayers : public LayerSource {
       Result<std::optional<Triangle>> triangle = mesh_.triangles->next();
       if (!triangle.ok()) return triangle.error();
       ended_ = !triangle.value().has_value();
-      if (ended_) break;
+      if (ended_) {
+        if (Status whole = check_whole(); !whole.ok()) return whole;
+        break;
+      }
       const Triangle& taken = *triangle.value();
       if (surveyed_ && !survey_.extent().holds(taken)) {
         return refused(ErrorCode::kUnreadable, "the file was changed while it was being read");
@@ -105,6 +109,14 @@ class MeshLayers : public LayerSource {
       if (surveyed_ ? can_be_cut(taken) : survey_.add(taken)) batch_.push_back(taken);
     }
     return streaming_ ? check_tall() : Status();
+  }
+
+  // At the file's end: a file that was cut off between two triangles has an open surface.
+  [[nodiscard]] Status check_whole() const {
+    const std::string& doubt = mesh_.triangles->doubt();
+    if (surveyed_ || doubt.empty() || survey_.closed()) return {};
+    return refused(ErrorCode::kBadPart,
+                   doubt + ", and the surface is open: it is cut short; copy or export it again");
   }
 
   // The first look already tells what will never fit.
@@ -207,8 +219,11 @@ class MeshLayers : public LayerSource {
     }
     batch_.clear();
     next_in_batch_ = 0;
-    const core::PlaneSweep::Options options{settings_.layer_height, layers,
-                                            settings_.simplify_tolerance, settings_.chain_gap_max};
+    core::PlaneSweep::Options options{
+        settings_.layer_height, layers, settings_.simplify_tolerance, settings_.chain_gap_max, {}};
+    if (const auto turned = streaming_ ? std::nullopt : survey_.turned()) {
+      options.unsure = turned->placed ? shifted(turned->box, shift_) : core::Box();
+    }
     sweep_.emplace(options, [this] { return sorter_ ? next_sorted() : next_in_window(); });
   }
 
@@ -226,18 +241,21 @@ class MeshLayers : public LayerSource {
     summary_.height = Length::from_units(*survey_.highest_cut() - extent.lowest_z);
     summary_.layers = core::layer_count(summary_.height, settings_.layer_height);
     if (summary_.layers == 0) {
+      const std::optional<std::string> unit = unit_question(extent);
       return refused(ErrorCode::kBadPart, "the part is " + mm_text(summary_.height.units()) +
                                               " mm high, less than half a layer of " +
-                                              mm_text(settings_.layer_height.units()) +
-                                              " mm; check its unit, or lower layer_height");
+                                              mm_text(settings_.layer_height.units()) + " mm; " +
+                                              (unit ? *unit + " Otherwise" : "check its unit, or") +
+                                              " lower layer_height");
     }
     const core::Box& box = extent.box;
     const std::int64_t narrowest =
         std::min(std::int64_t{box.max.x} - box.min.x, std::int64_t{box.max.y} - box.min.y);
-    if (narrowest < settings_.road_width_min.units()) {
+    if (narrowest < (settings_.road_width_min - core::kRoomSlack).units()) {
       return refused(ErrorCode::kBadPart, "the part is " + mm_text(narrowest) +
                                               " mm wide, narrower than any road "
-                                              "(road_width_min); is it in millimetres?");
+                                              "(road_width_min); " +
+                                              unit_question(extent).value_or("make it wider"));
     }
     shift_ = shift_to_bed(extent, settings_);
     if (Status fits = check_fit(shift_); !fits.ok()) return fits;
@@ -251,6 +269,10 @@ class MeshLayers : public LayerSource {
     summary_.facets = mesh_.triangles->facets();
     summary_.degenerate = survey_.degenerate();
     summary_.warnings = mesh_.triangles->warnings();
+    if (const std::string& doubt = mesh_.triangles->doubt(); !doubt.empty()) {
+      summary_.warnings.push_back(mesh_.name + ": " + doubt +
+                                  "; the surface is closed, so all that are there were taken");
+    }
     summary_.box = shifted(survey_.extent().box, shift_);
     if (const auto warning = unit_warning(survey_.extent())) {
       summary_.warnings.push_back(mesh_.name + ": " + *warning);
@@ -261,6 +283,9 @@ class MeshLayers : public LayerSource {
                                   "of its first " +
                                   std::to_string(summary_.facets) + " facets");
       return;
+    }
+    if (const auto turned = survey_.turned()) {
+      summary_.warnings.push_back(mesh_.name + ": " + turned_text(*turned));
     }
     const MeshSurvey::EmptyLayers empty = survey_.empty_layers(settings_.layer_height);
     if (empty.count > 0) {

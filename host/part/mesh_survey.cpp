@@ -11,34 +11,15 @@ namespace {
 // Facets whose heights are taken together.
 constexpr std::size_t kSpansAtOnce = 1'024;
 
-// Parts whose longest side is below these are taken to be in metres, in inches.
+// Parts whose longest side is below these may be in metres or in inches, in inches.
 constexpr std::int64_t kMetresBelow = 10'000, kInchesBelow = 50'000;
+
+}  // namespace
 
 bool is_degenerate(const core::Triangle& triangle) {
   const auto& [a, b, c] = triangle.corners;
   return a == b || b == c || c == a;
 }
-
-// The finaliser of SplitMix64 (Steele, Lea, Flood 2014).
-std::uint64_t mixed(std::uint64_t number) {
-  number = (number ^ number >> 30) * 0xBF58476D1CE4E5B9;
-  number = (number ^ number >> 27) * 0x94D049BB133111EB;
-  return number ^ number >> 31;
-}
-
-std::uint64_t number_of(const core::Vertex& vertex) {
-  const std::uint64_t plane = std::uint64_t{static_cast<std::uint32_t>(vertex.x)} << 32 |
-                              static_cast<std::uint32_t>(vertex.y);
-  return mixed(plane + 0x9E3779B97F4A7C15 * mixed(static_cast<std::uint64_t>(vertex.z) + 1));
-}
-
-// Of the edge from a to b; that from b to a is its negative.
-std::uint64_t edge_number(std::uint64_t a, std::uint64_t b) {
-  const std::uint64_t both = mixed(a + b) + mixed(a ^ b);
-  return a < b ? both : 0 - both;
-}
-
-}  // namespace
 
 bool can_be_cut(const core::Triangle& triangle) {
   return !is_degenerate(triangle) && triangle.lowest_z() != triangle.highest_z();
@@ -52,9 +33,7 @@ bool MeshSurvey::add(const core::Triangle& triangle) {
     ++degenerate_;
     return false;
   }
-  const auto& [a, b, c] = triangle.corners;
-  const std::uint64_t p = number_of(a), q = number_of(b), r = number_of(c);
-  edge_sum_ += edge_number(p, q) + edge_number(q, r) + edge_number(r, p);
+  edges_.add(triangle);
   const std::int64_t low = triangle.lowest_z(), high = triangle.highest_z();
   if (!cut) return false;
   for (const core::Vertex& corner : triangle.corners) {
@@ -125,15 +104,35 @@ MeshSurvey::Gap MeshSurvey::widest_gap() {
   return widest;
 }
 
-std::optional<std::string> unit_warning(const MeshExtent& extent) {
+std::string turned_text(const EdgeLedger::Turned& turned) {
+  std::string text = std::string("facets are turned against their neighbours along ") +
+                     (turned.exact ? "" : "about ") + std::to_string(turned.edges) +
+                     (turned.edges == 1 ? " edge" : " edges");
+  if (turned.placed) {
+    text += ", the lowest at " + mm_text(turned.lowest.x) + ", " + mm_text(turned.lowest.y) + ", " +
+            mm_text(turned.lowest.z) + " mm in the file";
+  }
+  return text +
+         ": some are inside out; contours there that lie within others are taken for holes; "
+         "look at the layers with 'rind show', or repair the mesh";
+}
+
+std::optional<std::string> unit_question(const MeshExtent& extent) {
   const std::int64_t x = std::int64_t{extent.box.max.x} - extent.box.min.x;
   const std::int64_t y = std::int64_t{extent.box.max.y} - extent.box.min.y;
-  const std::int64_t z = extent.highest_z - extent.lowest_z;
-  const std::int64_t longest = std::max({x, y, z});
+  const std::int64_t longest = std::max({x, y, extent.highest_z - extent.lowest_z});
   if (longest >= kInchesBelow) return std::nullopt;
-  const bool metres = longest < kMetresBelow;
-  return "only " + mm_text(x) + " × " + mm_text(y) + " × " + mm_text(z) + " mm large: is it in " +
-         (metres ? "metres? Then scale it by 1000" : "inches? Then scale it by 25.4");
+  const std::string metres = "in metres (scale it by 1000)", inches = "in inches (by 25.4)";
+  return "is it " + (longest < kMetresBelow ? metres + " or " + inches : inches) + "?";
+}
+
+std::optional<std::string> unit_warning(const MeshExtent& extent) {
+  const std::optional<std::string> question = unit_question(extent);
+  if (!question) return std::nullopt;
+  return "only " + mm_text(std::int64_t{extent.box.max.x} - extent.box.min.x) + " × " +
+         mm_text(std::int64_t{extent.box.max.y} - extent.box.min.y) + " × " +
+         mm_text(extent.highest_z - extent.lowest_z) + " mm large: " + *question +
+         " It is taken as millimetres";
 }
 
 }  // namespace host

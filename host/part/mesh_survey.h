@@ -1,10 +1,6 @@
 // What can be known of a mesh from seeing each facet once, in constant memory: its extent, whether
-// it nearly is in order of height, whether its surface is closed, where no facet stands, which
-// corners lie outermost.
-//
-// Closed: every edge is walked once in either direction. Each directed edge adds a number made
-// from its ends, and its reverse takes the same away; a closed surface leaves 0. A sum of 0 by
-// chance, from a surface with holes, has odds of one in 2^64.
+// it nearly is in order of height, whether its surface is closed and turned one way
+// (edge_ledger.h), where no facet stands, which corners lie outermost.
 #pragma once
 
 #include <cstddef>
@@ -16,12 +12,15 @@
 #include "core/geometry.h"                // Triangle
 #include "core/units.h"                   // LayerIndex, Length
 #include "host/part/bed_placing.h"        // MeshExtent
+#include "host/part/edge_ledger.h"        // EdgeLedger
 #include "host/part/height_fill.h"        // HeightFill
 #include "host/part/outermost_corners.h"  // OutermostCorners
 #include "host/part/reorder_window.h"     // OrderGauge
 
 namespace host {
 
+// Two corners at one point.
+[[nodiscard]] bool is_degenerate(const core::Triangle& triangle);
 // Three corners, and not flat: some plane crosses it.
 [[nodiscard]] bool can_be_cut(const core::Triangle& triangle);
 
@@ -40,7 +39,9 @@ class MeshSurvey {
   // Two corners at one point.
   [[nodiscard]] std::int64_t degenerate() const { return degenerate_; }
   [[nodiscard]] bool in_order() const { return order_.in_order(); }
-  [[nodiscard]] bool closed() const { return edge_sum_ == 0; }
+  [[nodiscard]] bool closed() const { return edges_.closed(); }
+  // Edges between facets that are turned over against one another; nothing: none is known.
+  [[nodiscard]] std::optional<EdgeLedger::Turned> turned() const { return edges_.turned(); }
 
   // Layers between others that no facet reaches: the part goes on above them in the air. Of many
   // narrow gaps the narrowest may be missed (kHeightGapsMax).
@@ -82,11 +83,17 @@ class MeshSurvey {
   TallFacet tallest_;
   std::int64_t facets_ = 0;
   std::int64_t degenerate_ = 0;
-  std::uint64_t edge_sum_ = 0;
+  EdgeLedger edges_;
   OrderGauge order_;
   std::vector<Span> spans_;  // heights of facets: the first ones apart and in order
   std::size_t united_ = 0;   // so many of them
 };
+
+// What is told of edges between facets that are turned over, in the file's own coordinates.
+[[nodiscard]] std::string turned_text(const EdgeLedger::Turned& turned);
+
+// "is it in inches …?", where the size makes one think so.
+[[nodiscard]] std::optional<std::string> unit_question(const MeshExtent& extent);
 
 // A warning where the size makes one think that the file is in another unit: "… in inches?".
 [[nodiscard]] std::optional<std::string> unit_warning(const MeshExtent& extent);

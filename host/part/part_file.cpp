@@ -41,17 +41,20 @@ Result<OpenedPart> open_sif(InputFile file, MeshInput input, const core::Setting
   return open_mesh(std::move(input), settings, options);
 }
 
-// A 3MF holds meshes, or slices.
+// An archive holds a mesh, slices, or booleans of meshes.
 Result<OpenedPart> open_zipped(InputFile file, const std::string& path,
                                const core::Settings& settings, const OpenOptions& options) {
   constexpr FileKind kKind = FileKind::kZip;
   LayerFileInput layers{file.name(), nullptr, opener(file, path, kKind, open_layers)};
   MeshInput mesh{file.name(), nullptr, opener(file, path, kKind, open_triangles)};
-  Result<MeshOrLayers> opened = open_zip(std::move(file));
+  Result<PartContent> opened = open_zip(std::move(file));
   if (!opened.ok()) return opened.error();
   if (auto* found = std::get_if<std::unique_ptr<LayerReader>>(&opened.value())) {
     layers.layers = std::move(*found);
     return open_layer_file(std::move(layers), settings);
+  }
+  if (auto* tree = std::get_if<std::unique_ptr<ShellTree>>(&opened.value())) {
+    return open_booleans(std::move(*tree), settings, options);
   }
   mesh.triangles = std::get<std::unique_ptr<TriangleSource>>(std::move(opened).value());
   return open_mesh(std::move(mesh), settings, options);

@@ -27,10 +27,14 @@ class TriangleSource {
   [[nodiscard]] std::int64_t facets() const { return facets_; }
   // What was odd and how it was taken; known for good once next() has given nothing. A few at most.
   [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
+  // Why the file may have been cut off between two triangles, without its name; empty where it is
+  // whole. Known with the warnings. Whoever knows the surface decides: a cut one is open.
+  [[nodiscard]] const std::string& doubt() const { return doubt_; }
 
  protected:
   std::int64_t facets_ = 0;
   std::vector<std::string> warnings_;
+  std::string doubt_;
 };
 
 }  // namespace host

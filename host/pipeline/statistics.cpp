@@ -46,9 +46,11 @@ Json defects_json(const DefectLog& defects) {
   for (const core::Length height : defects.heights()) heights.push_back(height.mm());
   return {{"layers", defects.layers()},
           {"closed_chains", defects.closed_chains()},
+          {"wide_chains", defects.wide_chains()},
           {"dropped_chains", defects.dropped_chains()},
           {"flipped_facets", defects.flipped_facets()},
           {"doubled_facets", defects.doubled_facets()},
+          {"turned_contours", defects.turned_contours()},
           {"widest_gap_mm", defects.widest_gap().mm()},
           {"heights_mm", heights}};
 }
@@ -110,9 +112,15 @@ void DefectLog::add(const core::Slice& slice) {
   if (!slice.defects.any()) return;
   ++layers_;
   closed_chains_ += slice.defects.closed_chains;
+  wide_chains_ += slice.defects.wide_chains;
   dropped_chains_ += slice.defects.dropped_chains;
   flipped_facets_ += slice.defects.flipped_facets;
   doubled_facets_ += slice.defects.doubled_facets;
+  if (turned_contours_ == 0 && slice.defects.turned_at) {
+    turned_at_ = *slice.defects.turned_at;
+    turned_height_ = slice.top();
+  }
+  turned_contours_ += slice.defects.turned_contours;
   widest_gap_ = std::max(widest_gap_, slice.defects.widest_gap);
   if (heights_.size() < kDefectHeightsMax) heights_.push_back(slice.top());
 }
@@ -126,11 +134,25 @@ std::string DefectLog::summary() const {
   if (closed_chains_ > 0) {
     text += counted(closed_chains_, "open contour");
     text.back() = ' ';
-    text += fmt::format("closed (widest gap {} mm),", widest_gap_.mm());
+    text += fmt::format("closed (widest gap {} mm", widest_gap_.mm());
+    if (wide_chains_ > 0) {
+      text += fmt::format(
+          "; {} of them wider than chain_gap_max, closed by a straight line because "
+          "the rest of the contour leaves no other way",
+          wide_chains_);
+    }
+    text += "),";
   }
   if (dropped_chains_ > 0) text += counted(dropped_chains_, "left-out open contour");
   if (flipped_facets_ > 0) text += counted(flipped_facets_, "flipped facet");
   if (doubled_facets_ > 0) text += counted(doubled_facets_, "doubled facet");
+  if (turned_contours_ > 0) {
+    text += counted(turned_contours_, "inside-out contour");
+    text.back() = ' ';
+    text += fmt::format("(first near {:g}, {:g} on the bed, {:g} mm high),",
+                        core::Length::from_units(turned_at_.x).mm(),
+                        core::Length::from_units(turned_at_.y).mm(), turned_height_.mm());
+  }
   text.back() = ';';
   text += " at height";
   for (const core::Length height : heights_) text += fmt::format(" {}", height.mm());

@@ -34,9 +34,11 @@ class DefectLog {
 
   [[nodiscard]] std::int64_t layers() const { return layers_; }
   [[nodiscard]] std::int64_t closed_chains() const { return closed_chains_; }
+  [[nodiscard]] std::int64_t wide_chains() const { return wide_chains_; }
   [[nodiscard]] std::int64_t dropped_chains() const { return dropped_chains_; }
   [[nodiscard]] std::int64_t flipped_facets() const { return flipped_facets_; }
   [[nodiscard]] std::int64_t doubled_facets() const { return doubled_facets_; }
+  [[nodiscard]] std::int64_t turned_contours() const { return turned_contours_; }
   [[nodiscard]] core::Length widest_gap() const { return widest_gap_; }
   [[nodiscard]] const std::vector<core::Length>& heights() const { return heights_; }
 
@@ -46,9 +48,14 @@ class DefectLog {
  private:
   std::int64_t layers_ = 0;
   std::int64_t closed_chains_ = 0;
+  std::int64_t wide_chains_ = 0;
   std::int64_t dropped_chains_ = 0;
   std::int64_t flipped_facets_ = 0;
   std::int64_t doubled_facets_ = 0;
+  std::int64_t turned_contours_ = 0;
+  // Of the first of them: a corner on the bed, and its layer's top.
+  core::Point turned_at_;
+  core::Length turned_height_;
   core::Length widest_gap_;
   std::vector<core::Length> heights_;
 };

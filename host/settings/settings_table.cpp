@@ -88,7 +88,7 @@ constexpr std::array kTable = {
     Setting{"arc_tolerance", &S::arc_tolerance, "mm", 0.0005, 0.5,
             "how far chords may stay off the arcs of an offset"},
     Setting{"chain_gap_max", &S::chain_gap_max, "mm", 0, 100,
-            "widest gap of a broken mesh that is closed"},
+            "gaps of a broken mesh up to this are closed, wider ones only where one way is left"},
     Setting{"arcs", &S::arcs, "", 0, 0,
             "round roads as G2, G3; auto: where the controller says that it draws them, in files"},
     Setting{"arc_fit_tolerance", &S::arc_fit_tolerance, "mm", 0, 0.5,

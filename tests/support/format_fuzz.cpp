@@ -40,6 +40,18 @@ void read_from(host::TriangleSource& triangles) {
   }
 }
 
+void read_from(host::ShellTree& tree) {
+  for (const std::vector<host::Shell>& shells : tree.operands) {
+    for (const host::Shell& shell : shells) {
+      if (!tree.store.add_item(shell.key, shell.transform, shell.reversed, shell.role).empty()) {
+        return;
+      }
+    }
+  }
+  for (int i = 0; i < kItemsMax && tree.store.next().triangle; ++i) {
+  }
+}
+
 void read_triangles(host::FileKind kind, host::InputFile file) {
   if (kind == host::FileKind::kSif) {
     auto tree = host::read_sif(std::move(file));

@@ -116,6 +116,29 @@ Result<ReadFile> read_from(host::LayerReader& layers, std::size_t most) {
   return read;
 }
 
+// The meshes one after the other; their booleans are not evaluated.
+Result<ReadFile> read_from(host::ShellTree& tree, std::size_t most) {
+  ReadFile read;
+  read.format = tree.format;
+  read.warnings = tree.warnings;
+  for (const std::vector<host::Shell>& shells : tree.operands) {
+    for (const host::Shell& shell : shells) {
+      const std::string cause =
+          tree.store.add_item(shell.key, shell.transform, shell.reversed, shell.role);
+      if (!cause.empty()) return core::Error{core::ErrorCode::kBadPart, tree.name + ": " + cause};
+    }
+  }
+  while (true) {
+    const host::MeshStore::Next next = tree.store.next();
+    if (!next.error.empty()) {
+      return core::Error{core::ErrorCode::kBadPart, tree.name + ": " + next.error};
+    }
+    if (!next.triangle) return read;
+    RIND_CHECK(read.triangles.size() < most);
+    read.triangles.push_back(*next.triangle);
+  }
+}
+
 Result<ReadFile> read_from(host::TriangleSource& triangles, std::size_t most) {
   ReadFile read;
   read.format = triangles.format();
@@ -153,6 +176,8 @@ const std::vector<FormatSample>& format_samples() {
       {"mesh.amf", amf_file(small_box())},
       {"mesh.3mf", threemf_file(threemf_model(small_box()))},
       {"slices.3mf", threemf_file(sliced_threemf_model())},
+      {"negative.3mf", two_volume_threemf_file(negative_volume_roles())},
+      {"stl.zip", zip_file({{"part.stl", stl_file(small_box())}})},
       {"new.sif", sif_file(small_box())},
       {"old.sif", old_sif_file(small_box())},
       {"ascii.stl", ascii_stl()},

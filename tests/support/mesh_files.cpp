@@ -119,6 +119,20 @@ std::string threemf_file(const std::string& model) {
        {"3D/part.model", model}});
 }
 
+std::string two_volume_threemf_file(const std::string& roles) {
+  const parts::Part both =
+      parts::together({parts::box({0, 0, 0}, 4, 3, 2), parts::box({1, 1, 0}, 1, 1, 3)});
+  return zip_file(
+      {{"3D/3dmodel.model", threemf_model(both)}, {"Metadata/Slic3r_PE_model.config", roles}});
+}
+
+std::string negative_volume_roles() {
+  return "<config><object id=\"1\"><volume firstid=\"0\" lastid=\"11\"/><volume firstid=\"12\" "
+         "lastid=\"23\"><metadata type=\"volume\" key=\"volume_type\" "
+         "value=\"NegativeVolume\"/></volume><part id=\"1\" subtype=\"normal_part\"/></object>"
+         "<plate/></config>";
+}
+
 std::string sliced_threemf_model() {
   const auto slice = [](const std::string& ztop) {
     return "<s:slice ztop=\"" + ztop +

@@ -20,6 +20,11 @@ std::string old_sif_file(const parts::Part& part);
 std::string threemf_model(const parts::Part& part);
 std::string threemf_file(const std::string& model);
 
+// A package with two boxes in a mesh, and what a slicer says of them; and that it says: the second
+// is cut out of the first.
+std::string two_volume_threemf_file(const std::string& roles);
+std::string negative_volume_roles();
+
 // The model part of another, whose object is two slices.
 std::string sliced_threemf_model();
 

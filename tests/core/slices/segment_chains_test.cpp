@@ -58,7 +58,7 @@ Outcome outcome(const std::vector<Segment>& segments, std::int64_t gap_max = kGa
   Outcome result;
   const auto never = [](SegmentIndex, SegmentIndex) { return false; };
   const std::vector<Ring> rings =
-      core::rings_of(segments, Length::from_units(gap_max), never, result.defects);
+      core::rings_of(segments, Length::from_units(gap_max), never, result.defects).rings;
   result.region = core::clean(rings, core::FillRule::kNonZero);
   return result;
 }
@@ -196,8 +196,9 @@ TEST_CASE("points between segments on one line are left out") {
   const std::vector<Segment> segments = path("0:0 3:0 9:0 9:9 0:9 0:0");
   SliceDefects defects;
   const auto rings = core::rings_of(
-      segments, Length::from_units(0),
-      [](SegmentIndex a, SegmentIndex b) { return a < 2 && b < 2; }, defects);
+                         segments, Length::from_units(0),
+                         [](SegmentIndex a, SegmentIndex b) { return a < 2 && b < 2; }, defects)
+                         .rings;
   REQUIRE_EQ(rings.size(), 1);
   CHECK_EQ(rings[0].size(), 4);
   CHECK_EQ(std::count(rings[0].begin(), rings[0].end(), Point{30'000, 0}), 0);

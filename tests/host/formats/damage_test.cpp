@@ -44,6 +44,9 @@ TEST_CASE("they are the fuzzers' first inputs") {
   std::vector<test::FormatSample> seeds = test::format_samples();
   seeds.push_back({"mesh.model", test::threemf_model(parts::box({0, 0, 0}, 4, 3, 2))});
   seeds.push_back({"slices.model", test::sliced_threemf_model()});
+  seeds.push_back({"roles.config", test::negative_volume_roles()});
+  seeds.push_back(
+      {"late.obj", "# C:\\a\\\nbevel on\nf 1 2 \\\n 3\nf 1 2\nv 0 0 0\nv 9 0 0 \\\n1\nv 0 9 1\n"});
   std::string list;
   for (const test::FormatSample& sample : seeds) {
     std::ofstream(folder / sample.name, std::ios::binary) << sample.bytes;

@@ -132,8 +132,9 @@ TEST_CASE("OBJ: fans, indices from the end, joined lines, slashes") {
   REQUIRE_MESSAGE(read.ok(), (read.ok() ? "" : read.error().message));
   REQUIRE_EQ(read.value().triangles.size(), 3);
   CHECK_EQ(read.value().triangles[2].corners[2], core::Vertex{0, 0, 10'000});
-  CHECK(says(error_of("v 0 0 0\nv 1 0 0\nf 1 2 3\n"), "line 3: vertex 3 of 2 so far"));
-  CHECK(says(error_of("v 0 0 0\nv 1 0 0\nf 1 2\n"), "fewer than three"));
+  CHECK(says(error_of("v 0 0 0\nv 1 0 0\nf 1 2 3\n"), "line 3: vertex 3 of 2: there is none"));
+  CHECK(says(error_of("v 0 0 0\nv 1 0 0\nf -3 1 2\n"), "line 3: vertex -3 of 2 so far"));
+  CHECK(says(error_of("v 0 0 0\nv 1 0 0\nf 1 2\n"), "no face"));
   CHECK(says(error_of("v 0 0\nv 1 0 0\n"), "line 1: '' where a coordinate"));
   CHECK(says(error_of("v 0 0 1e12\n"), "line 1: a corner is at"));
   CHECK(says(error_of("v 0 0 0\n"), "no face"));

@@ -57,6 +57,46 @@ TEST_CASE("closed surfaces are told from open ones") {
   }
 }
 
+TEST_CASE("edges that run the same way twice are counted, with their place") {
+  const auto turned_at = [](std::vector<Triangle> mesh, std::vector<std::size_t> numbers) {
+    for (const std::size_t i : numbers) std::swap(mesh[i].corners[0], mesh[i].corners[1]);
+    return surveyed(mesh).turned();
+  };
+  const std::vector<Triangle> box = test::triangles_of(parts::box({10, 20, 0}, 20, 20, 10));
+  CHECK_FALSE(turned_at(box, {}));
+  // The lid: four edges at the top, around the whole box.
+  const auto lid = turned_at(box, {2, 3});
+  REQUIRE(lid);
+  CHECK_EQ(lid->edges, 4);
+  CHECK(lid->exact);
+  CHECK(lid->placed);
+  CHECK_EQ(lid->lowest.z, 100'000);
+  CHECK_EQ(lid->box, core::Box{{100'000, 200'000}, {300'000, 400'000}});
+  for (std::size_t i = 0; i < box.size(); ++i) {
+    const auto one = turned_at(box, {i});
+    REQUIRE(one);
+    CHECK_EQ(one->edges, 3);
+  }
+  // All of it is sound again, seen from behind.
+  CHECK_FALSE(turned_at(box, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11}));
+  // A facet that is missing is no facet turned over; both are told apart.
+  std::vector<Triangle> holed = box;
+  holed.erase(holed.begin());
+  CHECK_FALSE(surveyed(holed).turned());
+  const auto both = turned_at(holed, {5});
+  REQUIRE(both);
+  CHECK_EQ(both->edges, 3);
+  // More than have a place of their own: about so many, anywhere.
+  std::vector<std::size_t> many;
+  const std::vector<Triangle> dome = test::triangles_of(parts::dome(10));
+  for (std::size_t i = 0; i < dome.size(); i += 7) many.push_back(i);
+  const auto everywhere = turned_at(dome, many);
+  REQUIRE(everywhere);
+  CHECK_FALSE(everywhere->exact);
+  CHECK_FALSE(everywhere->placed);
+  CHECK_GT(everywhere->edges, static_cast<std::int64_t>(many.size()));
+}
+
 TEST_CASE("what the gauge calls in order, a window of that size puts in order") {
   test::Random random(1);
   int yes = 0, no_although_it_fits = 0;
@@ -134,6 +174,9 @@ TEST_CASE("a size that no print has makes one think of another unit") {
         .value_or("none");
   };
   CHECK_NE(warning_of(0.03).find("metres"), std::string::npos);
+  // 20 inches, or 20 mm in inches: a person knows.
+  CHECK_NE(warning_of(0.8).find("metres"), std::string::npos);
+  CHECK_NE(warning_of(0.8).find("inches"), std::string::npos);
   CHECK_NE(warning_of(3).find("inches"), std::string::npos);
   CHECK_EQ(warning_of(6), "none");
 }
