@@ -117,6 +117,30 @@ bool begins_like_stl(std::string bytes) {
          bytes.find("facet") != std::string::npos;
 }
 
+// Whether the name says that this output belongs there.
+bool named_so(const Options& options, const Claim& claim) {
+  if (claim.what == "--stats") return claim.target.name.ends_with(".json");
+  if (claim.what != "--output") return false;
+  const std::optional<OutputFormat> named = output_format_of(claim.target.name, "");
+  if (options.subcommand == Subcommand::kShow) return named == OutputFormat::kSvg;
+  const bool cli = own_kind(options, claim.what) == FileKind::kCli;
+  return named == options.format || (cli && named == OutputFormat::kCli);
+}
+
+// Of text that is no part: G-code's first word or comment, JSON, a log's first time.
+bool is_alike(const Options& options, const std::string& text, const std::string& what) {
+  const std::size_t begin = text.find_first_not_of(" \t\r\n");
+  if (begin == std::string::npos) return true;
+  const char first = text[begin], second = begin + 1 < text.size() ? text[begin + 1] : '\0';
+  const auto digit = [](char c) { return c >= '0' && c <= '9'; };
+  if (what == "--stats") return first == '{' || first == '[';
+  if (what == "--log") return digit(first);
+  if (options.subcommand == Subcommand::kShow || options.format != OutputFormat::kGcode)
+    return false;
+  const bool word = std::string_view("GMTNgmtn").find(first) != std::string_view::npos;
+  return first == ';' || first == '%' || (word && digit(second));
+}
+
 bool is_journal(const std::string& path) {
   const JournalStanding standing = look_at_journal(path).standing;
   return standing != JournalStanding::kAbsent && standing != JournalStanding::kForeign;
@@ -139,11 +163,11 @@ Status check_content(const Options& options, const Claim& claim) {
   const Result<FileKind> kind = kind_of(opened.value());
   if (kind.ok() && kind.value() == own_kind(options, claim.what)) return {};
   const bool text = bytes.find('\0') == std::string::npos;
-  if (text && kind.ok() && kind.value() == FileKind::kStl && !begins_like_stl(bytes)) return {};
+  const bool plain = text && kind.ok() && kind.value() == FileKind::kStl && !begins_like_stl(bytes);
+  if (plain && (named_so(options, claim) || is_alike(options, bytes, claim.what))) return {};
   return refused(claim.target.path,
                  "this file holds something else than what " + claim.what +
-                     " writes (a part, an archive, a picture), so it is not replaced; name another "
-                     "file, or delete this one first");
+                     " writes, so it is not replaced; name another file, or delete this one first");
 }
 
 Status check_against_inputs(const Claim& claim, const std::vector<Named>& inputs) {

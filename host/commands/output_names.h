@@ -4,7 +4,8 @@
 //     --output, --stats, --log, --journal      may be new, or a file that holds the like
 //       never   the part, the profile, the journal that is resumed, by whatever name
 //       never   two of them, or one of them and standard output, in one file
-//       never   a part of another kind, an archive, a picture, anything else that is no text
+//       never   a part of another kind, an archive, a picture, a text that is another thing: what
+//               is there has to be of the output's kind, or a text whose name ends like the kind's
 #pragma once
 
 #include "core/result.h"            // Status

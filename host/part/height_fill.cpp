@@ -4,7 +4,7 @@
 
 namespace host {
 
-void HeightFill::add(std::int64_t z) {
+void HeightFill::add_outside(std::int64_t z) {
   std::int64_t bin = z >> shift_;
   if (last_ < first_) {
     first_ = last_ = bin;

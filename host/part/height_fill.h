@@ -10,7 +10,11 @@ namespace host {
 
 class HeightFill {
  public:
-  void add(std::int64_t z);
+  void add(std::int64_t z) {
+    const std::int64_t bin = z >> shift_;
+    if (bin < first_ || bin > last_) return add_outside(z);
+    filled_.set(static_cast<std::size_t>(bin - first_));
+  }
 
   // The longest stretch without a corner, to a bin's width; low >= high: there is none.
   struct Stretch {
@@ -22,6 +26,7 @@ class HeightFill {
  private:
   static constexpr std::size_t kBins = 128;
 
+  void add_outside(std::int64_t z);
   void widen();
 
   std::bitset<kBins> filled_;  // the first one is

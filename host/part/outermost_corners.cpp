@@ -38,20 +38,10 @@ std::string corner_text(const FacetCorner& corner) {
          ", " + mm_text(corner.at.y) + ", " + mm_text(corner.at.z) + " mm";
 }
 
-void OutermostCorners::add(const core::Triangle& triangle, std::int64_t facet, bool upwards) {
-  for (const core::Vertex& at : triangle.corners) {
-    for (std::size_t i = 0; i < kDirections; ++i) {
-      const auto direction = static_cast<Direction>(i);
-      if (direction != Direction::kUp || upwards) offer(direction, {at, facet});
-    }
-  }
-}
-
 void OutermostCorners::offer(Direction direction, const FacetCorner& corner) {
   Farthest& end = ends_[static_cast<std::size_t>(direction)];
   const std::int64_t far = reach(corner.at, direction);
   const bool full = end.count == end.corners.size();
-  if (full && far <= reach(end.corners.back().at, direction)) return;
   const auto last = end.corners.begin() + static_cast<std::ptrdiff_t>(end.count);
   const auto same = [&](const FacetCorner& other) { return other.at == corner.at; };
   if (std::any_of(end.corners.begin(), last, same)) return;
@@ -61,6 +51,9 @@ void OutermostCorners::offer(Direction direction, const FacetCorner& corner) {
     end.corners[place] = end.corners[place - 1];
   }
   end.corners[place] = corner;
+  if (end.count == end.corners.size()) {
+    limits_[static_cast<std::size_t>(direction)] = reach(end.corners.back().at, direction);
+  }
 }
 
 std::optional<OutermostCorners::End> OutermostCorners::end(Direction direction) const {

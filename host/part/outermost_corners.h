@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -30,7 +31,17 @@ struct FacetCorner {
 class OutermostCorners {
  public:
   // `upwards`: whether its highest corners count; of a facet that no plane crosses they do not.
-  void add(const core::Triangle& triangle, std::int64_t facet, bool upwards);
+  void add(const core::Triangle& triangle, std::int64_t facet, bool upwards) {
+    for (const core::Vertex& at : triangle.corners) {
+      // Hardly any corner lies farther out than those that are known.
+      if (-std::int64_t{at.x} > limits_[0]) offer(Direction::kLeft, {at, facet});
+      if (at.x > limits_[1]) offer(Direction::kRight, {at, facet});
+      if (-std::int64_t{at.y} > limits_[2]) offer(Direction::kFront, {at, facet});
+      if (at.y > limits_[3]) offer(Direction::kBack, {at, facet});
+      if (-at.z > limits_[4]) offer(Direction::kDown, {at, facet});
+      if (at.z > limits_[5] && upwards) offer(Direction::kUp, {at, facet});
+    }
+  }
 
   // The end of the mesh in that direction, as far as at most kStrayCornersMax corners make it: how
   // far it would reach less without them, and the outermost of them.
@@ -51,6 +62,9 @@ class OutermostCorners {
   void offer(Direction direction, const FacetCorner& corner);
 
   std::array<Farthest, kDirections> ends_;
+  // How far the last one of each reaches, when there are enough. By Direction.
+  static constexpr std::int64_t kNone = std::numeric_limits<std::int64_t>::min();
+  std::array<std::int64_t, kDirections> limits_{kNone, kNone, kNone, kNone, kNone, kNone};
 };
 
 }  // namespace host

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <exception>
 #include <utility>
 
 #include "host/pipeline/stage_clock.h"  // steady_seconds
@@ -33,8 +34,18 @@ std::string slow_layer_text(const SlowLayer& layer) {
                      layer.layer + 1, layer.height.mm(), size, layer.seconds);
 }
 
-LayerWatch::LayerWatch(Tell tell, double limit_s)
-    : tell_(std::move(tell)), limit_s_(limit_s), thread_([this] { run(); }) {}
+// A thread of the standard library has a stack of 8 MB, which limits of memory count.
+LayerWatch::LayerWatch(Tell tell, double limit_s) : tell_(std::move(tell)), limit_s_(limit_s) {
+  pthread_attr_t attributes;
+  if (::pthread_attr_init(&attributes) != 0) return;
+  const auto watch = [](void* self) -> void* {
+    static_cast<LayerWatch*>(self)->run();
+    return nullptr;
+  };
+  watches_ = ::pthread_attr_setstacksize(&attributes, kWatchStackBytes) == 0 &&
+             ::pthread_create(&thread_, &attributes, watch, this) == 0;
+  ::pthread_attr_destroy(&attributes);
+}
 
 LayerWatch::~LayerWatch() {
   {
@@ -42,7 +53,7 @@ LayerWatch::~LayerWatch() {
     ended_ = true;
   }
   ended_changed_.notify_all();
-  thread_.join();
+  if (watches_) ::pthread_join(thread_, nullptr);
 }
 
 LayerWatch::Look::Look(LayerWatch& watch, core::LayerIndex layer, core::Length height,
@@ -114,13 +125,25 @@ void LayerWatch::run() {
     if (now_s - looked_s > kStoppedAfter_s) stopped_s_ += now_s - looked_s - kWatchPeriod_s;
     looked_s = now_s;
     std::vector<SlowLayer> to_tell;
-    for (Look* look : looks_) {
-      if (note(*look)) to_tell.push_back(look->layer_);
+    try {
+      for (Look* look : looks_) {
+        if (note(*look)) to_tell.push_back(look->layer_);
+      }
+    } catch (const std::exception&) {
+      // No memory to note it in.
     }
     if (!tell_ || to_tell.empty()) continue;
     lock.unlock();
-    for (const SlowLayer& layer : to_tell) tell_(layer);
+    for (const SlowLayer& layer : to_tell) tell(layer);
     lock.lock();
+  }
+}
+
+// Without memory to say it in, it is not said.
+void LayerWatch::tell(const SlowLayer& layer) const {
+  try {
+    tell_(layer);
+  } catch (const std::exception&) {
   }
 }
 

@@ -4,16 +4,20 @@
 //     stage ── look(layer) ───── computes ───── gone         a Look lives as long as a stage works
 //                     └── the watch looks every kWatchPeriod_s; over the limit: tell
 //
+// It needs some memory (kWatchStackBytes); where there is none, layers are not watched.
+//
 // Time counts while the program runs; when it was stopped (SIGSTOP) nothing was computed.
 #pragma once
 
+#include <pthread.h>
+
 #include <condition_variable>
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <functional>
 #include <mutex>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "core/regions/region.h"  // Region
@@ -24,6 +28,7 @@ namespace host {
 
 inline constexpr double kSlowLayer_s = 2;
 inline constexpr double kWatchPeriod_s = 0.2;
+inline constexpr std::size_t kWatchStackBytes = std::size_t{256} * 1'024;
 
 struct LayerSize {
   std::int64_t edges = 0;
@@ -91,6 +96,7 @@ class LayerWatch {
   void run();
   [[nodiscard]] double running_s() const;
   [[nodiscard]] bool note(Look& look);
+  void tell(const SlowLayer& layer) const;
 
   const Tell tell_;
   const double limit_s_;
@@ -101,7 +107,8 @@ class LayerWatch {
   std::vector<Look*> looks_;
   SlowLayers slow_;
   std::deque<core::LayerIndex> known_;  // slow ones, the latest kSlowLayersKnown
-  std::thread thread_;
+  pthread_t thread_{};
+  bool watches_ = false;  // without memory for the thread nobody is told
 };
 
 }  // namespace host

@@ -110,9 +110,11 @@ TEST_CASE("a file of another kind is not replaced, one of the same kind is") {
   std::ostringstream ascii;
   parts::write_ascii_stl(small_box(), ascii);
   const std::vector<std::string> precious = {
-      other, folder.add_text("ascii.stl", ascii.str()),
+      other,
+      folder.add_text("ascii.stl", ascii.str()),
       folder.add_text("mesh.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
       folder.add_text("archive.3mf", "PK\x03\x04 and more"),
+      folder.add_text("settings.ini", "layer_height = 0.4\n"),
       folder.add_text("photo.png", std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16))};
   for (const std::string& path : precious) {
     CAPTURE(path);
