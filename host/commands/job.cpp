@@ -111,7 +111,9 @@ int stopped(const Options& options, Reporter& reporter) {
 }
 
 std::string stopped_message(const Options& options) {
-  return options.output.empty() ? "stopped" : "stopped; " + options.output + " is not written";
+  if (options.output.empty()) return "stopped";
+  if (options.output == "-") return "stopped; what was written is not whole";
+  return "stopped; " + options.output + " is not written";
 }
 
 int fail(const core::Error& error, Reporter& reporter) {
