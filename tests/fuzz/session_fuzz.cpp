@@ -23,7 +23,14 @@ void require(bool condition) {
 
 class Host {
  public:
-  explicit Host(bool greeted) : session_(std::make_unique<MarlinDialect>(), {}, now_) {
+  // A stop waits for one that says that it works, but not all day.
+  static SessionOptions impatient() {
+    SessionOptions options;
+    options.long_stop_limit = options.stop_limit;
+    return options;
+  }
+
+  explicit Host(bool greeted) : session_(std::make_unique<MarlinDialect>(), impatient(), now_) {
     if (!greeted) return;
     say("start\n");
     pass(std::chrono::milliseconds(400));
