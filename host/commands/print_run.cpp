@@ -68,6 +68,7 @@ LostPortOptions lost_port(const Options& options, const std::string& usb, Contro
     port.reset();
     return reopened(options, usb);
   };
+  lost.takes_height = options.yes;
   lost.nozzle_height = [&options, &controls](std::int64_t z_um) -> std::optional<std::int64_t> {
     if (options.yes) return z_um;
     return ask_nozzle_height(controls, z_um);

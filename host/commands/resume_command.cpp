@@ -95,8 +95,19 @@ Status check_part(const std::string& path, const JournalHead& head) {
 }
 
 // How high the nozzle is, from whoever can see it.
-Result<std::int64_t> nozzle_height(const Options& options, const JournalRecord& record) {
+Result<std::int64_t> nozzle_height(const Options& options, const JournalRecord& record,
+                                   Reporter& reporter) {
   if (options.nozzle_height_mm) return std::llround(*options.nozzle_height_mm * 1'000);
+  if (record.height_in_doubt) {
+    const std::string doubt = "the nozzle was on its way up or down when the print was cut";
+    if (options.yes) {
+      return Error{ErrorCode::kBadSetting,
+                   doubt +
+                       ", so nobody but its user knows where it is: look, and say "
+                       "--nozzle-height MM"};
+    }
+    reporter.note("warning", doubt + ": do not rely on where it was sent, measure");
+  }
   if (options.yes) return record.nozzle_z_um;
   Controls controls(false);
   const std::optional<std::int64_t> told = ask_nozzle_height(controls, record.nozzle_z_um);
@@ -157,7 +168,7 @@ int resume_command(const Options& told, Reporter& reporter) {
       "resuming",
       fmt::format("{}: {}, at {}", head.part_title, state_text(record.state), layer_text(record)),
       {{"layer", record.checkpoint.layer + 1}});
-  const Result<std::int64_t> z_um = nozzle_height(options, record);
+  const Result<std::int64_t> z_um = nozzle_height(options, record, reporter);
   if (!z_um.ok() && stop_signal_count() > 0) return stopped(options, reporter);
   if (!z_um.ok()) {
     reporter.error(z_um.error().message, kExitUsage);

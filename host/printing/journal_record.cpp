@@ -127,6 +127,7 @@ void pass(Stream& stream, JournalRecord& record) {
   stream.number(state);
   if (Stream::kReads) record.state = static_cast<PrintState>(state);
   stream.number(record.layers);
+  stream.number(record.height_in_doubt);
 }
 
 constexpr std::size_t kSumBytes = 8;

@@ -41,7 +41,8 @@ struct JournalRecord {
   MachineState machine;          // after the accepted commands
   std::int64_t nozzle_z_um = 0;  // where the nozzle was sent to: lifted, when the print is parked
   PrintState state = PrintState::kRunning;
-  core::LayerIndex layers = 0;  // of the part; 0: not known yet
+  core::LayerIndex layers = 0;   // of the part; 0: not known yet
+  bool height_in_doubt = false;  // the nozzle was on its way to nozzle_z_um, or from there
 };
 
 // Fixed length, whatever is in it, with sequence number and checksum.

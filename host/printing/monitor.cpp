@@ -156,7 +156,8 @@ bool Monitor::feed_one(Instant now) {
   }
   if (go_on_at_) {
     const ResumePoint point = *std::exchange(go_on_at_, std::nullopt);
-    pauses_.go(way_back(point, options_.resumption->nozzle_z_um, false));
+    const std::int64_t z_um = options_.resumption->nozzle_z_um;
+    pauses_.go(way_back(point, z_um, false), z_um);
     session_->hold(true, now);
     return true;
   }

@@ -71,6 +71,8 @@ struct LostPortOptions {
   // Asks how high the nozzle is, when the controller has forgotten it; it should be at `z_um`.
   // Nothing: nobody answers, and the print ends.
   std::function<std::optional<std::int64_t>(std::int64_t z_um)> nozzle_height;
+  // It takes what it should be for what it is (--yes): not asked when that is in doubt.
+  bool takes_height = false;
 };
 
 struct MonitorOptions {

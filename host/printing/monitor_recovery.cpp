@@ -89,6 +89,7 @@ std::optional<JournalRecord> Monitor::record(PrintState state) const {
   record.nozzle_z_um = pauses_.nozzle_z_um().value_or(record.machine.z_um.value_or(0));
   record.state = state;
   record.layers = options_.layers();
+  record.height_in_doubt = pauses_.height_in_doubt();
   record.line = kNoLine;
   // A controller on its way back has its height told in midst of it: until that way is behind it,
   // nobody may take it for one that knows.
@@ -135,6 +136,7 @@ void Monitor::forget_lines(JournalRecord left, std::int64_t accepted, std::int64
   left.lines_more = 0;
   left.line_kinds = 0;
   left.nozzle_z_um = nozzle_z_um;
+  left.height_in_doubt = false;
   journal()->renumber(left);
 }
 
@@ -239,8 +241,9 @@ std::optional<LinkOutcome> Monitor::recover() {
   point.command = std::clamp(point.command, trail_.begin(), trail_.end());
   std::int64_t z_um = left->nozzle_z_um;
   if (!point.lives) {
-    const auto told =
-        options_.lost_port.nozzle_height ? options_.lost_port.nozzle_height(z_um) : std::nullopt;
+    const bool asks = options_.lost_port.nozzle_height &&
+                      !(left->height_in_doubt && options_.lost_port.takes_height);
+    const auto told = asks ? options_.lost_port.nozzle_height(z_um) : std::nullopt;
     if (!told) {
       LinkOutcome end = at_fault;
       end.reason = reason;
@@ -256,7 +259,7 @@ std::optional<LinkOutcome> Monitor::recover() {
   finish_said_ = unchecked_road_ = false;
   feed_percent_ = 100;
   const bool at_once = steady_seconds() - since_s < kMotorsHold_s;
-  pauses_.go(way_back(point, z_um, at_once));
+  pauses_.go(way_back(point, z_um, at_once), z_um);
   session_->hold(true, link_now());
   ++statistics_.recoveries;
   reporter_.note("resume",

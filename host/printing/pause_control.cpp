@@ -9,17 +9,24 @@ using firmware_link::Command;
 
 void PauseControl::set_out(Phase phase, std::vector<Command> way) {
   phase_ = phase;
+  z_given_ = false;
   way_.assign(way.begin(), way.end());
 }
 
-void PauseControl::go(std::vector<Command> way) { set_out(Phase::kReturning, std::move(way)); }
+void PauseControl::go(std::vector<Command> way, std::int64_t nozzle_z_um) {
+  set_out(Phase::kReturning, std::move(way));
+  nozzle_z_um_ = nozzle_z_um;
+}
 
 std::optional<Command> PauseControl::next() {
   if (way_.empty()) return std::nullopt;
   Command command = std::move(way_.front());
   way_.pop_front();
   const auto* move = std::get_if<firmware_link::Move>(&command);
-  if (move != nullptr && move->z_um) nozzle_z_um_ = move->z_um;
+  if (move != nullptr && move->z_um) {
+    nozzle_z_um_ = move->z_um;
+    z_given_ = true;
+  }
   return command;
 }
 

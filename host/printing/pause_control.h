@@ -10,6 +10,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <optional>
 #include <vector>
@@ -36,8 +37,9 @@ class PauseControl {
   // The ways from now on.
   void set_detour(const Detour& detour) { detour_ = detour; }
 
-  // Goes a way that is not a pause's: `way` ends where the print goes on.
-  void go(std::vector<firmware_link::Command> way);
+  // Goes a way that is not a pause's: `way` ends where the print goes on. `nozzle_z_um`: how high
+  // the nozzle is.
+  void go(std::vector<firmware_link::Command> way, std::int64_t nozzle_z_um);
 
   // --- what follows ---
 
@@ -58,6 +60,10 @@ class PauseControl {
 
   // How high the way's commands so far have sent the nozzle; nothing: no way is gone.
   [[nodiscard]] std::optional<std::int64_t> nozzle_z_um() const { return nozzle_z_um_; }
+  // Whether it may be there, or still where it was before: it is on its way up or down.
+  [[nodiscard]] bool height_in_doubt() const {
+    return z_given_ && (phase_ == Phase::kLeaving || phase_ == Phase::kReturning);
+  }
 
  private:
   void set_out(Phase phase, std::vector<firmware_link::Command> way);
@@ -71,6 +77,7 @@ class PauseControl {
   Phase phase_ = Phase::kPrinting;
   std::deque<firmware_link::Command> way_;
   std::optional<std::int64_t> nozzle_z_um_;
+  bool z_given_ = false;  // by this way
 };
 
 }  // namespace host
