@@ -35,9 +35,10 @@ inline constexpr std::size_t kJournalRecords = 4;
 // Of printing that a power cut may cost.
 inline constexpr double kSyncPeriod_s = 5;
 // How often a system writes what it was not told to (Linux: dirty_expire_centisecs), and how much
-// of a print that never pauses comes to the disk in a day, by this program's writes.
+// of a print that never pauses comes to the disk in a day, by this program's writes: a busy system
+// writes sooner.
 inline constexpr double kWriteBackPeriod_s = 30;
-inline constexpr double kJournalDayBytesMax = 100e6;
+inline constexpr double kJournalDayBytesMax = 150e6;
 static_assert(86'400 * kJournalBlockBytes * (1 / kSyncPeriod_s + 2 / kWriteBackPeriod_s) <=
               kJournalDayBytesMax);
 // A head with a thousand lines of G-code at begin and end, and long names.
