@@ -216,7 +216,7 @@ TEST_CASE("a trail knows its last commands and the machine before each") {
   host::MachineState machine = in_a_road();
   trail.begin_at(1'000, machine, {});
   std::vector<host::MachineState> before;
-  for (int i = 0; i < 500; ++i) {
+  for (int i = 0; i < 600; ++i) {
     host::QueuedCommand queued;
     firmware_link::Move move;
     move.x_um = i * host::kBlockLengthUm;
@@ -227,8 +227,8 @@ TEST_CASE("a trail knows its last commands and the machine before each") {
     machine.apply(queued.command);
     trail.push(queued);
   }
-  CHECK_EQ(trail.end(), 1'500);
-  CHECK_EQ(trail.begin(), 1'500 - static_cast<std::int64_t>(host::kTrailCommandsMax));
+  CHECK_EQ(trail.end(), 1'600);
+  CHECK_EQ(trail.begin(), 1'600 - static_cast<std::int64_t>(host::kTrailCommandsMax));
   for (std::int64_t i = trail.begin(); i < trail.end(); ++i) {
     CAPTURE(i);
     const host::MachineState& wanted = before[static_cast<std::size_t>(i - 1'000)];
@@ -237,11 +237,11 @@ TEST_CASE("a trail knows its last commands and the machine before each") {
     CHECK_EQ(state.f_mm_min, wanted.f_mm_min);
     CHECK_EQ(state.fan, wanted.fan);
   }
-  // Numbers 1499 and 1494 blow, all others move.
-  CHECK_EQ(trail.executed_before(1'500, 0), 1'500);
-  CHECK_EQ(trail.executed_before(1'500, 1), 1'498);
-  CHECK_EQ(trail.executed_before(1'500, 5), 1'493);
-  CHECK_EQ(trail.executed_before(1'500, 10'000), std::nullopt);
+  // Numbers 1599 and 1594 blow, all others move.
+  CHECK_EQ(trail.executed_before(1'600, std::size_t{0}), 1'600);
+  CHECK_EQ(trail.executed_before(1'600, std::size_t{1}), 1'598);
+  CHECK_EQ(trail.executed_before(1'600, std::size_t{5}), 1'593);
+  CHECK_EQ(trail.executed_before(1'600, std::size_t{10'000}), std::nullopt);
 }
 
 TEST_CASE("short moves may have no block of their own, and some commands empty the planner") {
@@ -264,19 +264,19 @@ TEST_CASE("short moves may have no block of their own, and some commands empty t
     move.x_um = 9'000 + i * 20;
     push(move);
   }
-  CHECK_EQ(trail.executed_before(20, 2), 8);
+  CHECK_EQ(trail.executed_before(20, std::size_t{2}), 8);
   push(words("M109 S200"));  // does not wait for moves
-  CHECK_EQ(trail.executed_before(21, 2), 8);
+  CHECK_EQ(trail.executed_before(21, std::size_t{2}), 8);
   push(words("M400"));
-  CHECK_EQ(trail.executed_before(22, 16), 22);
+  CHECK_EQ(trail.executed_before(22, std::size_t{16}), 22);
   move.x_um = 20'000;
   push(move);
-  CHECK_EQ(trail.executed_before(23, 16), 22);
-  CHECK_EQ(trail.executed_before(23, 1), 22);
+  CHECK_EQ(trail.executed_before(23, std::size_t{16}), 22);
+  CHECK_EQ(trail.executed_before(23, std::size_t{1}), 22);
   firmware_link::Move filament;
   filament.e_10nm = -100'000;
   push(filament);
-  CHECK_EQ(trail.executed_before(24, 1), 23);
+  CHECK_EQ(trail.executed_before(24, std::size_t{1}), 23);
   CHECK_EQ(trail.mark_before(0).hash, 7);
 }
 
