@@ -74,6 +74,7 @@ struct Settings {
 
   // The link.
   PackUse meatpack = PackUse::kOff;
+  double wait_limit_s = 0;  // for an answer, at least; 0: by the command
 
   // Speeds, mm/s.
   double perimeter_speed_mm_s = 60;

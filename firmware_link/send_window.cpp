@@ -31,8 +31,28 @@ std::int64_t SendWindow::commands_before(std::int64_t sequence) const {
 
 std::string_view SendWindow::next_text() const {
   LINK_CHECK(!all_sent());
-  const Line& line = at(next_to_send_);
-  return {line.text.data(), line.size};
+  return text(next_to_send_);
+}
+
+void SendWindow::push_ahead(std::string_view text) {
+  LINK_CHECK(next_to_send_ == sent_end_ && end_ - next_to_send_ <= 1);
+  if (all_sent()) {
+    push(text, false);
+    return;
+  }
+  const Line held = at(next_to_send_);
+  const bool is_command = held.commands > commands_before(next_to_send_);
+  --end_;
+  push(text, false);
+  // Its place in the order is taken; all_sent() is what push() otherwise wants.
+  const std::int64_t commands = at(end_ - 1).commands;
+  if (end_ - oldest_ == static_cast<std::int64_t>(kHistoryLinesMax)) {
+    commands_forgotten_ = at(oldest_++).commands;
+  }
+  LINK_CHECK(oldest_ <= acknowledged_);
+  Line& line = at(end_++);
+  line = held;
+  line.commands = commands + (is_command ? 1 : 0);
 }
 
 void SendWindow::sent(std::size_t wire_bytes) {

@@ -40,11 +40,15 @@ class SendWindow {
   // How many of the host's commands are before that line. REQUIRES: oldest() <= sequence <= end().
   [[nodiscard]] std::int64_t commands_before(std::int64_t sequence) const;
 
-  // REQUIRES: oldest() <= sequence < end().
+  // A line that is kept. REQUIRES: oldest() <= sequence < end().
   [[nodiscard]] std::string_view text(std::int64_t sequence) const {
     const Line& line = at(sequence);
     return {line.text.data(), line.size};
   }
+
+  // Adds a line of the link's own before the one that was never sent, if there is one.
+  // REQUIRES: next_to_send() == sent_end(), end() - next_to_send() <= 1, as push().
+  void push_ahead(std::string_view text);
 
   // The line at next_to_send(). REQUIRES: !all_sent().
   [[nodiscard]] std::string_view next_text() const;

@@ -11,21 +11,16 @@
 namespace firmware_link {
 namespace {
 
-// Forced mismatches without progress, while temperatures still come: each takes room in a busy
-// controller's receive ring.
-constexpr int kProbesMax = 4;
-constexpr std::size_t kProbeBytes = 19;
+// So much motion in the planner is enough for the next line to come in time: far more than an
+// answer takes on its way (16 ms are found), and Marlin slows no segment down that leaves half of
+// its planner so long (8 blocks of 20 ms).
+constexpr Duration kPlannerFed = std::chrono::milliseconds(200);
 
 // What cannot come out of a damaged line, and stops at once any garbage before it.
 constexpr std::string_view kEmergencyStop = "\nM112\n";
 
 // Read before its turn, as M112 is: ends M109, M190, M0. Never M410, which kills a homing Marlin.
 constexpr std::string_view kWaitNoMore = "\nM108\n";
-
-std::string seconds_text(Duration duration) {
-  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(duration).count();
-  return std::to_string(seconds) + " s";
-}
 
 }  // namespace
 
@@ -41,6 +36,7 @@ Session::Session(std::unique_ptr<Dialect> dialect, const SessionOptions& options
       last_progress_(now),
       quiet_since_(now),
       last_polled_(now),
+      silence_(options_.wait_limit),
       last_turn_(now) {
   LINK_CHECK(rules_.numbered && rules_.window_lines >= 1 && rules_.window_lines <= kWindowLinesMax);
   LINK_CHECK(rules_.window_bytes > kLineBytesMax && rules_.window_bytes <= kWindowBytesMax);
@@ -107,6 +103,7 @@ void Session::tick(Instant now) {
       if (may_unpack_) stop_packing();
       last_life_ = last_progress_ = now;
     }
+    tick_asking(now);
     tick_packing(now);
     tick_silence(now);
     tick_watch(now);
@@ -218,66 +215,13 @@ void Session::put_safe_sequence() {
   put("M105\n");
 }
 
-void Session::resynchronise(Instant now) {
-  last_life_ = last_progress_ = now;
-  ++resyncs_in_a_row_;
-  put_forced_mismatch();
-}
-
-void Session::put_forced_mismatch() {
-  resync_pending_ = true;
-  if (output_end_ - output_begin_ + kLineBytesMax + 2 > output_.size()) return;
-  LineBuffer buffer;
-  stop_packing();
-  put("\n");
-  put(number_line(kResyncLineNumber, "M105", buffer));
-  put("\n");
-}
-
-void Session::tick_silence(Instant now) {
-  if (ended() || (window_.lines_in_flight() == 0 && !resync_pending_)) return;
-  Duration silence_max = waiting_line_in_flight() ? rules_.silence_waiting_max : rules_.silence_max;
-  Duration idle_talk_max = rules_.idle_talk_max;
-  if (stop_behind_ && !was_busy_) {
-    silence_max = std::max(silence_max, options_.long_stop_limit);
-    idle_talk_max = std::max(idle_talk_max, options_.long_stop_limit);
-  }
-  const bool silent = now - last_life_ > silence_max;
-  const bool idle = now - last_progress_ > idle_talk_max;
-  if (!silent && !idle) {
-    // Something talks, and nothing goes on: temperatures that come by themselves hide a lost `ok`.
-    // Asking does no harm, and is not held against a controller that has no time to answer.
-    // And a nozzle that stands on the part for want of an `ok` leaves a blob.
-    const std::size_t probe_bytes = kProbeBytes * static_cast<std::size_t>(probes_ + 1);
-    const bool stands = phase_ == Phase::kOpen && planner_.blocks() == 0 && !works_ &&
-                        window_.bytes_in_flight() + probe_bytes <= kWindowBytesMax;
-    const bool hidden = rules_.numbered && !waiting_line_in_flight() && probes_ < kProbesMax &&
-                        now - std::max(last_progress_, last_probe_) >
-                            (stands ? rules_.silence_idle : rules_.silence_max);
-    if (!hidden) return;
-    ++probes_;
-    last_probe_ = now;
-    ++statistics_.resyncs;
-    put_forced_mismatch();
-    return;
-  }
-  if (rules_.numbered && resyncs_in_a_row_ < options_.resyncs_in_a_row_max) {
-    ++statistics_.resyncs;
-    resynchronise(now);
-    return;
-  }
-  const Duration waited = silence_max * (rules_.numbered ? resyncs_in_a_row_ + 1 : 1);
-  std::string why = "the controller has not answered for " + seconds_text(waited);
-  if (!last_refusal_.empty()) why += "; its last complaint was \"" + last_refusal_ + "\"";
-  fault(FaultKind::kSilence, why, true);
-}
-
 // Moves to the next state when all that this one waits for is there.
 void Session::settle(Instant now) {
   if (ended() || is_still() || (phase_ != Phase::kAsking && phase_ != Phase::kOpen)) return;
   const bool idle = window_.all_sent() && window_.lines_in_flight() == 0 && !resync_pending_ &&
                     !own_line_due() && !question_ && !deferred_;
   if (phase_ == Phase::kAsking && idle) {
+    if (asks_name_again(now)) return;
     speak_its_dialect();
     if (settling_needed_) {
       phase_ = Phase::kSettling;
@@ -341,14 +285,18 @@ bool Session::send_next(Instant now) {
                                     ? number_line(shown, window_.next_text(), buffer)
                                     : window_.next_text();
   LINK_CHECK(line.size() <= kLineBytesMax);
-  if (window_.lines_in_flight() >= window_lines() || waiting_line_in_flight()) return false;
+  const bool ahead = is_ahead(sequence);
+  if (!ahead && !goes_behind_others(sequence)) return false;
+  if (!ahead && (window_.lines_in_flight() >= window_lines(now) || waiting_line_in_flight())) {
+    return false;
+  }
   if (output_end_ - output_begin_ + 2 * kLineBytesMax > output_.size()) return false;
   if (!packing_settled(now)) return false;
   PackedBuffer packed;
   const std::string_view wire = on_the_wire(line, packed);
   if (wire.empty()) return false;
   const std::size_t bytes = wire.size();
-  if (window_.bytes_in_flight() + bytes > rules_.window_bytes) return false;
+  if (!ahead && window_.bytes_in_flight() + bytes > rules_.window_bytes) return false;
   if (window_.lines_in_flight() == 0) last_life_ = last_progress_ = now;
   if (sequence < window_.sent_end()) ++statistics_.lines_repeated;
   put(wire);
@@ -366,14 +314,29 @@ bool Session::send_next(Instant now) {
 // Nothing goes behind a command that takes its time: a controller with free slots reads an M112 at
 // once, one whose slots are full not before the command ends (11 s were measured).
 bool Session::waiting_line_in_flight() const {
-  const std::size_t count = window_.lines_in_flight();
-  if (count == 0) return false;
-  const auto last = static_cast<std::size_t>(window_.next_to_send() - 1);
-  return nominal_[last % nominal_.size()].count() < 0;
+  for (std::int64_t i = window_.acknowledged(); i < window_.next_to_send(); ++i) {
+    if (nominal_[static_cast<std::size_t>(i) % nominal_.size()].count() < 0) return true;
+  }
+  return false;
 }
 
-std::size_t Session::window_lines() const {
-  return calm_lines_missing_ > 0 ? 1 : rules_.window_lines;
+// A command that waits goes when all before it have been answered, so that an answer behind its
+// signs of work is its own. Where no checksum shows that two lines have run together, only moves go
+// behind others: that one is gone shows in the place and the filament. Any other line begins behind
+// an `ok`, on a line of its own.
+bool Session::goes_behind_others(std::int64_t sequence) const {
+  if (window_.lines_in_flight() == 0 || state_ == SessionState::kStopping) return true;
+  if (nominal_[static_cast<std::size_t>(sequence) % nominal_.size()].count() < 0) return false;
+  if (rules_.numbered) return true;
+  const std::string_view word = word_of(window_.text(sequence));
+  return word == "G0" || word == "G1" || word == "M105";
+}
+
+// One line at a time where that is enough: what a flush cuts is then never a line of ours.
+std::size_t Session::window_lines(Instant now) const {
+  if (calm_lines_missing_ > 0) return 1;
+  if (rules_.numbered && planner_.end() - now >= kPlannerFed) return 1;
+  return rules_.window_lines;
 }
 
 std::span<const std::byte> emergency_stop_bytes() {

@@ -27,6 +27,7 @@
 #include <span>
 #include <string>
 
+#include "firmware_link/account_watch.h"     // AccountWatch
 #include "firmware_link/capabilities.h"      // Capabilities
 #include "firmware_link/command.h"           // Command
 #include "firmware_link/dialects/dialect.h"  // Dialect
@@ -38,7 +39,9 @@
 #include "firmware_link/reply.h"             // LineSplitter
 #include "firmware_link/send_window.h"       // SendWindow
 #include "firmware_link/session_event.h"     // SessionEvent
+#include "firmware_link/session_parts.h"     // OwnWishes, DeferredCommand, PositionQuestion
 #include "firmware_link/session_types.h"     // SessionState, SessionOptions, SessionStatistics
+#include "firmware_link/silence_watch.h"     // SilenceWatch
 
 namespace firmware_link {
 
@@ -177,6 +180,8 @@ class Session {
   void greet(Instant now);
   void reply_while_greeting(const Reply& reply, Meaning meaning, Instant now);
   void greeted(Instant now);
+  void tick_asking(Instant now);
+  [[nodiscard]] bool asks_name_again(Instant now);
   void named(std::string_view name);
   void speak_its_dialect();
   void open(Instant now);
@@ -215,6 +220,7 @@ class Session {
   void acknowledged(const Reply& reply, Instant now);
   void note_accepted(std::int64_t from, Instant now);
   void resend_asked(const Reply& reply, Instant now);
+  [[nodiscard]] bool can_go_back_to(std::int64_t sequence) const;
   [[nodiscard]] bool repeat_from(std::int64_t sequence);
   void note_names(const Reply& reply);
   void reset_seen(Instant now);
@@ -242,11 +248,26 @@ class Session {
   void stop_packing();
   [[nodiscard]] std::string_view on_the_wire(std::string_view line, PackedBuffer& into);
 
-  // session.cpp: what goes out, and when.
-  void fault(FaultKind kind, const std::string& why, bool controller_may_live);
+  // session_asking.cpp: an answer is missing.
   void tick_silence(Instant now);
+  [[nodiscard]] SilenceWatch::Sight sight(Instant now) const;
+  void ask(const SilenceWatch::Sight& sight, Instant now);
+  void push_question(Instant now);
+  [[nodiscard]] bool is_ahead(std::int64_t sequence) const;
+  [[nodiscard]] int questions_in_flight() const;
+  [[nodiscard]] bool may_ask_in_order(bool behind_long) const;
+  void ask_for_answer(Instant now);
+  [[nodiscard]] bool names_a_line(const Reply& reply) const;
+  [[nodiscard]] bool acknowledge_named(const Reply& reply);
+  [[nodiscard]] std::optional<std::int64_t> named_by(const Reply& reply);
+  void acknowledge_through(std::int64_t sequence);
+  void answers_missing();
+  [[nodiscard]] bool damaged_by(const Reply& reply) const;
   void resynchronise(Instant now);
   void put_forced_mismatch();
+
+  // session.cpp: what goes out, and when.
+  void fault(FaultKind kind, const std::string& why, bool controller_may_live);
   void settle(Instant now);
   void pump(Instant now);
   [[nodiscard]] bool send_next(Instant now);
@@ -254,8 +275,9 @@ class Session {
   void put_safe_sequence();
   void put_wait_no_more();
   [[nodiscard]] bool ended() const;
-  [[nodiscard]] std::size_t window_lines() const;
+  [[nodiscard]] std::size_t window_lines(Instant now) const;
   [[nodiscard]] bool waiting_line_in_flight() const;
+  [[nodiscard]] bool goes_behind_others(std::int64_t sequence) const;
   [[nodiscard]] std::int64_t wire_number(std::int64_t sequence) const {
     return sequence - numbering_base_;
   }
@@ -267,31 +289,6 @@ class Session {
   static constexpr Duration kWaitsForPlanner{-1};
   static constexpr Duration kGoesAlone{-2};
 
-  // What the session itself has to say, as soon as there is room.
-  struct OwnWishes {
-    std::optional<int> feed_percent;
-    std::optional<int> flow_percent;
-    std::optional<std::int64_t> filament_correction_10nm;
-    bool reset_filament = false;
-    bool ask_position = false;
-    bool ask_temperatures = false;
-    bool report_temperatures = false;
-    bool stay_awake = false;
-  };
-
-  // Taken, and not in the window yet, because a line of the link's own goes before it.
-  struct Deferred {
-    Command command;
-    bool is_command = false;
-  };
-
-  // An M114 on its way.
-  struct PositionQuestion {
-    std::int64_t sequence = 0;
-    PositionWatch::Expected expected;
-    std::optional<Position> told;
-  };
-
   std::unique_ptr<Dialect> dialect_;
   SessionOptions options_;
   LinkRules rules_;
@@ -302,6 +299,8 @@ class Session {
   std::string last_warning_;
   std::string last_refusal_;
   std::string firmware_name_;
+  std::string name_before_;  // the answer before to the same question
+  int names_asked_ = 0;
   Capabilities capabilities_;
   SessionStatistics statistics_;
   EventQueue events_;
@@ -316,7 +315,7 @@ class Session {
   std::size_t safe_next_ = 0;
 
   OwnWishes wishes_;
-  std::optional<Deferred> deferred_;
+  std::optional<DeferredCommand> deferred_;
   std::optional<PositionQuestion> question_;
   int questions_in_a_row_ = 0;  // that found a difference, or no answer
   bool confirming_ = false;     // a difference was told: no move until it is sure
@@ -358,10 +357,12 @@ class Session {
   Instant last_progress_;  // an acknowledgement, or work being done
   Instant quiet_since_;    // the last answer that belongs to a Resend's aftermath
   Instant last_polled_;
+  SilenceWatch silence_;
+  std::int64_t ahead_ = -1;  // the last question's line, which no window holds back
+  int late_answers_ = 0;     // to questions that were taken to be lost
+  AccountWatch accounts_;
   Instant last_turn_;     // any call that told the time
   Instant last_awake_{};  // a paused print was kept awake
-  Instant last_probe_{};
-  int probes_ = 0;  // since the last progress
   int greetings_ = 0;
   Packing packing_ = Packing::kOff;
   Instant packing_asked_{};
@@ -369,6 +370,7 @@ class Session {
   bool may_unpack_ = false;
   std::int64_t packing_from_ = 0;  // no line before this one is packed
   bool start_seen_ = false;
+  int starts_seen_ = 0;
   bool greeting_refused_ = false;
   bool named_ = false;         // what asks for names has been answered, up to its `ok`
   bool skip_next_ok_ = false;  // it belongs to a refused line
@@ -381,8 +383,6 @@ class Session {
   bool settling_needed_ = false;
   bool holding_ = false;
   bool waits_for_user_ = false;
-  bool works_ = false;     // busy lines came for the line at hand
-  bool was_busy_ = false;  // it has said so before: one that works is not silent
   bool warned_of_resends_ = false;
   int resyncs_in_a_row_ = 0;
   int repeats_of_a_line_ = 0;

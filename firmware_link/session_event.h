@@ -20,6 +20,7 @@ struct SessionEvent {
     kCancelAsked,      // //action:cancel
     kPaused,           // //action:paused: the controller itself has paused (filament out …)
     kResumed,          // //action:resumed
+    kWaits,            // an answer takes a while; text: what is waited for, as "homing (G28)"
     kWaitsForUser,     // busy: paused for user; a button at the printer, or M108
     kAction,           // another //action:; text: its words
     kWarning,          // an error that does not end the print, an unknown command; text: its words

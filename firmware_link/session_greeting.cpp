@@ -15,22 +15,37 @@ namespace {
 // A greeting begins only when the controller has said all that it says by itself.
 constexpr Duration kQuiet = std::chrono::milliseconds(200);
 
+// One that never stops talking is greeted all the same.
+constexpr Duration kTalkMax = std::chrono::seconds(3);
+
+// How long it may work at what the host before us told it.
+constexpr Duration kBusyMax = std::chrono::minutes(15);
+
 constexpr int kAsksMax = 2;
+
+// How long a name is waited for before all begins anew, and how often it is asked for.
+constexpr Duration kNameWait = std::chrono::seconds(15);
+constexpr int kNamesMax = 3;
 
 }  // namespace
 
 void Session::tick_greeting(Instant now) {
   const bool quiet = now - last_said_ >= kQuiet;
+  const Duration waited = now - phase_began_;
   if (phase_ == Phase::kSettling) {
-    if (quiet && now - phase_began_ >= kQuiet) begin_readying(now);
+    if ((quiet && waited >= kQuiet) || waited >= kTalkMax) begin_readying(now);
     return;
   }
   if (phase_ == Phase::kBanner) {
-    if (quiet && (start_seen_ || now - phase_began_ >= options_.banner_wait)) greet(now);
+    const Duration first = start_seen_ ? Duration(0) : options_.banner_wait;
+    if (waited >= first && (quiet || waited >= first + kTalkMax)) greet(now);
     return;
   }
-  const bool late = now - std::max(phase_began_, last_progress_) >= options_.greeting_wait;
+  const bool late =
+      now - std::max(phase_began_, last_progress_) >= options_.greeting_wait || waited >= kBusyMax;
   if (!late && !(greeting_refused_ && quiet)) return;
+  if (greetings_ == 1 && late)
+    events_.push(SessionEvent::Kind::kWaits, "an answer to the greeting");
   if (greetings_ < options_.greetings_max) {
     greet(now);
     return;
@@ -105,10 +120,38 @@ void Session::greeted(Instant now) {
   last_life_ = last_progress_ = now;
   if (state_ == SessionState::kConnecting) {
     phase_ = Phase::kAsking;
+    phase_began_ = now;
     push_own("M115");
   } else {
     phase_ = Phase::kOpen;
   }
+}
+
+// Its name may have been damaged beyond recognition, and by now something else is answered.
+void Session::tick_asking(Instant now) {
+  if (phase_ != Phase::kAsking || silence_.works() || now - phase_began_ < kNameWait) return;
+  window_.restart(window_.oldest());
+  window_.drop_unsent();
+  recovering_ = resync_pending_ = skip_next_ok_ = named_ = false;
+  if (greetings_ < options_.greetings_max) {
+    greet(now);
+  } else {
+    fault(FaultKind::kNoAnswer, "the controller answers, but does not say what it is", true);
+  }
+}
+
+// A name that is not known may be a damaged one: it is believed when it comes twice. By another
+// dialect nothing would work.
+bool Session::asks_name_again(Instant now) {
+  if (is_known_firmware(firmware_name_) || firmware_name_ == name_before_ ||
+      ++names_asked_ >= kNamesMax) {
+    return false;
+  }
+  name_before_ = firmware_name_;
+  named_ = false;
+  push_own("M115");
+  pump(now);
+  return true;
 }
 
 void Session::named(std::string_view name) {

@@ -76,6 +76,7 @@ void Session::tick_readying(Instant now) {
     fault(FaultKind::kHalted, with_remedy(why, dialect_->remedy()), false);
     return;
   }
+  if (window_.lines_in_flight() > 0 && now - last_progress_ > rules_.ask_after) ask_for_answer(now);
   if (query_due_ && now >= *query_due_) ask_when_readying(Query::kState, now);
 }
 
@@ -86,6 +87,9 @@ void Session::reply_while_readying(const Reply& reply, Meaning meaning, Instant 
     found_place_ = reply.position;
   } else if (reply.kind == Reply::Kind::kNote && query_ == Query::kCommands) {
     dialect_->note_command(reply.text, capabilities_);
+  } else if (meaning == Meaning::kAcknowledge && names_a_line(reply)) {
+    // What it said before may have been lost with its `ok`: the same is asked again.
+    if (acknowledge_named(reply)) ask_when_readying(query_, now);
   } else if (meaning == Meaning::kAcknowledge && window_.acknowledge_one()) {
     query_answered(now);
   }

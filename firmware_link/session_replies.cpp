@@ -17,6 +17,13 @@ constexpr std::int64_t kCalmLinesMax = 4096;
 constexpr double kResendRatioMax = 0.1;
 constexpr std::int64_t kResendLinesMin = 100;
 
+// An `ok` too many uncovers itself by a request for a line that was acknowledged; so many of them
+// in a row are another thing.
+constexpr std::int64_t kFalseAnswersMax = 8;
+
+// So many `start`s while connecting are no boot loader's any more.
+constexpr int kStartsMax = 10;
+
 std::string quoted(std::string_view words) { return "\"" + std::string(words) + "\""; }
 
 }  // namespace
@@ -43,7 +50,8 @@ void Session::reply(const Reply& reply, Instant now) {
   if (reply.kind != Reply::Kind::kTemperatures) last_said_ = now;
   if (meaning == Meaning::kWorking || meaning == Meaning::kAcknowledge) {
     last_progress_ = now;
-    probes_ = 0;
+    if (meaning == Meaning::kWorking) silence_.worked();
+    if (meaning == Meaning::kAcknowledge) silence_.answered();
   }
   if (reply.text.substr(0, kMeatPackAnswer.size()) == kMeatPackAnswer) note_packing(reply.text);
   note_temperatures(reply, now);
@@ -55,7 +63,17 @@ void Session::reply(const Reply& reply, Instant now) {
     waits_for_user_ = true;
     events_.push(SessionEvent::Kind::kWaitsForUser, std::string(reply.text));
   }
-  if (reply.kind == Reply::Kind::kPosition && question_) question_->told = reply.position;
+  if (reply.kind == Reply::Kind::kPosition && question_) {
+    question_->told = reply.position;
+    // What was asked is answered in its turn, so all before it has been.
+    if (!rules_.numbered && question_->sequence > window_.acknowledged() &&
+        question_->sequence < window_.next_to_send()) {
+      const std::int64_t before = window_.acknowledged();
+      acknowledge_through(question_->sequence - 1);
+      note_accepted(before, now);
+      if (ended()) return;
+    }
+  }
 
   if (shut_down_since_) {
     reply_while_shut_down(reply);
@@ -111,9 +129,16 @@ void Session::reply_while_open(const Reply& reply, Meaning meaning, Instant now)
     case Meaning::kRefused:
       skip_next_ok_ = true;
       quiet_since_ = now;
+      accounts_.refused(reply.text);
       last_refusal_ = std::string(reply.text);
       break;
     case Meaning::kWarning:
+      if (damaged_by(reply)) {
+        fault(FaultKind::kPosition,
+              "a line was damaged on its way to the controller, which says " + quoted(reply.text),
+              true);
+        return;
+      }
       complaint_heard(reply);
       if (phase_ == Phase::kAsking) named_ = true;
       break;
@@ -130,8 +155,6 @@ void Session::reply_while_open(const Reply& reply, Meaning meaning, Instant now)
     case Meaning::kAlive:
     case Meaning::kWorking:
       if (meaning != Meaning::kWorking) break;
-      works_ = true;
-      was_busy_ = was_busy_ || reply.kind == Reply::Kind::kBusy;
       resyncs_in_a_row_ = resync_pending_ ? 1 : 0;
       break;
     case Meaning::kShutDown:  // while it is not open
@@ -145,6 +168,11 @@ void Session::reply_while_open(const Reply& reply, Meaning meaning, Instant now)
 
 void Session::reset_seen(Instant now) {
   if (state_ == SessionState::kConnecting) {
+    if (++starts_seen_ > kStartsMax) {
+      fault(FaultKind::kNoAnswer,
+            "the controller resets itself again and again: is its power supply right?", false);
+      return;
+    }
     // It may come late, behind a greeting that the boot loader ate.
     start_seen_ = true;
     found_line_.reset();  // it told that before, and knows it no longer
@@ -177,7 +205,7 @@ void Session::note_names(const Reply& reply) {
 }
 
 void Session::acknowledged(const Reply& reply, Instant now) {
-  waits_for_user_ = works_ = false;
+  waits_for_user_ = false;
   if (recovering_) quiet_since_ = now;
   if (skip_next_ok_) {
     skip_next_ok_ = false;
@@ -198,13 +226,22 @@ void Session::acknowledged(const Reply& reply, Instant now) {
     const std::int64_t sequence = number + numbering_base_;
     ours = sequence >= window_.acknowledged() && sequence < window_.next_to_send();
     if (ours) window_.acknowledge_before(sequence + 1);
+  } else if (names_a_line(reply)) {
+    const std::optional<std::int64_t> through = named_by(reply);
+    ours = through.has_value();
+    if (ours) {
+      acknowledge_through(*through);
+      if (ended()) return;
+    }
   } else {
     ours = window_.acknowledge_one();
+    late_answers_ = 0;
   }
   if (!ours) {
     ++statistics_.stray_acknowledgements;
     return;
   }
+  accounts_.possible();
   note_accepted(before, now);
   if (reply.planner_free) planner_.told_free(*reply.planner_free, now);
   if (state_ == SessionState::kStreaming && !holding_ && phase_ == Phase::kOpen &&
@@ -227,10 +264,20 @@ void Session::resend_asked(const Reply& reply, Instant now) {
   skip_next_ok_ = rules_.numbered;
   quiet_since_ = now;
   if (!rules_.numbered || !reply.number || *reply.number < 0 || *reply.number > kResyncLineNumber ||
-      !window_.can_restart(*reply.number + numbering_base_)) {
+      !can_go_back_to(*reply.number + numbering_base_)) {
     ++statistics_.resends_ignored;
+    if (rules_.numbered && reply.number && accounts_.impossible(*reply.number)) {
+      fault(FaultKind::kRefusals,
+            "the controller says that it has had " + std::to_string(*reply.number - 1) +
+                " lines of " + std::to_string(wire_number(window_.next_to_send()) - 1) +
+                ": it was reset, or counts wrong",
+            true);
+    } else if (accounts_.ask_again() && !recovering_) {
+      put_forced_mismatch();
+    }
     return;
   }
+  accounts_.possible();
   const std::int64_t sequence = *reply.number + numbering_base_;
   confirmed_ = sequence == window_.sent_end();
   if (confirmed_) resyncs_in_a_row_ = 0;
@@ -254,6 +301,10 @@ void Session::resend_asked(const Reply& reply, Instant now) {
     }
   }
   recovering_ = true;
+}
+
+bool Session::can_go_back_to(std::int64_t sequence) const {
+  return window_.can_restart(sequence) && window_.acknowledged() - sequence <= kFalseAnswersMax;
 }
 
 // A line was refused and will be repeated; false when that has happened too often.

@@ -23,10 +23,11 @@ void Session::bridge_gap(Instant now) {
   if (gap <= kTurnMax) return;
   const auto moved = [&](Instant since) { return std::min(now, since + gap); };
   for (Instant* since : {&phase_began_, &stop_began_, &last_heard_, &last_said_, &last_life_,
-                         &last_progress_, &quiet_since_, &packing_asked_, &last_probe_}) {
+                         &last_progress_, &quiet_since_, &packing_asked_}) {
     *since = moved(*since);
   }
   if (place_lost_since_) place_lost_since_ = moved(*place_lost_since_);
+  silence_.bridge(gap, now);
   if (shut_down_since_) shut_down_since_ = moved(*shut_down_since_);
 }
 
@@ -36,7 +37,12 @@ void Session::note_stop_behind(Instant now) {
   stop_told_ = false;
   stop_behind_.reset();
   if (!waiting_line_in_flight()) return;
-  const std::string_view text = window_.text(window_.next_to_send() - 1);
+  // A question may stand behind it.
+  std::int64_t at = window_.acknowledged();
+  while (at + 1 < window_.next_to_send() && !wait_of(window_.text(at), rules_.macros).is_long()) {
+    ++at;
+  }
+  const std::string_view text = window_.text(at);
   stop_behind_ = std::string(text.substr(0, text.find(' ')));
   stop_began_ = now;
 }
@@ -48,7 +54,7 @@ void Session::tick_stop(Instant now) {
   }
   // What has been planned moves first.
   const Instant began = std::max(stop_began_, std::min(planner_.end(), now));
-  const bool waits = stop_behind_ || works_;
+  const bool waits = stop_behind_ || silence_.works();
   if (waits && !stop_told_ && now - stop_began_ > kQuietWait) {
     stop_told_ = true;
     events_.push(SessionEvent::Kind::kStopWaits, stop_behind_.value_or(""));

@@ -90,6 +90,9 @@ struct SessionOptions {
   // How long a controller that answers may take to be ready to print (Klipper, while it starts).
   Duration ready_wait{120'000'000};
 
+  // Each limit of a wait for an answer (command_waits.h) is at least this.  DEFAULT: none.
+  Duration wait_limit{0};
+
   // How long the safe sequence of stop_now() may take; and how long it may wait before that for a
   // command that takes long by nature (homing, probing), or that says that it works.
   Duration stop_limit{10'000'000};

@@ -19,16 +19,6 @@ constexpr int kQuestionsMax = 8;
 // How long nothing may be heard before temperatures are asked for, to see that it lives.
 constexpr Duration kIdlePoll = std::chrono::seconds(10);
 
-// Commands that let the planner run empty before the next one begins.
-bool waits_for_planner(std::string_view text) {
-  const std::size_t end = std::min(text.find(' '), text.size());
-  constexpr std::string_view kWaiting[] = {"G4",   "G28",  "G29",  "G30",  "M0",   "M1",   "M18",
-                                           "M84",  "M109", "M190", "M191", "M226", "M303", "M400",
-                                           "M600", "G34",  "M125", "M701", "M702"};
-  return std::find(std::begin(kWaiting), std::end(kWaiting), text.substr(0, end)) !=
-         std::end(kWaiting);
-}
-
 std::string mm_text(std::int64_t value_10nm) {
   char text[32];
   return std::string(text, write_fixed(text, value_10nm, 5));
@@ -63,8 +53,9 @@ void Session::push_command(const Command& command, bool is_command) {
     position_.gave(*move);
   } else if (std::holds_alternative<Verbatim>(command)) {
     position_.gave_unknown();
+    if (word_of(text) == "M113") silence_.may_be_silent();
   }
-  if (waits_for_planner(text)) nominal = kWaitsForPlanner;
+  if (wait_of(text, rules_.macros).planner_runs_empty) nominal = kWaitsForPlanner;
   const std::size_t at = static_cast<std::size_t>(window_.end()) % nominal_.size();
   nominal_[at] = nominal;
   blocks_[at] = static_cast<std::uint8_t>(blocks);
@@ -112,6 +103,7 @@ bool Session::push_own_line(Instant now) {
     wishes_.reset_filament = false;
   } else if (wishes_.ask_position && !question_) {
     question_ = PositionQuestion{window_.end(), position_.expected(), std::nullopt};
+    if (rules_.height_may_shift) question_->expected.axes_um[2].reset();
     // Where the count has just begun, its `ok` is also the sign that the G92 before it was not
     // itself such a tail.
     push_own("M114", position_.expected().moves == 0 ? kGoesAlone : Duration(0));
@@ -222,7 +214,8 @@ void Session::end_confirming() {
 void Session::filament_differs(std::int64_t excess_10nm) {
   const std::string what = mm_text(std::abs(excess_10nm)) + " mm of filament " +
                            (excess_10nm > 0 ? "too much" : "too little");
-  if (std::abs(excess_10nm) > options_.filament_correction_10nm_max ||
+  // Where nothing is repeated, a line that left filament out is gone, its road with it.
+  if (!rules_.numbered || std::abs(excess_10nm) > options_.filament_correction_10nm_max ||
       statistics_.filament_corrections >= options_.filament_corrections_max) {
     fault(FaultKind::kPosition, "the controller has counted " + what + ": lines were damaged",
           true);

@@ -4,6 +4,7 @@
 // what an answer means to a sender.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <string_view>
 
@@ -39,23 +40,30 @@ struct LinkRules {
 
   // Its M114 tells what it was commanded, in two decimals, without waiting for motion.
   bool tells_position = false;
+  // Its user may shift heights at any time, which M114 then shows (SET_GCODE_OFFSET).
+  bool height_may_shift = false;
+
+  // Words that are not a letter and a number are its user's macros, and may take their time.
+  bool macros = false;
 
   std::size_t window_lines = kWindowLinesMax;
   std::size_t window_bytes = kWindowBytesMax;
 
-  // How long nothing at all may be heard while a line is in flight, how long where it is one that
-  // waits (for heat, for the planner, for a user), and how long only signs of life that don't prove
-  // work (temperatures).
+  // How long nothing at all may be heard while a line is in flight that is answered at once
+  // (command_waits.h tells of others), and how long only signs of life that don't prove work
+  // (temperatures).
   Duration silence_max{};
-  // The same where its planner is taken to be empty, so that it has nothing to do but answer: it
-  // is asked (numbered only), and nothing is held against it.
-  Duration silence_idle{};
-  Duration silence_waiting_max{};
   Duration idle_talk_max{};
 
   // How often a paused print moves nothing for a millisecond, where a controller that stands idle
   // switches heaters and motors off. 0: never.
   Duration keep_awake{};
+
+  // How long an `ok` may be missing before the controller is asked for it, which is not held
+  // against it; the same where its planner is taken to be empty, so that it has nothing to do but
+  // answer.
+  Duration ask_after = std::chrono::seconds(5);
+  Duration ask_after_idle = std::chrono::seconds(1);
 
   // After a Resend, how long it must be quiet before anything is sent again, because lines that
   // were in flight may be answered too, each with a Resend of its own.

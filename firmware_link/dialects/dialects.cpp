@@ -1,5 +1,8 @@
 #include "firmware_link/dialects/dialects.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "firmware_link/dialects/klipper_dialect.h"
 #include "firmware_link/dialects/marlin_dialect.h"
 #include "firmware_link/dialects/prusa_dialect.h"
@@ -15,6 +18,13 @@ std::unique_ptr<Dialect> dialect_for(std::string_view firmware_name) {
   if (says("RepRapFirmware")) return std::make_unique<RepRapDialect>();
   if (says("Prusa-Firmware")) return std::make_unique<PrusaDialect>();
   return std::make_unique<MarlinDialect>();
+}
+
+bool is_known_firmware(std::string_view firmware_name) {
+  constexpr std::string_view kKnown[] = {"Marlin", "Klipper", "RepRapFirmware", "Prusa-Firmware"};
+  return std::any_of(std::begin(kKnown), std::end(kKnown), [&](std::string_view name) {
+    return firmware_name.find(name) != std::string_view::npos;
+  });
 }
 
 }  // namespace firmware_link

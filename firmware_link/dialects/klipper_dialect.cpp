@@ -17,9 +17,11 @@ constexpr std::string_view kStartingUp = "Printer is not ready";
 LinkRules KlipperDialect::rules() const {
   LinkRules rules;
   rules.numbered = false;
-  // One slow move behind a full planner; a bed that heats, a long homing, in silence.
+  rules.tells_position = true;
+  rules.height_may_shift = true;
+  rules.macros = true;
+  // One slow move behind a full planner.
   rules.silence_max = std::chrono::minutes(15);
-  rules.silence_waiting_max = std::chrono::minutes(60);
   rules.idle_talk_max = std::chrono::minutes(60);
   // Its [idle_timeout] is 600 s unless it was set otherwise.
   rules.keep_awake = std::chrono::seconds(20);

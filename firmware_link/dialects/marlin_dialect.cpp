@@ -9,8 +9,7 @@ LinkRules MarlinDialect::rules() const {
   rules.numbered = true;
   rules.tells_position = true;
   // Three busy lines missing in a row.
-  rules.silence_max = rules.silence_waiting_max = std::chrono::seconds(6);
-  rules.silence_idle = std::chrono::seconds(1);
+  rules.silence_max = std::chrono::seconds(6);
   // Builds without busy lines still report temperatures each second while they heat.
   rules.idle_talk_max = std::chrono::seconds(120);
   rules.quiet_after_resend = std::chrono::milliseconds(100);

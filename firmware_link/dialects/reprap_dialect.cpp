@@ -9,9 +9,8 @@ LinkRules RepRapDialect::rules() const {
   rules.numbered = false;
   rules.checksummed = true;
   rules.window_lines = 1;
-  // One slow move behind a full planner; a bed that heats, a long homing, in silence.
+  // One slow move behind a full planner.
   rules.silence_max = std::chrono::minutes(15);
-  rules.silence_waiting_max = std::chrono::minutes(60);
   rules.idle_talk_max = std::chrono::minutes(60);
   return rules;
 }

@@ -41,7 +41,7 @@ bool DamagedWire::happens(double probability) {
 }
 
 void DamagedWire::begin_line(Instant now) {
-  cutting_ = cut_next_line_;
+  cutting_ = cut_next_line_ && now == flipped_at_;
   cut_next_line_ = false;
   if (happens(damage_.insert_line)) held_ += kNonsense[random_.below(std::size(kNonsense))];
   if (happens(damage_.delay_line)) {
@@ -70,6 +70,7 @@ void DamagedWire::carry_byte(char c, Instant now) {
       if (!end && happens(damage_.cut_behind_number)) {
         carried = static_cast<char>(c ^ 1);
         cut_next_line_ = true;
+        flipped_at_ = now;
       }
       if (happens(damage_.flip_byte)) carried = static_cast<char>(c ^ (1 << random_.below(7)));
       held_.push_back(carried);

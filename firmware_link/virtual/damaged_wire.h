@@ -27,7 +27,8 @@ struct WireDamage {
   double delay_line = 0;   // by up to delay_max; what is behind it waits too
   Duration delay_max{0};
   // A flipped byte, and then all to the end of the next line's number is gone, as if the
-  // controller's flush had cut exactly there: the tail is a whole command without a number.
+  // controller's flush had cut exactly there: the tail is a whole command without a number. Only of
+  // a line that was on its way together with the damaged one.
   double cut_behind_number = 0;
   std::size_t distance = 100;
 };
@@ -84,6 +85,7 @@ class DamagedWire {
   std::int64_t damages_ = 0;
   bool swallowing_line_ = false;
   bool cut_next_line_ = false;
+  Instant flipped_at_{};
   bool cutting_ = false;
 };
 

@@ -11,12 +11,10 @@
 namespace firmware_link {
 namespace {
 
-constexpr std::size_t kGreetingLines = 8;
-
 Duration seconds(double value) { return Duration(static_cast<Duration::rep>(value * 1e6)); }
 
 bool comes_first(Mishap mishap) {
-  return mishap == Mishap::kNotReady || mishap == Mishap::kDownBefore;
+  return mishap == Mishap::kNotReady || mishap == Mishap::kDownBefore || mishap == Mishap::kNoise;
 }
 
 VirtualControllerOptions adapted(const Scenario& scenario, std::uint64_t seed,
@@ -51,7 +49,8 @@ HostileController::HostileController(const Scenario& scenario, std::uint64_t see
       down_(scenario.down, random_.next()),
       up_(scenario.up, random_.next()),
       controller_(adapted(scenario, seed, options), now),
-      lines_until_mishap_(kGreetingLines + random_.below(within_lines)) {
+      lines_until_mishap_(scenario.mishap_after + random_.below(within_lines)),
+      mute_controller_(scenario.mishap == Mishap::kNoise) {
   LINK_CHECK(within_lines > 0);
   happened_ = comes_first(scenario.mishap);
   if (scenario.mishap == Mishap::kDownBefore) {
@@ -62,7 +61,7 @@ HostileController::HostileController(const Scenario& scenario, std::uint64_t see
 std::size_t HostileController::input(std::span<const std::byte> bytes, Instant now) {
   if (!plugged(now)) return 0;
   const std::size_t count = std::min(bytes.size(), down_.room());
-  if (mute_) return bytes.size();
+  if (mute_ || mute_controller_) return bytes.size();
   const auto taken = bytes.first(count);
   down_.carry(taken, now);
   pass_down(now);
@@ -130,9 +129,53 @@ void HostileController::happen(Instant now) {
     case Mishap::kAlarm:
       controller_.say("!! Move out of range: 999.000 0.000 0.500 [0.000]\n", now);
       break;
+    case Mishap::kLostAnswer:
+      controller_.lose_answer(scenario_.word, instead());
+      break;
+    case Mishap::kJump:
+      // A firmware that counts wrong: by more than an `ok` too many could explain.
+      controller_.set_last_line(static_cast<std::int64_t>(random_.below(5)), now);
+      break;
+    case Mishap::kDumbReset:
+      reset_unheard(now);
+      break;
+    case Mishap::kSilentWork:
+      controller_.work_in_silence();
+      controller_.delay_next(seconds(60 + 1'000 * random_.share()), scenario_.word);
+      break;
+    case Mishap::kBusyForEver:
+      controller_.delay_next(seconds(1e6));
+      break;
+    case Mishap::kChatter:
+    case Mishap::kNoise:
+      break;
     case Mishap::kHostActions:
       controller_.say("//action:pause\n// action:resume\n", now);
       break;
+  }
+}
+
+// What it says of it is lost.
+void HostileController::reset_unheard(Instant now) {
+  controller_.reset(now);
+  std::array<std::byte, 256> banner;
+  while (controller_.output(banner) > 0) {
+  }
+}
+
+// What comes for an `ok`: nothing, or what is left of it.
+std::string_view HostileController::instead() {
+  constexpr std::string_view kLeft[] = {"", "o\n", "k\n", "\xefk\n", "ok"};
+  return kLeft[random_.below(std::size(kLeft))];
+}
+
+void HostileController::chatter(Instant now) {
+  constexpr std::string_view kNoise = "\xfe\x80\xf8\x07~\xffx\x18\n";
+  while (chatter_next_ <= now && up_.room() >= 64) {
+    const std::string_view words =
+        scenario_.mishap == Mishap::kNoise ? kNoise : "[INFO] motor driver 31 C, 24.1 V\n";
+    up_.carry(std::as_bytes(std::span(words)), chatter_next_);
+    chatter_next_ += std::chrono::milliseconds(100);
   }
 }
 
@@ -146,6 +189,7 @@ std::size_t HostileController::output(std::span<std::byte> into, Instant now) {
   while (up_.room() >= 2 * bytes.size()) {
     const std::size_t count = controller_.output(bytes);
     if (count == 0) break;
+    if (mute_controller_) continue;
     if (scenario_.line_end == "\n") {
       up_.carry(std::span(bytes).first(count), now);
       continue;
@@ -157,6 +201,8 @@ std::size_t HostileController::output(std::span<std::byte> into, Instant now) {
     }
     up_.carry(std::as_bytes(std::span(text)), now);
   }
+  const bool chats = scenario_.mishap == Mishap::kChatter || scenario_.mishap == Mishap::kNoise;
+  if (chats) chatter(now);
   // What it said while nobody was there is gone.
   if (!plugged(now) || mute_) {
     up_.drop(up_.arrived(now).size());
@@ -167,6 +213,7 @@ std::size_t HostileController::output(std::span<std::byte> into, Instant now) {
 
 std::optional<Instant> HostileController::next_event() const {
   std::optional<Instant> next = controller_.next_event();
+  if (chatter_next_ > Instant{} && (!next || chatter_next_ < *next)) next = chatter_next_;
   if (!up_.empty() && (!next || up_.held_until() < *next)) next = up_.held_until();
   return next;
 }

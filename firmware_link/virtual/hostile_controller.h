@@ -15,8 +15,8 @@ namespace firmware_link {
 
 class HostileController {
  public:
-  // The mishap comes with one of the lines 8 … 8 + within_lines that a host sends; the first lines
-  // greet. REQUIRES: the scenario outlives it; within_lines > 0.
+  // The mishap comes with one of the within_lines lines behind the first mishap_after that a host
+  // sends. REQUIRES: the scenario outlives it; within_lines > 0.
   HostileController(const Scenario& scenario, std::uint64_t seed,
                     const VirtualControllerOptions& options, std::size_t within_lines, Instant now);
 
@@ -38,6 +38,9 @@ class HostileController {
 
  private:
   void happen(Instant now);
+  void chatter(Instant now);
+  void reset_unheard(Instant now);
+  [[nodiscard]] std::string_view instead();
   void pass_down(Instant now);
 
   const Scenario& scenario_;
@@ -49,6 +52,8 @@ class HostileController {
   std::optional<Instant> unplugged_until_;
   bool happened_ = false;
   bool mute_ = false;
+  bool mute_controller_ = false;  // from the beginning: the device is none
+  Instant chatter_next_{};
 };
 
 }  // namespace firmware_link

@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "firmware_link/virtual/scenario_answers.h"
+
 namespace firmware_link {
 namespace {
 
@@ -19,6 +21,8 @@ Scenario noise(std::string_view name, std::string_view what, const WireDamage& d
   scenario.down = down;
   scenario.up = up;
   scenario.faults = kNoise;
+  // Several losses may meet.
+  scenario.stood_max = std::chrono::seconds(8);
   return scenario;
 }
 
@@ -31,6 +35,7 @@ Scenario mishap(std::string_view name, std::string_view what, Mishap what_happen
   scenario.dialect = dialect;
   scenario.may_finish = end == FaultKind::kNone;
   if (end != FaultKind::kNone) scenario.faults = fault_bit(end);
+  if (what_happens == Mishap::kHostStands) scenario.stood_max = std::chrono::minutes(10);
   return scenario;
 }
 
@@ -85,6 +90,9 @@ std::vector<Scenario> noises() {
             with(&D::cut_behind_number, 4e-3), {}),
       noise("everything", "all damages both ways", everything(100), everything(60)),
   };
+  for (Scenario& scenario : all) {
+    if (scenario.up.delay_max.count() > 0) scenario.stood_max = std::chrono::seconds(20);
+  }
   Scenario advanced =
       noise("advanced-everything", "the same, with ADVANCED_OK", everything(100), everything(60));
   advanced.advanced_ok = true;
@@ -117,6 +125,7 @@ std::vector<Scenario> all_scenarios() {
   add(mishap("runaway", "thermal protection halts it", Mishap::kRunaway, FaultKind::kHalted));
   add(mishap("dead-heaters", "heaters that never rise", Mishap::kDeadHeaters, FaultKind::kHeater));
   add(mishap("mute", "it hears and says nothing more", Mishap::kMute, FaultKind::kSilence));
+  all.back().stood_max = std::chrono::seconds(40);
   add(mishap("busy", "a command takes minutes", Mishap::kBusy, FaultKind::kNone));
   add(mishap("user-pause", "it waits for a button", Mishap::kUserPause, FaultKind::kNone));
   add(mishap("host-actions", "the operator asks for a pause", Mishap::kHostActions,
@@ -171,6 +180,7 @@ std::vector<Scenario> all_scenarios() {
   add(lossy);
   add(mishap("prusa", "Prusa's firmware, and nothing goes wrong", Mishap::kNone, FaultKind::kNone,
              VirtualDialect::kPrusa));
+  add_answer_scenarios(all);
   return all;
 }
 

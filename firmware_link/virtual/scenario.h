@@ -34,6 +34,13 @@ enum class Mishap {
   kRestart,      // Klipper: somebody's RESTART
   kHostStands,   // the host's clock jumps ahead: it was stopped, or suspended
   kStopHoming,   // the print is stopped in a long G28, about which some say nothing
+  kLostAnswer,   // the `ok` to a command with Scenario::word is lost, or damaged
+  kJump,         // the count of lines jumps back
+  kDumbReset,    // the board resets, and its `start` is damaged
+  kSilentWork,   // a command with Scenario::word takes minutes, and the controller says nothing
+  kBusyForEver,  // one command never ends, with busy lines
+  kChatter,      // ten lines of log a second, from the beginning
+  kNoise,        // nothing but noise, from the beginning
 };
 
 struct Scenario {
@@ -48,7 +55,14 @@ struct Scenario {
   std::string_view line_end = "\n";  // of what the controller says
   std::string_view says;             // what the reason of its end must hold
   bool may_finish = true;
-  std::uint32_t faults = 0;  // bits of fault_bit()
+  std::uint32_t faults = 0;    // bits of fault_bit()
+  bool about_answers = false;  // scenario_answers.h
+  // A command that comes into the print, if it isn't in it, and has its mishap.
+  std::string_view word;
+  bool every_move_extrudes = false;
+  std::size_t mishap_after = 8;  // lines; the first ones greet
+  // How long the nozzle may stand on the part for want of a line (VirtualControllerTotals).
+  Duration stood_max{1'500'000};
 };
 
 [[nodiscard]] constexpr std::uint32_t fault_bit(FaultKind kind) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "firmware_link/check.h"
+#include "firmware_link/command_waits.h"  // word_of
 #include "firmware_link/virtual/virtual_firmware.h"
 #include "firmware_link/virtual/virtual_speech.h"  // unknown_command …
 
@@ -44,12 +45,14 @@ void VirtualController::Firmware::begin_command() {
   waiting_cancelled_ = false;
   waiting_ = Waiting::kNothing;
   wait_until_ = now_ + options_.command_cost;
-  if (delay_next_.count() > 0) {
+  if (delay_next_.count() > 0 && (delay_word_.empty() || word_of(text) == delay_word_)) {
     wait_until_ += delay_next_;
     delay_next_ = Duration(0);
   }
   busy_next_ = now_ + std::chrono::seconds(busy_interval_s_);
 
+  losing_ = lose_word_ && (lose_word_->empty() || word_of(text) == *lose_word_);
+  if (losing_) lose_word_.reset();
   if (speaks(VirtualDialect::kKlipper) && klipper_answers(text)) return;
   bool known = false;
   if (text.size() > 1 && is_digit(text[1])) {
@@ -97,6 +100,10 @@ bool VirtualController::Firmware::handle_g(std::int64_t code, std::string_view t
       return true;
     case 28:
       home(text);
+      return true;
+    case 29:
+      dwell_ = Duration(0);
+      pause_was_asked_ = true;
       return true;
     case 90:
     case 91:
@@ -165,9 +172,15 @@ bool VirtualController::Firmware::heated(const VirtualHeater& heater) {
 
 void VirtualController::Firmware::end_command() {
   handling_ = false;
+  if (silent_ && auto_report_) auto_report_next_ = now_ + *auto_report_;
   slot_first_ = (slot_first_ + 1) % slots_.size();
   const std::size_t slots_free = slots_.size() - slot_count_;
   --slot_count_;
+  if (std::exchange(losing_, false)) {
+    temperatures_asked_ = identity_asked_ = false;
+    print(lose_instead_);
+    return;
+  }
   if (temperatures_asked_) {
     temperatures_asked_ = false;
     print("ok");
@@ -228,6 +241,7 @@ void VirtualController::Firmware::move(std::string_view text, const ArcWay* way)
       way != nullptr ? way->length_mm : std::hypot(delta_mm[0], delta_mm[1], delta_mm[2]);
   totals_.distance_mm += length_mm;
   if (filament > 0 && length_mm > 0) {
+    laid_ = true;
     totals_.z_mm_max = std::max(totals_.z_mm_max, static_cast<double>(position_um_[2]) * 1e-3);
   }
   queue_move(length_mm, delta_mm, static_cast<double>(filament) * 1e-5, way);

@@ -27,7 +27,19 @@ void VirtualController::halt(std::string_view words, Instant now) { firmware_->h
 
 void VirtualController::say(std::string_view words, Instant now) { firmware_->say(words, now); }
 
-void VirtualController::delay_next(Duration delay) { firmware_->delay_next(delay); }
+void VirtualController::delay_next(Duration delay, std::string_view word) {
+  firmware_->delay_next(delay, word);
+}
+
+void VirtualController::lose_answer(std::string_view word, std::string_view instead) {
+  firmware_->lose_answer(word, instead);
+}
+
+void VirtualController::set_last_line(std::int64_t number, Instant now) {
+  firmware_->set_last_line(number, now);
+}
+
+void VirtualController::work_in_silence() { firmware_->work_in_silence(); }
 
 void VirtualController::break_heaters(Instant now) { firmware_->break_heaters(now); }
 

@@ -106,6 +106,10 @@ struct VirtualControllerTotals {
   double distance_mm = 0;
   double z_mm_max = 0;  // highest z at which material left the nozzle
 
+  // The longest time that it had nothing to do: nothing planned, no command at hand, and a nozzle
+  // that has laid roads and was not told to cool down. There it stands on the part.
+  Duration stood_max{0};
+
   // The planner ran dry while moves still came (a blob on the part), and how long it was below half
   // full while it moved (where Marlin begins to slow down).
   std::int64_t planner_starvations = 0;
@@ -167,8 +171,19 @@ class VirtualController {
   // Says something that nobody asked for. REQUIRES: at most 200 bytes, with line end.
   void say(std::string_view words, Instant now);
 
-  // The next command takes so much longer, with the usual signs of life.
-  void delay_next(Duration delay);
+  // The next command, or the next with this word, takes so much longer, with the usual signs of
+  // life.
+  void delay_next(Duration delay, std::string_view word = {});
+
+  // The `ok` to the next command with this word (to any, when it is empty) gets lost on its way, or
+  // damaged: then `instead` comes, a line with its end.
+  void lose_answer(std::string_view word, std::string_view instead);
+
+  // Its count of lines jumps.
+  void set_last_line(std::int64_t number, Instant now);
+
+  // From now on it says nothing by itself while a command is in its handler.
+  void work_in_silence();
 
   // Its heaters give no more warmth.
   void break_heaters(Instant now);

@@ -97,15 +97,38 @@ void VirtualController::Firmware::advance(Instant now) {
     const std::optional<Instant> next = next_event();
     // An event at now_ that step() could not use waits for room in the answers.
     if (!next || *next > now || *next <= now_) break;
+    note_standing();
     now_ = *next;
     planner_.advance(now_);
     nozzle_.advance(now_);
     bed_.advance(now_);
+    note_standing();
   }
+  note_standing();
   now_ = std::max(now_, now);
   planner_.advance(now_);
+  note_standing();
   nozzle_.advance(now_);
   bed_.advance(now_);
+}
+
+void VirtualController::Firmware::note_standing() {
+  if (!laid_ || halted_ || handling_ || slot_count_ > 0 || !planner_.empty()) {
+    standing_since_.reset();
+    return;
+  }
+  if (!standing_since_) standing_since_ = now_;
+  totals_.stood_max = std::max(totals_.stood_max, now_ - *standing_since_);
+}
+
+void VirtualController::Firmware::lose_answer(std::string_view word, std::string_view instead) {
+  lose_word_ = std::string(word);
+  lose_instead_ = std::string(instead);
+}
+
+void VirtualController::Firmware::set_last_line(std::int64_t number, Instant now) {
+  advance(now);
+  last_number_ = number;
 }
 
 std::size_t VirtualController::Firmware::output(std::span<std::byte> into) {
@@ -120,7 +143,7 @@ std::optional<Instant> VirtualController::Firmware::next_event() const {
   std::optional<Instant> next;
   if (wire_.size() > 0) take_earlier(next, wire_ready_);
   if (halted_ || blocked()) return next;
-  if (auto_report_) take_earlier(next, auto_report_next_);
+  if (auto_report_ && !(silent_ && handling_)) take_earlier(next, auto_report_next_);
   if (const auto planner = planner_.next_event()) take_earlier(next, *planner);
   if (const auto klipper = klipper_next()) take_earlier(next, *klipper);
   if (!handling_) return next;
@@ -162,7 +185,7 @@ void VirtualController::Firmware::forget_all() {
   in_comment_ = escaped_ = false;
   last_number_ = 0;
   slot_count_ = 0;
-  handling_ = false;
+  handling_ = laid_ = false;
   waiting_ = Waiting::kNothing;
   homing_ = false;
   pending_blocks_ = 0;
@@ -230,7 +253,7 @@ void VirtualController::Firmware::print_temperatures() { print(temperatures()); 
 
 // Says what is due by the clock.
 bool VirtualController::Firmware::report() {
-  if (auto_report_ && auto_report_next_ <= now_) {
+  if (auto_report_ && !(silent_ && handling_) && auto_report_next_ <= now_) {
     auto_report_next_ += *auto_report_;
     print_temperatures();
     print("\n");

@@ -71,7 +71,13 @@ class VirtualController::Firmware {
   void restart(Duration ready_after, Instant now);
   void halt(std::string_view words, Instant now);
   void say(std::string_view words, Instant now);
-  void delay_next(Duration delay) { delay_next_ = delay; }
+  void delay_next(Duration delay, std::string_view word) {
+    delay_next_ = delay;
+    delay_word_ = std::string(word);
+  }
+  void lose_answer(std::string_view word, std::string_view instead);
+  void set_last_line(std::int64_t number, Instant now);
+  void work_in_silence() { busy_interval_s_ = 0, silent_ = true; }
   void break_heaters(Instant now);
   [[nodiscard]] VirtualControllerState state() const;
   [[nodiscard]] const VirtualControllerTotals& totals();
@@ -98,6 +104,7 @@ class VirtualController::Firmware {
 
   // virtual_firmware.cpp
   bool step();
+  void note_standing();
   void receive(char c);
   void print(std::string_view text);
   // As printf; at most 255 characters.
@@ -219,6 +226,13 @@ class VirtualController::Firmware {
   bool klipper_idle_ = true;              // its motors and heaters are off, or will not be let go
   Instant moved_last_;
   Duration delay_next_{0};
+  std::string delay_word_;
+  bool silent_ = false;
+  std::optional<std::string> lose_word_;  // whose next answer is lost
+  std::string lose_instead_;
+  bool losing_ = false;  // that of the command at hand
+  bool laid_ = false;    // a road, and the nozzle was not cooled since
+  std::optional<Instant> standing_since_;
   std::array<char, 4> early_{};  // of the line that comes in, for what acts before its turn
   std::size_t early_size_ = 0;
 

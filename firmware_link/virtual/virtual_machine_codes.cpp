@@ -70,6 +70,7 @@ bool VirtualController::Firmware::handle_m_temperature(std::int64_t code, std::s
     case 104:
     case 109:
       if (target) nozzle_.set_target(celsius());
+      if (target && celsius() == 0) laid_ = false;
       break;
     case 140:
     case 190:

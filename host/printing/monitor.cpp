@@ -49,6 +49,7 @@ void Monitor::begin_session(bool ask_found_line) {
   firmware_link::SessionOptions options;
   options.ask_found_line = ask_found_line;
   options.pack = settings_.meatpack == core::PackUse::kAuto;
+  options.wait_limit = firmware_link::Duration(std::llround(settings_.wait_limit_s * 1e6));
   options.banner_wait = firmware_link::Duration(std::llround(options_.banner_wait_s * 1e6));
   session_ = std::make_unique<firmware_link::Session>(
       std::make_unique<firmware_link::MarlinDialect>(), options, link_now());

@@ -191,6 +191,9 @@ void Monitor::tell_event(const firmware_link::SessionEvent& event) {
       if (!begun_ && event.text.find("M211") != std::string::npos) return;
       reporter_.note("warning", "the controller says: " + event.text);
       return;
+    case Kind::kWaits:
+      reporter_.note("waiting", "waiting for " + event.text);
+      return;
     case Kind::kWaitsForUser:
       reporter_.note("waiting",
                      "the printer waits for its user: press its button, or let it go on from here");

@@ -102,6 +102,9 @@ constexpr std::array kTable = {
     Setting{"meatpack", &S::meatpack, "", 0, 0,
             "auto: lines packed where the controller offers MeatPack; only on a port that loses "
             "nothing"},
+    Setting{"wait_limit_s", &S::wait_limit_s, "s", 0, 604'800,
+            "how long the controller may be silent over a command, at least; 0: by the command, "
+            "from seconds to hours"},
     Setting{"perimeter_speed_mm_s", &S::perimeter_speed_mm_s, "mm/s", 0.1, 2'000,
             "inner perimeters"},
     Setting{"outer_perimeter_speed_mm_s", &S::outer_perimeter_speed_mm_s, "mm/s", 0.1, 2'000,

@@ -133,8 +133,22 @@ class ScenarioRun {
     return moved;
   }
 
+  // A question that ran together with the line before it is the link's own, and lost.
+  static std::string without_question(std::string text) {
+    for (const char* question : {"M105", "M114"}) {
+      const std::size_t at = text.find(question, 1);
+      if (at == std::string::npos) continue;
+      text.resize(at);
+      while (!text.empty() && text.back() == ' ') text.pop_back();
+      SpelledBuffer buffer;
+      text = std::string(spelled_out(std::string(text), buffer));
+    }
+    return text;
+  }
+
   void note(const ExecutedCommand& command) {
-    const std::string text(command.text);
+    std::string text(command.text);
+    text = without_question(text);
     if (test::is_own_line(text) || text.substr(0, 4) == "G1 E") return;
     const bool numbers =
         scenario_.dialect == VirtualDialect::kMarlin || scenario_.dialect == VirtualDialect::kPrusa;

@@ -150,11 +150,30 @@ TEST_CASE("a garbled Resend far back, and the true one behind it, leave nothing 
     (void)hand.take_output();
     hand.say("ok\n");
   }
-  hand.say("Resend: 12\nok\n");
-  CHECK(hand.session.statistics().commands_acknowledged == 10);
+  hand.say("Resend: 36\nok\n");
+  CHECK(hand.session.statistics().commands_acknowledged == 34);
   hand.say("Resend: 42\nok\n");
   CHECK(hand.session.statistics().lines_in_flight == 0);
   CHECK(hand.session.statistics().commands_acknowledged == 40);
+}
+
+TEST_CASE("an account that cannot be true, three times in a row, is a counter that has jumped") {
+  ByHand hand;
+  for (int i = 0; i < 40; ++i) {
+    hand.take(1000 + i);
+    (void)hand.take_output();
+    hand.say("ok\n");
+  }
+  hand.take(2000);
+  (void)hand.take_output();
+  for (int i = 0; i < 3; ++i) {
+    CHECK(hand.session.state() == SessionState::kStreaming);
+    hand.say("Error:Line Number is not Last Line Number+1, Last Line: 14\nResend: 15\nok\n");
+    hand.pass(2s);
+  }
+  CHECK(hand.session.fault_kind() == FaultKind::kRefusals);
+  CHECK(hand.session.reason() ==
+        "the controller says that it has had 14 lines of 42: it was reset, or counts wrong");
 }
 
 TEST_CASE("a false ok is uncovered by the Resend that follows it") {
@@ -209,7 +228,7 @@ TEST_CASE("silence is met by a forced mismatch, and its answer settles what was 
     };
     talk(90);
     const std::string asked = "\nN99999999M105*55\n";
-    CHECK(hand.take_output() == asked + asked + asked + asked);
+    CHECK(hand.take_output() == asked + asked + asked + asked + asked);
     CHECK(hand.session.state() == SessionState::kStreaming);
     talk(600);
     CHECK(hand.session.fault_kind() == FaultKind::kSilence);

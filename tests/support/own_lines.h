@@ -8,7 +8,7 @@ namespace test {
 inline bool is_own_line(const std::string& text) {
   const std::string word = text.substr(0, text.find(' '));
   return word == "M110" || word == "M115" || word == "M155" || word == "M105" || word == "M114" ||
-         word == "M211" || text == "G92 E0";
+         word == "STATUS" || word == "M211" || text == "G92 E0";
 }
 
 }  // namespace test
