@@ -1,8 +1,8 @@
-# Sourced by tools/run and tools/test: the Debian packages that each needs, in one place.
+# Sourced by tools/run, tools/test, tools/check and .ci/run: the Debian packages that each needs, in one place.
 # Change the lists here and nowhere else.
 
 build_packages=(
-  g++ cmake ninja-build pkg-config
+  g++ cmake ninja-build pkg-config ccache
   libboost-dev libserialport-dev libcli11-dev libinih-dev libfmt-dev libspdlog-dev
   nlohmann-json3-dev libfast-float-dev libexpat1-dev libzip-dev libtbb-dev
 )
@@ -13,6 +13,16 @@ test_packages=(
   qemu-system-x86 busybox-static cpio
 )
 
+check_packages=(clang-format clang-tidy git)
+
+# Runs apt-get as root. It waits up to ten minutes for another program that installs packages.
+run_apt_get() {
+  local root=()
+  [ "$EUID" -eq 0 ] || root=(sudo)
+  "${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq -o DPkg::Lock::Timeout=600 "$@" \
+    >/dev/null
+}
+
 # Asks for root only when something is missing.
 install_missing() {
   local package missing=()
@@ -22,15 +32,12 @@ install_missing() {
   done
   [ ${#missing[@]} -gt 0 ] || return 0
   echo "installing ${missing[*]}"
-  local root=()
-  [ "$EUID" -eq 0 ] || root=(sudo)
-  "${root[@]}" apt-get update -qq
-  "${root[@]}" env DEBIAN_FRONTEND=noninteractive \
-    apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
+  run_apt_get update
+  run_apt_get install -y --no-install-recommends "${missing[@]}"
 }
 
-# Options for cmake: a compiler cache, where there is one.
-cmake_options=()
-if command -v ccache >/dev/null; then
-  cmake_options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
-fi
+# The compiler cache finds a file again in another folder, and with a precompiled header.
+export CCACHE_BASEDIR=${CCACHE_BASEDIR:-$PWD}
+export CCACHE_NOHASHDIR=1
+export CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
+cmake_options=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
