@@ -2,10 +2,10 @@
 
 #include <cmath>
 
+#include "core/wide_product.h"
+
 namespace core {
 namespace {
-
-__extension__ using Int128 = __int128;
 
 // ⌊start + step · part / whole + ½⌋. REQUIRES: 0 < part < whole
 std::int32_t round_between(std::int32_t start, std::int64_t step, std::int64_t part,
@@ -18,11 +18,7 @@ std::int32_t round_between(std::int32_t start, std::int64_t step, std::int64_t p
   if (guess - floor > kUnsure && guess - floor < 1 - kUnsure) {
     return static_cast<std::int32_t>(start + static_cast<std::int64_t>(floor));
   }
-  const Int128 numerator = 2 * Int128{step} * part + whole;
-  const Int128 denominator = 2 * Int128{whole};
-  Int128 quotient = numerator / denominator;
-  if (quotient * denominator > numerator) --quotient;
-  return static_cast<std::int32_t>(start + static_cast<std::int64_t>(quotient));
+  return static_cast<std::int32_t>(start + rounded_share(step, part, whole));
 }
 
 }  // namespace

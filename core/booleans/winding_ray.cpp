@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "core/wide_product.h"
+
 namespace core {
 namespace {
-
-__extension__ using Int128 = __int128;
 
 // 1 for a straight piece that leads south across the ray, -1 for one that leads north.
 int turn(Point a, Point b, Point p) {
@@ -25,8 +25,7 @@ int compare_crossings(const Segment& e, const Segment& f, std::int32_t y) {
   };
   const auto [e_part, e_whole] = crossing(e);
   const auto [f_part, f_whole] = crossing(f);
-  const Int128 difference = Int128{e_part} * f_whole - Int128{f_part} * e_whole;
-  return difference < 0 ? -1 : difference > 0 ? 1 : 0;
+  return compare_products(e_part, f_whole, f_part, e_whole);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <optional>
 
-#include "core/units.h"  // kUnitsPerMm
+#include "core/units.h"         // kUnitsPerMm
 
 namespace core {
 namespace {
@@ -20,17 +20,15 @@ Side side_of_ring(const Ring& ring, std::int64_t x, std::int64_t y) {
     const bool a_above = ay > y, b_above = by > y;
     if (a_above == b_above && ay != y && by != y) continue;
     const std::int64_t ax = 2 * std::int64_t{a.x}, bx = 2 * std::int64_t{b.x};
-    // Doubled differences reach 2^31, so each product is exact in a long double's 64 bits, and
-    // rounding their difference keeps its sign.
-    const long double turn = static_cast<long double>(bx - ax) * static_cast<long double>(y - ay) -
-                             static_cast<long double>(by - ay) * static_cast<long double>(x - ax);
-    if (turn == 0 && std::min(ax, bx) <= x && x <= std::max(ax, bx) && std::min(ay, by) <= y &&
+    // Doubled differences reach 2^31: each product fits 64 bits, their difference might not.
+    const std::int64_t left = (bx - ax) * (y - ay), right = (by - ay) * (x - ax);
+    if (left == right && std::min(ax, bx) <= x && x <= std::max(ax, bx) && std::min(ay, by) <= y &&
         y <= std::max(ay, by)) {
       return Side::kBoundary;
     }
     if (a_above == b_above) continue;
-    if (b_above && turn > 0) ++winding;
-    if (a_above && turn < 0) --winding;
+    if (b_above && left > right) ++winding;
+    if (a_above && left < right) --winding;
   }
   return winding != 0 ? Side::kInside : Side::kOutside;
 }

@@ -9,6 +9,7 @@
 #include "core/regions/simplify.h"       // simplify
 #include "core/slices/inside_out.h"      // turn_inside_out
 #include "core/slices/segment_chains.h"  // rings_of, OnOneLine
+#include "core/wide_product.h"           // rounded_share
 
 namespace core {
 namespace {
@@ -20,16 +21,12 @@ bool above(const Vertex& vertex, std::int64_t doubled_z) { return 2 * vertex.z >
 std::int32_t between(std::int32_t a, std::int32_t b, std::int64_t part, std::int64_t whole) {
   const std::int64_t way = std::int64_t{b} - a;
   if (way == 0) return a;
-  const auto rounded = [](auto product, auto divisor) {
-    const auto doubled = 2 * product + divisor;
-    const auto quotient = doubled / (2 * divisor);
-    return quotient - (doubled % (2 * divisor) < 0 ? 1 : 0);
-  };
-  // |way| < 2^31: below this the doubled product, the sum and the divisor fit 64 bits.
+  // |way| < 2^31: below this all that follows fits 64 bits.
   constexpr std::int64_t kNarrow = std::int64_t{1} << 30;
-  if (whole < kNarrow) return static_cast<std::int32_t>(a + rounded(way * part, whole));
-  __extension__ using Wide = __int128;
-  return static_cast<std::int32_t>(a + rounded(Wide{way} * part, Wide{whole}));
+  if (whole >= kNarrow) return static_cast<std::int32_t>(a + rounded_share(way, part, whole));
+  const std::int64_t doubled = 2 * way * part + whole;
+  const std::int64_t quotient = doubled / (2 * whole);
+  return static_cast<std::int32_t>(a + quotient - (doubled % (2 * whole) < 0 ? 1 : 0));
 }
 
 Point crossing(Vertex lower, Vertex upper, std::int64_t doubled_z) {
