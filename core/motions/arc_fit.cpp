@@ -4,7 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/check.h"  // RIND_CHECK
+#include "core/check.h"         // RIND_CHECK
+#include "core/trigonometry.h"  // arc_tangent
 
 namespace core {
 namespace {
@@ -150,7 +151,7 @@ bool ArcFitter::fits(std::size_t first, std::size_t last, Arc& arc) const {
   arc.clockwise = side > 0;
   if (!near_circle(first, last, cx, cy, radius, arc.clockwise ? -1 : 1)) return false;
   const double beyond = arc.clockwise ? t : -t;  // of the centre, to the bulge's side
-  const double sweep = 2 * std::atan2(half, -beyond);
+  const double sweep = 2 * arc_tangent(half, -beyond);
   if (sweep > kSweepMax) return false;
   const Point origin = nodes_.front().point;
   const double centre_x = cx + origin.x, centre_y = cy + origin.y;

@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "core/check.h"
+#include "core/trigonometry.h"  // hypotenuse
 
 namespace core {
 namespace {
@@ -49,7 +50,7 @@ void MotionClock::add(const Motion& motion) {
 
 void MotionClock::add_line(double x_mm, double y_mm, double z_mm, double speed_mm_s) {
   const double dx = x_mm - x_mm_, dy = y_mm - y_mm_, dz = z_mm - z_mm_;
-  const double length = std::hypot(dx, dy, dz);
+  const double length = hypotenuse(dx, dy, dz);
   if (length <= 0) return;
   x_mm_ = x_mm;
   y_mm_ = y_mm;
@@ -67,11 +68,11 @@ void MotionClock::add_arc(const ExtrudeArc& arc) {
   // Tangents: the radius, a quarter turned.
   const double way = arc.clockwise ? -1 : 1;
   const auto tangent = [&](double x, double y) {
-    const double radius = std::hypot(x - cx, y - cy);
+    const double radius = hypotenuse(x - cx, y - cy);
     RIND_CHECK(radius > 0);
     return Direction{-way * (y - cy) / radius, way * (x - cx) / radius, 0};
   };
-  const double radius = std::hypot(x_mm_ - cx, y_mm_ - cy);
+  const double radius = hypotenuse(x_mm_ - cx, y_mm_ - cy);
   Move move;
   move.length_mm = arc.length_mm;
   move.speed_mm_s = std::min(arc.speed_mm_s, std::sqrt(model_.acceleration_mm_s2 * radius));

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/regions/polyline.h"  // distance_mm
+#include "core/trigonometry.h"      // hypotenuse
 
 namespace core {
 namespace {
@@ -14,7 +15,7 @@ double off_line_mm(Point p, Point a, Point b) {
   const double x = static_cast<double>(p.x) - a.x, y = static_cast<double>(p.y) - a.y;
   const double squared = dx * dx + dy * dy;
   const double t = squared > 0 ? std::clamp((x * dx + y * dy) / squared, 0.0, 1.0) : 0;
-  return std::hypot(x - t * dx, y - t * dy) / kUnitsPerMm;
+  return hypotenuse(x - t * dx, y - t * dy) / kUnitsPerMm;
 }
 
 // How many pieces from `first` on one straight piece can stand for.

@@ -4,6 +4,7 @@
 
 #include "core/booleans/boolean.h"  // clean
 #include "core/limits.h"            // kCapsuleToleranceUnits
+#include "core/trigonometry.h"      // arc_tangent, arc_cosine, cosine, sine
 
 namespace core {
 namespace {
@@ -11,15 +12,15 @@ namespace {
 // Counter-clockwise about the edge from a to b.
 Ring capsule(Point a, Point b, double radius) {
   const double start =
-      std::atan2(static_cast<double>(b.y) - a.y, static_cast<double>(b.x) - a.x) - M_PI / 2;
-  const double step = 2 * std::acos(std::max(0.0, 1 - kCapsuleToleranceUnits / radius));
+      arc_tangent(static_cast<double>(b.y) - a.y, static_cast<double>(b.x) - a.x) - M_PI / 2;
+  const double step = 2 * arc_cosine(std::max(0.0, 1 - kCapsuleToleranceUnits / radius));
   const int chords = std::max(2, static_cast<int>(std::ceil(M_PI / step)));
   Ring ring;
   for (const auto& [centre, from] : {std::pair{b, start}, std::pair{a, start + M_PI}}) {
     for (int i = 0; i <= chords; ++i) {
       const double angle = from + M_PI * i / chords;
-      ring.push_back({static_cast<std::int32_t>(std::lround(centre.x + radius * std::cos(angle))),
-                      static_cast<std::int32_t>(std::lround(centre.y + radius * std::sin(angle)))});
+      ring.push_back({static_cast<std::int32_t>(std::lround(centre.x + radius * cosine(angle))),
+                      static_cast<std::int32_t>(std::lround(centre.y + radius * sine(angle)))});
     }
   }
   return ring;

@@ -6,6 +6,7 @@
 #include "core/booleans/boolean.h"       // clean
 #include "core/check.h"                  // RIND_CHECK
 #include "core/regions/contact_check.h"  // surely_clean
+#include "core/trigonometry.h"           // arc_tangent, arc_cosine, cosine, sine
 
 namespace core {
 namespace {
@@ -26,13 +27,14 @@ void add_arc(const OffsetPiece& piece, Point to, double tolerance, Ring& ring) {
   const double half_cosine = std::max(0.0, 1 - tolerance / radius);
   // Most arcs are one chord, which their cosine tells.
   if (across >= 0 && along >= (2 * half_cosine * half_cosine - 1) * squared) return;
-  double sweep = std::atan2(across, along);
+  double sweep = arc_tangent(across, along);
   if (sweep < 0) sweep += 2 * M_PI;
   // Two ends so near that rounding turned them round: no arc about a corner exceeds half a turn.
   if (sweep > 1.5 * M_PI) return;
-  const int chords = std::max(1, static_cast<int>(std::ceil(sweep / (2 * std::acos(half_cosine)))));
+  const int chords =
+      std::max(1, static_cast<int>(std::ceil(sweep / (2 * arc_cosine(half_cosine)))));
   const double growth = std::sqrt(to_squared / std::max(from_squared, 1.0)) - 1;
-  const double cosine = std::cos(sweep / chords), sine = side * std::sin(sweep / chords);
+  const double cosine = core::cosine(sweep / chords), sine = side * core::sine(sweep / chords);
   double x = from_x, y = from_y;
   for (int i = 1; i < chords; ++i) {
     const double turned = x * cosine - y * sine;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/trigonometry.h"  // arc_tangent
+
 namespace core {
 namespace {
 
@@ -34,12 +36,12 @@ class CornerSectors {
         std::equal_range(edges_.begin(), edges_.end(), CornerEdge{corner, corner, false});
     // The region is on the left of outgoing edges: the last edge that a counter-clockwise turn
     // to (x, y) passes decides.
-    const double angle = std::atan2(y - corner.y, x - corner.x);
+    const double angle = arc_tangent(y - corner.y, x - corner.x);
     double smallest_turn = 100;
     bool is_inside = false;
     for (auto edge = begin; edge != end; ++edge) {
-      const double direction = std::atan2(static_cast<double>(edge->other.y) - corner.y,
-                                          static_cast<double>(edge->other.x) - corner.x);
+      const double direction = arc_tangent(static_cast<double>(edge->other.y) - corner.y,
+                                           static_cast<double>(edge->other.x) - corner.x);
       const double turn = angle >= direction ? angle - direction : angle - direction + 2 * M_PI;
       if (turn < smallest_turn) {
         smallest_turn = turn;

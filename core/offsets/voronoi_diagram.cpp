@@ -7,6 +7,7 @@
 
 #include "core/limits.h"                 // kDiagramTurnsMax
 #include "core/offsets/voronoi_check.h"  // measure_and_check
+#include "core/trigonometry.h"           // cosine, sine, hypotenuse
 
 namespace core {
 namespace {
@@ -27,9 +28,9 @@ class Frame {
     centre_y_ = (static_cast<double>(box.min.y) + box.max.y) / 2;
     // Irregular, so that no turn lays another's edges parallel to an axis.
     const double angle = 0.7390851 * turn;
-    cosine_ = std::cos(angle);
-    sine_ = std::sin(angle);
-    const double reach = std::hypot(box.max.x - centre_x_, box.max.y - centre_y_) + 1;
+    cosine_ = cosine(angle);
+    sine_ = sine(angle);
+    const double reach = hypotenuse(box.max.x - centre_x_, box.max.y - centre_y_) + 1;
     scale_ = std::min(1024.0, static_cast<double>(INT32_MAX / 2) / reach);
   }
 
@@ -125,7 +126,7 @@ double distance_to(const VoronoiSite& site, double x, double y) {
   const double dy = static_cast<double>(site.b.y) - site.a.y;
   const double squared = dx * dx + dy * dy, dot = px * dx + py * dy;
   if (dot <= 0) return std::sqrt(px * px + py * py);
-  if (dot >= squared) return std::hypot(x - site.b.x, y - site.b.y);
+  if (dot >= squared) return hypotenuse(x - site.b.x, y - site.b.y);
   return std::abs(dx * py - dy * px) / std::sqrt(squared);
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/trigonometry.h"  // hypotenuse
 #include "core/units.h"         // kUnitsPerMm
 
 namespace core {
@@ -79,7 +80,7 @@ double Region::perimeter_mm() const {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Point a = ring[i];
       const Point b = ring[i + 1 == ring.size() ? 0 : i + 1];
-      units += std::hypot(static_cast<double>(b.x) - a.x, static_cast<double>(b.y) - a.y);
+      units += hypotenuse(static_cast<double>(b.x) - a.x, static_cast<double>(b.y) - a.y);
     }
   }
   return units / kUnitsPerMm;

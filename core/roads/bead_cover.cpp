@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/booleans/boolean.h"  // clean
+#include "core/trigonometry.h"      // arc_tangent, cosine, sine
 
 namespace core {
 
@@ -142,13 +143,13 @@ class BeadOutline {
     }
     // Tangents to the circle, the sides' own lines first and last.
     const double turn =
-        std::atan2(std::abs(cross(corner.in, corner.out)), dot(corner.in, corner.out));
+        arc_tangent(std::abs(cross(corner.in, corner.out)), dot(corner.in, corner.out));
     const int parts = static_cast<int>(std::ceil(turn / kRoundPart));
-    const double reach = half_ / std::cos(turn / parts / 2);
+    const double reach = half_ / cosine(turn / parts / 2);
     const Direction normal = left_of(corner.in);
     for (int i = 0; i < parts; ++i) {
       const double angle = side * (i + 0.5) * turn / parts;
-      const double cosine = std::cos(angle), sine = std::sin(angle);
+      const double cosine = core::cosine(angle), sine = core::sine(angle);
       const Direction turned{normal.x * cosine - normal.y * sine,
                              normal.x * sine + normal.y * cosine};
       outer.push_back(moved(at, turned, -side * reach));
@@ -168,10 +169,10 @@ class BeadOutline {
   // Its sides, not its corners, touch the circle.
   void add_octagon(Point centre) {
     Ring ring;
-    const double reach = half_ / std::cos(std::numbers::pi / 8);
+    const double reach = half_ / cosine(std::numbers::pi / 8);
     for (int i = 0; i < 8; ++i) {
       const double angle = (i + 0.5) * std::numbers::pi / 4;
-      ring.push_back(moved(centre, {std::cos(angle), std::sin(angle)}, reach));
+      ring.push_back(moved(centre, {cosine(angle), sine(angle)}, reach));
     }
     outlines_.push_back(std::move(ring));
   }

@@ -20,6 +20,8 @@
 #include <limits>
 #include <utility>
 
+#include "core/trigonometry.h"  // cosine, sine, arc_tangent, arc_cosine, hypotenuse
+
 namespace core {
 
 // r(u) = a u² + b u + c, from an edge along its length. Units.
@@ -66,7 +68,7 @@ struct CornerCurve {
   std::uint32_t site = 0;
 
   [[nodiscard]] double value(double angle) const {
-    return -(k + x * std::cos(angle) + y * std::sin(angle));
+    return -(k + x * cosine(angle) + y * sine(angle));
   }
 
   [[nodiscard]] double crossing(const CornerCurve& other, double from, double to) const {
@@ -77,14 +79,14 @@ struct CornerCurve {
 
   [[nodiscard]] double closest(const CornerCurve& other, double from, double to) const {
     // other − this is least where its cosine and sine part point that way.
-    const double angle = std::atan2(other.y - y, other.x - x);
+    const double angle = arc_tangent(other.y - y, other.x - x);
     if (from <= angle && angle <= to) return angle;
     return other.value(from) - value(from) <= other.value(to) - value(to) ? from : to;
   }
 
   // Both angles, within ±π of 0 as nearly as can be, at which px cos φ + py sin φ = p; NaN if none.
   static std::pair<double, double> angles_where(double px, double py, double p) {
-    const double middle = std::atan2(py, px), half = std::acos(p / std::hypot(px, py));
+    const double middle = arc_tangent(py, px), half = arc_cosine(p / hypotenuse(px, py));
     return {wrapped(middle - half), wrapped(middle + half)};
   }
 

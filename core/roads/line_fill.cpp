@@ -10,6 +10,7 @@
 #include "core/check.h"                 // RIND_CHECK
 #include "core/regions/polyline.h"      // distance_mm
 #include "core/regions/segment_grid.h"  // SegmentGrid
+#include "core/trigonometry.h"          // cosine, sine, hypotenuse
 
 namespace core {
 
@@ -25,8 +26,8 @@ constexpr double kJoinMaxDistances = 3;
 class Turn {
  public:
   explicit Turn(double degrees)
-      : cosine_(std::cos(degrees * std::numbers::pi / 180)),
-        sine_(std::sin(degrees * std::numbers::pi / 180)) {}
+      : cosine_(cosine(degrees * std::numbers::pi / 180)),
+        sine_(sine(degrees * std::numbers::pi / 180)) {}
 
   [[nodiscard]] std::array<double, 2> to_rows(Point p) const {
     return {cosine_ * p.x + sine_ * p.y, -sine_ * p.x + cosine_ * p.y};
@@ -125,7 +126,7 @@ Stretch near_edge(const Edge& edge, double across, double reach) {
     meet(end[0] - half, end[0] + half);
   }
   const double dx = edge[1][0] - edge[0][0], dy = edge[1][1] - edge[0][1];
-  const double length = std::hypot(dx, dy);
+  const double length = hypotenuse(dx, dy);
   if (dy <= 0 || length == 0) return near;
   for (const double side : {-reach, reach}) {
     const double nx = -dy / length * side, ny = dx / length * side;

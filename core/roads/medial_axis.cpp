@@ -9,6 +9,7 @@
 #include "core/regions/contact_check.h"    // split_at_touches
 #include "core/roads/narrow_diagram.h"     // make_narrow_diagram
 #include "core/roads/ridge.h"              // Ridge
+#include "core/trigonometry.h"             // hypotenuse
 
 namespace core {
 namespace {
@@ -45,7 +46,7 @@ class Curve {
     const VoronoiSite& other = a.is_corner() ? b : a;
     const double cx = corner.a.x, cy = corner.a.y;
     if (other.is_corner()) {
-      const double dx = other.a.x - cx, dy = other.a.y - cy, length = std::hypot(dx, dy);
+      const double dx = other.a.x - cx, dy = other.a.y - cy, length = hypotenuse(dx, dy);
       kind_ = Kind::kHyperbolic;
       height_ = length / 2;
       origin_ = {cx + dx / 2, cy + dy / 2, 0};
@@ -53,7 +54,7 @@ class Curve {
     } else {
       const double dx = static_cast<double>(other.b.x) - other.a.x;
       const double dy = static_cast<double>(other.b.y) - other.a.y;
-      const double length = std::hypot(dx, dy);
+      const double length = hypotenuse(dx, dy);
       const double px = cx - other.a.x, py = cy - other.a.y;
       const double along = (px * dx + py * dy) / length, across = (dx * py - dy * px) / length;
       height_ = std::abs(across);
@@ -77,7 +78,7 @@ class Curve {
               origin_.radius + u * along_.radius};
     }
     const double radius = kind_ == Kind::kParabolic ? (u * u + height_ * height_) / (2 * height_)
-                                                    : std::hypot(u, height_);
+                                                    : hypotenuse(u, height_);
     const double lift = kind_ == Kind::kParabolic ? radius : 0;
     return {origin_.x + u * along_.x + lift * normal_.x,
             origin_.y + u * along_.y + lift * normal_.y, radius};

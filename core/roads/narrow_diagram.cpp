@@ -11,6 +11,7 @@
 #include "core/regions/segment_grid.h"   // SegmentGrid
 #include "core/roads/cell_curves.h"      // EdgeCurve, CornerCurve
 #include "core/roads/lower_envelope.h"   // LowerEnvelope
+#include "core/trigonometry.h"           // arc_tangent, cosine, sine, hypotenuse
 
 namespace core {
 namespace {
@@ -229,7 +230,7 @@ class NarrowDiagram {
     if (length < 1e-9) return;
     middle = {middle.x / length, middle.y / length};
     const Vector across = left_of(middle);
-    const double half = std::atan2(std::abs(dot(first, across)), dot(first, middle));
+    const double half = arc_tangent(std::abs(dot(first, across)), dot(first, middle));
     find_near(edge.from, edge.from);
     corner_curves_.assign(1, {1 / clearance_max_, 0, 0});
     corner_curves_.back().site = UINT32_MAX;
@@ -240,7 +241,7 @@ class NarrowDiagram {
     for (const EnvelopePiece& piece : corner_envelope_.find(corner_curves_, -half, half)) {
       const CornerCurve& curve = corner_curves_[piece.curve];
       const auto centre = [&](double angle) {
-        const double r = -1 / curve.value(angle), x = std::cos(angle), y = std::sin(angle);
+        const double r = -1 / curve.value(angle), x = cosine(angle), y = sine(angle);
         return VoronoiVertex{edge.from.x + r * (x * middle.x + y * across.x),
                              edge.from.y + r * (x * middle.y + y * across.y), r};
       };
@@ -274,7 +275,7 @@ class NarrowDiagram {
 
   // Whether it gets below the clearance at any angle.
   [[nodiscard]] bool reaches(const CornerCurve& curve) const {
-    return curve.k + std::hypot(curve.x, curve.y) > 1 / clearance_max_;
+    return curve.k + hypotenuse(curve.x, curve.y) > 1 / clearance_max_;
   }
 
   // Adds the curve for the angles at which both k + x cos φ + y sin φ are at least 0.
@@ -291,7 +292,7 @@ class NarrowDiagram {
     std::sort(stops, stops + count);
     for (int i = 0; i + 1 < count; ++i) {
       const double middle = (stops[i] + stops[i + 1]) / 2;
-      const double x = std::cos(middle), y = std::sin(middle);
+      const double x = cosine(middle), y = sine(middle);
       if (k0 + x0 * x + y0 * y < 0 || k1 + x1 * x + y1 * y < 0) continue;
       curve.low = stops[i];
       curve.high = stops[i + 1];

@@ -78,7 +78,7 @@ void add_blob(const Region& piece, Length widest, const Settings& settings,
   // Its round ends lie within the piece, too.
   const double length = std::min(area / width, diagonal - width);
   if (length < kBlobLengthMinMm ||
-      area < kBlobSquaresMin * std::pow(settings.road_width_min.mm(), 2)) {
+      area < kBlobSquaresMin * settings.road_width_min.mm() * settings.road_width_min.mm()) {
     return;
   }
   const double share = length / diagonal / 2;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/trigonometry.h"  // hypotenuse
+
 namespace core {
 namespace {
 
@@ -53,7 +55,7 @@ bool Ridge::is_end(std::uint32_t vertex) const {
 double Ridge::length(std::uint32_t edge) const {
   const VoronoiVertex& a = diagram_.vertices[diagram_.edges[edge].from];
   const VoronoiVertex& b = diagram_.vertices[diagram_.to(edge)];
-  return std::hypot(b.x - a.x, b.y - a.y);
+  return hypotenuse(b.x - a.x, b.y - a.y);
 }
 
 template <typename Visit>

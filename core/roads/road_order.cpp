@@ -7,6 +7,7 @@
 
 #include "core/check.h"                // RIND_CHECK
 #include "core/roads/nearest_point.h"  // NearestPoint
+#include "core/trigonometry.h"         // hypotenuse
 
 namespace core {
 
@@ -37,7 +38,7 @@ int stage(RoadKind kind) {
 bool corner(Point a, Point b, Point c) {
   const double ux = static_cast<double>(b.x) - a.x, uy = static_cast<double>(b.y) - a.y;
   const double vx = static_cast<double>(c.x) - b.x, vy = static_cast<double>(c.y) - b.y;
-  return ux * vx + uy * vy < kCornerCosine * std::hypot(ux, uy) * std::hypot(vx, vy);
+  return ux * vx + uy * vy < kCornerCosine * hypotenuse(ux, uy) * hypotenuse(vx, vy);
 }
 
 void add_begins(const Road& road, std::size_t owner, std::vector<NearestPoint::Entry>& entries) {

@@ -7,6 +7,7 @@
 
 #include "core/booleans/boolean.h"  // clean
 #include "core/regions/region.h"    // doubled_area_units
+#include "core/trigonometry.h"      // hypotenuse
 
 namespace core {
 namespace {
@@ -18,7 +19,7 @@ constexpr std::int64_t kBesideUnits = 2;
 constexpr double kSliverUnits = 4;
 
 double length_units(Point a, Point b) {
-  return std::hypot(static_cast<double>(b.x) - a.x, static_cast<double>(b.y) - a.y);
+  return hypotenuse(static_cast<double>(b.x) - a.x, static_cast<double>(b.y) - a.y);
 }
 
 Box box_of(const Ring& ring) {

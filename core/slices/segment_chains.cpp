@@ -10,6 +10,8 @@
 
 #include "core/check.h"           // RIND_DCHECK
 #include "core/regions/region.h"  // doubled_area_units
+#include "core/trigonometry.h"    // hypotenuse
+
 namespace core {
 namespace {
 
@@ -24,7 +26,7 @@ struct Link {
 };
 
 double length_units(Point a, Point b) {
-  return std::hypot(static_cast<double>(b.x) - a.x, static_cast<double>(b.y) - a.y);
+  return hypotenuse(static_cast<double>(b.x) - a.x, static_cast<double>(b.y) - a.y);
 }
 
 std::vector<Point> unique_points(const std::vector<Segment>& segments) {

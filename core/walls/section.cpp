@@ -5,6 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "core/trigonometry.h"  // hypotenuse
+
 namespace core {
 namespace {
 
@@ -53,7 +55,7 @@ Chord capsule_chord(Seen a, Seen b, double level, double radius) {
   }
   const auto run = static_cast<double>(b.along - a.along);
   const auto rise = static_cast<double>(b.across - a.across);
-  const double length = std::hypot(run, rise);
+  const double length = hypotenuse(run, rise);
   if (length == 0) return chord;
   // u counts from a; (u, off) is the line's point there.
   const double off = level - static_cast<double>(a.across);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/trigonometry.h"  // hypotenuse
+
 namespace core {
 namespace {
 
@@ -30,7 +32,7 @@ class Gauge {
           const std::int64_t low = std::max(spot.from, gap.from), high = std::min(spot.to, gap.to);
           from = to = Length::from_units(low + (high - low) / 2);
         }
-        const double distance = std::hypot((to - from).mm(), rise);
+        const double distance = hypotenuse((to - from).mm(), rise);
         if (thinnest_ && thinnest_->thickness_mm <= distance) continue;
         thinnest_ = WallPlace{distance, from, height_, to, height};
       }
