@@ -1,11 +1,9 @@
+// The program's version. It stands in CMakeLists.txt (project); the commit is added by each build
+// (tools/version.cmake), so that two builds differ: "0.1.0+1a2b3c4".
 #pragma once
-
-#ifndef RIND_VERSION
-#define RIND_VERSION "0.1.0"
-#endif
 
 namespace host {
 
-inline constexpr const char* kVersion = RIND_VERSION;
+extern const char* const kVersion;
 
 }  // namespace host

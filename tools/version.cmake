@@ -1,0 +1,21 @@
+# Writes OUT, the program's version as C++, when it is another than what stands there: NUMBER, and the
+# commit where SOURCES is a git checkout, "-changed" where it was edited since.
+set(text "${NUMBER}")
+find_package(Git QUIET)
+if(GIT_FOUND AND EXISTS ${SOURCES}/.git)
+  execute_process(COMMAND ${GIT_EXECUTABLE} describe --always --dirty=-changed --exclude=*
+    WORKING_DIRECTORY ${SOURCES} OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE
+    ERROR_QUIET RESULT_VARIABLE failed)
+  if(NOT failed)
+    string(APPEND text "+${commit}")
+  endif()
+endif()
+file(CONFIGURE OUTPUT ${OUT} @ONLY CONTENT [[
+#include "host/version.h"
+
+namespace host {
+
+const char* const kVersion = "@text@";
+
+}  // namespace host
+]])
