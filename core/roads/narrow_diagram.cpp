@@ -26,8 +26,7 @@ constexpr double kStretchClearances = 4;
 constexpr double kCornerHeight = 4;
 
 struct Vector {
-  double x = 0;
-  double y = 0;
+  double x = 0, y = 0;
 };
 
 double dot(Vector a, Vector b) { return a.x * b.x + a.y * b.y; }
