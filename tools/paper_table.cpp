@@ -11,8 +11,8 @@
 //               is what 872 in hold (55 cm³); how thick it was is not known, and the second table
 //               has slimmer ones of the same volume
 //     machine   an FDM 1650's: layers of 0.254 mm (0.010 in), roads of 0.508 mm (0.020 in),
-//     filament
-//               of 1.778 mm (0.070 in); every road at 20 mm/s, which comes near the paper's rate
+//               filament of 1.778 mm (0.070 in); every road at 20 mm/s, which comes near the
+//               paper's rate
 //     wall      the paper's cylinder, T layers, one perimeter
 //
 // The density of the paper's loose fill is not known either. The second table shows how the ratios

@@ -1,11 +1,10 @@
 // Makes edges meet only at their ends, on the grid, without any of them crossing another on the
 // way.
 //
-//      \   /              \   /          a crossing becomes a node: the middle of the pixel in
-//      which
-//       \ /                \ /           it lies; every edge that passes a node's pixel is bent to
-//        ×      ->          •            run through the node
-//       / \                / \.
+//      \   /              \   /       A crossing becomes a node: the middle of its pixel.
+//       \ /                \ /        Every edge that passes a node's pixel is bent to run
+//        ×        ->        •         through the node.
+//       / \                / \        .
 //
 // Why no new crossing can arise: snap rounding (Guibas and Marimont, "Rounding arrangements
 // dynamically", 1998, theorem 2; Hobby, "Practical segment intersection with finite precision

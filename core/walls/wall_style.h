@@ -2,8 +2,7 @@
 //
 //     thin-wall   what the window says, made printable (regularise.h)
 //     regular     nothing
-//     fast        a layer that is wholly hidden has all within its three perimeters loose, any
-//     other
+//     fast        all within the three perimeters where the whole layer is hidden, otherwise
 //                 nothing. Hidden: covered by every slice up to T layers above and below, but for
 //                 slivers narrower than kHiddenSliverMax. (The straightforward method of
 //                 QuickSlice 6.2 that DETC2000/DAC-14285 compares with, figure 1.)

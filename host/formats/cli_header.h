@@ -1,7 +1,6 @@
 // The head of a Common Layer Interface file (CLI 2.0), which is text whatever follows.
 //
-//     $$HEADERSTART … $$HEADEREND; text before it is ignored, so are $$ words that mean nothing
-//     here
+//     $$HEADERSTART … $$HEADEREND; text before it is ignored, so are other $$ words
 //     $$ASCII or $$BINARY   $$UNITS/mm for each coordinate unit      (both are needed)
 //     $$VERSION/200   $$LAYERS/n   $$ALIGN   $$DIMENSION/x1,y1,z1,x2,y2,z2 in mm   $$LABEL/id,text
 //     $$USERDATA/uid,n,… followed by n raw bytes   // comments //

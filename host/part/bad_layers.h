@@ -3,9 +3,8 @@
 //
 //     repair      what could be closed is printed, the rest is missing there (segment_chains.h)
 //     neighbour   the slice below is printed once more
-//     pause       a print leaves the part before that layer and waits for its user, who lets it go
-//     on
-//                 as repaired, or stops it; where nothing is printed, as stop (job.cpp)
+//     pause       a print leaves the part before that layer and waits for its user, who lets it
+//                 go on as repaired, or stops it; where nothing is printed, as stop (job.cpp)
 //     stop        the print ends: nozzle lifted off the part, heaters off
 //
 // Each is told with its layer and height.

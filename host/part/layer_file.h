@@ -7,8 +7,8 @@
 //
 //     a file that can be read twice   is read through first, a layer at a time
 //     a pipe whose head tells it      is believed (CLI's $$DIMENSION)
-//     any other pipe                  its first layer with contours stands for it; a warning says
-//     so
+//     any other pipe                  its first layer with contours stands for it, and a warning
+//                                     says so
 //
 // Empty layers on top of the last one with contours are left out (of a pipe, kEmptyLayersMax).
 //
