@@ -49,6 +49,7 @@ struct Settings {
   // Roads.
   Length nozzle_diameter = Length::from_units(4'000);
   Length filament_diameter = Length::from_units(17'500);
+  double extrusion_multiplier = 1;  // of the filament that each road takes
   Length road_width = Length::from_units(4'500);
   Length road_width_min = Length::from_units(2'000);  // narrower rests are left out
   int perimeters = 2;
@@ -85,7 +86,7 @@ struct Settings {
   double first_layer_speed_mm_s = 30;
   double travel_speed_mm_s = 130;
   double lift_speed_mm_s = 10;
-  double layer_time_min_s = 5;  // shorter layers are slowed down
+  double layer_time_min_s = 5;  // shorter layers are slowed down, where cool_short_layers
   double slowed_speed_min_mm_s = 10;
 
   // How the machine moves: for the estimate of time only (motion_clock.h), it is not told.
@@ -102,17 +103,29 @@ struct Settings {
   // Machine.
   Length bed_x = Length::from_units(3'000'000);
   Length bed_y = Length::from_units(3'000'000);
+  Length bed_origin_x;  // the printer's coordinates of the bed's front left corner
+  Length bed_origin_y;
   Length axis_z;       // 0: not limited
   bool centre = true;  // on the bed; otherwise at part_x, part_y
-  Length part_x;       // where the lowest x and y of the part come to lie
+  Length part_x;       // from the bed's front left corner to the lowest x and y of the part
   Length part_y;
   double nozzle_celsius = 210;
   double nozzle_first_layer_celsius = 210;
   double bed_celsius = 60;
+
+  // Cooling (cooling.h).
+  bool cool_short_layers = true;
   double fan_share = 1;
+  double fan_share_min = 1;
+  bool fan_always_on = true;
+  double fan_below_layer_time_s = 60;
   int fan_from_layer = 2;  // counted from 1
-  std::vector<std::string> start_gcode = {"G21", "G90", "M83", "G28"};
+  int fan_full_layer = 0;  // counted from 1; 0: at once
+
+  // The user's own lines.
+  std::vector<std::string> start_gcode = {"G28"};
   std::vector<std::string> end_gcode = {"M84"};
+  std::string allow_gcode;  // commands that are refused unless they are named here
   Length park_lift = Length::from_units(100'000);  // nozzle off the part at the end and at a stop
 };
 

@@ -82,9 +82,9 @@ using Command = std::variant<Move, SetTemperature, SetFan, Verbatim>;
 // in the text of commands that carry text (M117 …) and in named commands' values (PROFILE=default).
 // Refused are: lines with nothing left (blank_or_comment() tells before), anything but printable
 // ASCII, lines with a number or a checksum of their own, over kTextBytesMax, not beginning with a
-// command word, holding "M110" anywhere (Marlin obeys it inside a text), M112, M410 (kills a homing
-// Marlin), M28/M29 (turn printing into writing a file), M999 (answers twice), and M118 with a text
-// that would be taken for an answer.
+// command word, holding "M110" anywhere (Marlin obeys it inside a text), a command that is never
+// sent (refused_commands.h; the others there are whoever asks the user's to refuse), and a text
+// that the controller would say and that would be taken for its answer (M118, RESPOND).
 [[nodiscard]] std::variant<Verbatim, std::string> verbatim_from(std::string_view line);
 
 // True when a line of G-code holds nothing to send.

@@ -217,7 +217,9 @@ void Session::filament_differs(std::int64_t excess_10nm) {
   // Where nothing is repeated, a line that left filament out is gone, its road with it.
   if (!rules_.numbered || std::abs(excess_10nm) > options_.filament_correction_10nm_max ||
       statistics_.filament_corrections >= options_.filament_corrections_max) {
-    fault(FaultKind::kPosition, "the controller has counted " + what + ": lines were damaged",
+    fault(FaultKind::kPosition,
+          "the controller has counted " + what +
+              ": lines were damaged, or it does not count each move's filament by itself",
           true);
     return;
   }

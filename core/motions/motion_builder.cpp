@@ -6,13 +6,12 @@
 #include <optional>
 
 #include "core/check.h"                   // RIND_CHECK
+#include "core/motions/cooling.h"         // layer_cooling
 #include "core/motions/segment_merger.h"  // merge_short_pieces, sendable_speed
-#include "core/regions/polyline.h"        // distance_mm, length_mm
+#include "core/regions/polyline.h"        // distance_mm
 #include "core/regions/segment_grid.h"    // SegmentGrid
 
 namespace core {
-
-namespace {}  // namespace
 
 // The slice's contour, entered in a grid only when a travel asks for it.
 class MotionBuilder::Boundary {
@@ -67,9 +66,11 @@ void MotionBuilder::begin_layer(const Slice& slice, const Sink& sink) {
   height_ = slice.height;
   ++totals_.layers;
   sink(BeginLayer{index_, top_, height_});
-  const double fan = index_ + 1 >= settings_.fan_from_layer ? settings_.fan_share : 0;
-  if (fan != state_.fan) sink(SetFan{fan});
-  state_.fan = fan;
+}
+
+void MotionBuilder::set_up_layer(double fan_share, const Sink& sink) {
+  if (fan_share != state_.fan) sink(SetFan{fan_share});
+  state_.fan = fan_share;
   const double celsius =
       index_ == 0 ? settings_.nozzle_first_layer_celsius : settings_.nozzle_celsius;
   if (celsius != state_.nozzle_celsius) sink(SetNozzleTemperature{celsius, false});
@@ -81,7 +82,10 @@ void MotionBuilder::layer(const Slice& slice, const std::vector<Road>& roads, co
   if (roads.empty()) return;
   if (!state_.begun) preamble(sink);
   begin_layer(slice, sink);
-  const double factor = slowdown(roads);
+  const LayerCooling cooling =
+      layer_cooling(settings_, index_, roads, [this](RoadKind kind) { return speed_mm_s(kind); });
+  set_up_layer(cooling.fan_share, sink);
+  const double factor = cooling.slowdown;
   Boundary boundary(slice.region);
   for (const Road& each : roads) {
     RIND_CHECK(each.points.size() >= 2);
@@ -91,11 +95,12 @@ void MotionBuilder::layer(const Slice& slice, const std::vector<Road>& roads, co
 }
 
 void MotionBuilder::road(const Road& road, double slowdown, const Sink& sink) {
-  const double full = speed_mm_s(road.kind);
-  const double speed = std::max(full * slowdown, std::min(full, settings_.slowed_speed_min_mm_s));
+  const double speed =
+      slowed_speed_mm_s(speed_mm_s(road.kind), slowdown, settings_.slowed_speed_min_mm_s);
   const double d = settings_.filament_diameter.mm();
-  const double filament_per_mm =
-      bead_area_mm2(road.width, height_) / (std::numbers::pi * d * d / 4);
+  const double filament_per_mm = settings_.extrusion_multiplier *
+                                 bead_area_mm2(road.width, height_) /
+                                 (std::numbers::pi * d * d / 4);
   sink(BeginRoad{road.kind, road.width});
   ++totals_.roads;
   if (takes_pieces(road)) {
@@ -230,21 +235,6 @@ double MotionBuilder::speed_mm_s(RoadKind kind) const {
       break;
   }
   return index_ == 0 ? std::min(speed, settings_.first_layer_speed_mm_s) : speed;
-}
-
-// By length over speed alone: acceleration only makes the layer longer than asked for.
-double MotionBuilder::slowdown(const std::vector<Road>& roads) const {
-  double laying_s = 0;
-  double travelling_s = 0;
-  for (std::size_t i = 0; i < roads.size(); ++i) {
-    laying_s += length_mm(roads[i]) / speed_mm_s(roads[i].kind);
-    if (i == 0) continue;
-    const Road& before = roads[i - 1];
-    const Point from = before.closed ? before.points.front() : before.points.back();
-    travelling_s += distance_mm(from, roads[i].points.front()) / settings_.travel_speed_mm_s;
-  }
-  const double left_s = settings_.layer_time_min_s - travelling_s;
-  return left_s > laying_s ? laying_s / left_s : 1;
 }
 
 }  // namespace core

@@ -92,6 +92,7 @@ class MotionBuilder {
 
   void preamble(const Sink& sink);
   void begin_layer(const Slice& slice, const Sink& sink);
+  void set_up_layer(double fan_share, const Sink& sink);
   void road(const Road& road, double slowdown, const Sink& sink);
   [[nodiscard]] bool takes_pieces(const Road& road) const;
   void lay(const RoadPiece& piece, RoadKind kind, double filament_per_mm, double speed,
@@ -102,7 +103,6 @@ class MotionBuilder {
   void lift(Length to, const Sink& sink);
   void leave(const Sink& sink);
   [[nodiscard]] double speed_mm_s(RoadKind kind) const;
-  [[nodiscard]] double slowdown(const std::vector<Road>& roads) const;
 
   Settings settings_;
   ArcFitter fitter_;

@@ -59,7 +59,8 @@ bool VirtualController::Firmware::leaves_bed(const ArcWay& way) const {
   for (double angle = std::ceil(low / (kPi / 2)) * (kPi / 2); angle <= high; angle += kPi / 2) {
     const double x = way.centre_mm[0] + way.radius_mm * std::cos(angle);
     const double y = way.centre_mm[1] + way.radius_mm * std::sin(angle);
-    if (x < 0 || y < 0 || x > options_.bed_x_mm || y > options_.bed_y_mm) return true;
+    const double right = x - options_.bed_origin_x_mm, back = y - options_.bed_origin_y_mm;
+    if (right < 0 || back < 0 || right > options_.bed_x_mm || back > options_.bed_y_mm) return true;
   }
   return false;
 }

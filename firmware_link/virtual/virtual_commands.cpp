@@ -130,10 +130,11 @@ bool VirtualController::Firmware::finish_command() {
   if (!wait_over()) return false;
   if (homing_) {
     homing_ = false;
+    const double ends_mm[] = {options_.bed_origin_x_mm, options_.bed_origin_y_mm, 5};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (!home_axes_[axis]) continue;
       homed_[axis] = true;
-      position_um_[axis] = axis == 2 ? 5000 : 0;
+      position_um_[axis] = std::llround(ends_mm[axis] * 1000);
     }
     if (numbers_lines(options_.dialect)) print_position();
   }
@@ -201,7 +202,8 @@ void VirtualController::Firmware::end_command() {
 // `way` is null for a straight move.
 void VirtualController::Firmware::move(std::string_view text, const ArcWay* way) {
   constexpr char kAxes[] = {'X', 'Y', 'Z'};
-  const double limits_mm[] = {options_.bed_x_mm, options_.bed_y_mm, options_.height_z_mm};
+  const double low_mm[] = {options_.bed_origin_x_mm, options_.bed_origin_y_mm, 0};
+  const double sides_mm[] = {options_.bed_x_mm, options_.bed_y_mm, options_.height_z_mm};
   if (const auto feed = word(text, 'F', 0); feed && *feed > 0) feed_mm_min_ = *feed;
   std::array<double, 3> delta_mm{};
   std::array<std::int64_t, 3> targets_um = position_um_;
@@ -211,8 +213,9 @@ void VirtualController::Firmware::move(std::string_view text, const ArcWay* way)
     if (!value) continue;
     std::int64_t target = relative_ ? position_um_[axis] + *value : *value;
     if (homed_[axis] && !speaks(VirtualDialect::kKlipper)) {
-      const std::int64_t limit = std::llround(limits_mm[axis] * 1000);
-      const std::int64_t inside = std::clamp<std::int64_t>(target, 0, limit);
+      const std::int64_t low = std::llround(low_mm[axis] * 1000);
+      const std::int64_t high = low + std::llround(sides_mm[axis] * 1000);
+      const std::int64_t inside = std::clamp<std::int64_t>(target, low, high);
       clamped = clamped || inside != target;
       target = inside;
     }

@@ -59,8 +59,10 @@ struct VirtualControllerOptions {
   // on an ATmega2560.  REQUIRES: >= 0.
   Duration command_cost{0};
 
-  double bed_x_mm = 200;  // Marlin's default; software end stops clamp moves to 0 … this
+  double bed_x_mm = 200;  // Marlin's default; software end stops clamp moves to the bed
   double bed_y_mm = 200;
+  double bed_origin_x_mm = 0;  // of the bed's front left corner
+  double bed_origin_y_mm = 0;
   double height_z_mm = 1e9;  // Marlin's default is 200; a tower of any height is worth a try
 
   double acceleration_mm_s2 = 3000;

@@ -189,14 +189,15 @@ void VirtualController::Firmware::klipper_set_position(std::string_view text) {
 // A move that it cannot make is not made in part.
 bool VirtualController::Firmware::klipper_refuses(const std::array<std::int64_t, 3>& target_um,
                                                   std::int64_t filament_10nm) {
-  const double limits_mm[] = {options_.bed_x_mm, options_.bed_y_mm, options_.height_z_mm};
+  const double low_mm[] = {options_.bed_origin_x_mm, options_.bed_origin_y_mm, 0};
+  const double sides_mm[] = {options_.bed_x_mm, options_.bed_y_mm, options_.height_z_mm};
   const char* why = nullptr;
   for (std::size_t axis = 0; axis < 3 && why == nullptr; ++axis) {
     if (target_um[axis] == position_um_[axis]) continue;
     const double mm = static_cast<double>(target_um[axis]) * 1e-3;
     if (!homed_[axis]) {
       why = "Must home axis first";
-    } else if (mm < 0 || mm > limits_mm[axis]) {
+    } else if (mm < low_mm[axis] || mm > low_mm[axis] + sides_mm[axis]) {
       why = "Move out of range";
     }
   }

@@ -59,8 +59,9 @@ bool VirtualController::Firmware::handle_m(std::int64_t code, std::string_view t
 void VirtualController::Firmware::print_travel() {
   if (!speaks(VirtualDialect::kMarlin)) return;
   print("echo:; Soft endstops:\n  M211 S1 ; ON\n");
-  print_format("  Min:  X0.00 Y0.00 Z0.00   Max:  X%.2f Y%.2f Z%.2f\n", options_.bed_x_mm,
-               options_.bed_y_mm, options_.height_z_mm);
+  const double left = options_.bed_origin_x_mm, front = options_.bed_origin_y_mm;
+  print_format("  Min:  X%.2f Y%.2f Z0.00   Max:  X%.2f Y%.2f Z%.2f\n", left, front,
+               left + options_.bed_x_mm, front + options_.bed_y_mm, options_.height_z_mm);
 }
 
 bool VirtualController::Firmware::handle_m_temperature(std::int64_t code, std::string_view text) {

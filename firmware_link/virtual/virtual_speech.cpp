@@ -24,11 +24,12 @@ std::string marlin_identity(const VirtualControllerOptions& options) {
   text += formatted("Cap:EMERGENCY_PARSER:%d\n", options.emergency_parser ? 1 : 0);
   text += kCapabilitiesBehind;
   text += formatted("Cap:MEATPACK:%d\nCap:CONFIG_EXPORT:0\n", options.meatpack ? 1 : 0);
+  const double left = options.bed_origin_x_mm, right = left + options.bed_x_mm;
+  const double front = options.bed_origin_y_mm, back = front + options.bed_y_mm;
   text += formatted(
-      "area:{full:{min:{x:0.0000,y:0.0000,z:0.0000},max:{x:%.4f,y:%.4f,z:%.4f}},work:{min:{x:"
-      "0.0000,y:0.0000,z:0.0000},max:{x:%.4f,y:%.4f,z:%.4f}}}\n",
-      options.bed_x_mm, options.bed_y_mm, options.height_z_mm, options.bed_x_mm, options.bed_y_mm,
-      options.height_z_mm);
+      "area:{full:{min:{x:%.4f,y:%.4f,z:0.0000},max:{x:%.4f,y:%.4f,z:%.4f}},work:{min:{x:%.4f,"
+      "y:%.4f,z:0.0000},max:{x:%.4f,y:%.4f,z:%.4f}}}\n",
+      left, front, right, back, options.height_z_mm, left, front, right, back, options.height_z_mm);
   return text;
 }
 

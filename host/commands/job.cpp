@@ -6,38 +6,20 @@
 #include "host/commands/output_names.h"
 #include "host/exit_codes.h"
 #include "host/output/output_file.h"
-#include "host/pipeline/motion_encoder.h"
+#include "host/pipeline/user_gcode.h"
 #include "host/printing/stop_signals.h"
-#include "host/settings/settings_file.h"
-#include "host/settings/settings_table.h"
+#include "host/settings/whole_settings.h"
 
 namespace host {
-namespace {
-
-void report_ignored(const LoadedSettings& loaded, const std::string& path, Reporter& reporter) {
-  if (loaded.ignored.empty()) return;
-  reporter.note("profile", path + ": " + std::to_string(loaded.set_count) + " settings taken, " +
-                               std::to_string(loaded.ignored.size()) +
-                               " of no meaning here left out");
-}
-
-}  // namespace
 
 core::Result<core::Settings> load_settings_of(const Options& options, Reporter& reporter) {
-  core::Settings settings;
-  if (!options.profile.empty()) {
-    core::Result<LoadedSettings> loaded = load_settings(options.profile, settings);
-    if (!loaded.ok()) return loaded.error();
-    report_ignored(loaded.value(), options.profile, reporter);
-    settings = std::move(loaded).value().settings;
-  }
-  for (const auto& [key, value] : options.assignments) {
-    if (core::Status status = set_setting(settings, key, value); !status.ok()) {
-      return status.error();
-    }
-  }
-  if (core::Status status = validate_settings(settings); !status.ok()) return status.error();
+  core::Result<WholeSettings> whole =
+      whole_settings({options.profile, options.profile_lax, options.assignments});
+  if (!whole.ok()) return whole.error();
+  const core::Settings& settings = whole.value().settings;
   if (core::Status status = check_user_gcode(settings); !status.ok()) return status.error();
+  for (const std::string& note : whole.value().notes) reporter.note("profile", note);
+  for (const std::string& note : user_gcode_notes(settings)) reporter.note("warning", note);
   return settings;
 }
 

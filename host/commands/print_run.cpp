@@ -38,6 +38,8 @@ std::unique_ptr<BytePort> open_virtual_port(const Options& options,
   firmware_link::VirtualControllerOptions controller;
   controller.bed_x_mm = settings.bed_x.mm();
   controller.bed_y_mm = settings.bed_y.mm();
+  controller.bed_origin_x_mm = settings.bed_origin_x.mm();
+  controller.bed_origin_y_mm = settings.bed_origin_y.mm();
   return std::make_unique<firmware_link::VirtualPort>(controller, steady_port_clock(),
                                                       options.virtual_speed);
 }

@@ -29,8 +29,7 @@ std::string table_of(const std::vector<SettingRow>& rows) {
   std::string text = "# rind's settings; this text is itself a profile\n";
   for (const SettingRow& row : rows) {
     text += fmt::format("\n# {}\n", row.help);
-    text += fmt::format("# {}{}{}default {}\n", row.range, row.range.empty() ? "" : ", ",
-                        row.unit.empty() ? "" : "in " + row.unit + ", ",
+    text += fmt::format("# {}, default {}\n", row.range,
                         row.default_value.empty() ? "empty" : row.default_value);
     text += fmt::format("{} = {}\n", row.key, row.value);
   }

@@ -28,25 +28,7 @@ Command temperature(Heater heater, double celsius, bool wait) {
   return firmware_link::SetTemperature{heater, tenths, wait};
 }
 
-core::Status check_lines(const std::vector<std::string>& lines, const char* setting) {
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (firmware_link::blank_or_comment(lines[i])) continue;
-    const auto made = firmware_link::verbatim_from(lines[i]);
-    const auto* refusal = std::get_if<std::string>(&made);
-    if (refusal == nullptr) continue;
-    return core::Error{core::ErrorCode::kBadSetting, std::string(setting) + ", line " +
-                                                         std::to_string(i + 1) + " ('" + lines[i] +
-                                                         "'): " + *refusal};
-  }
-  return {};
-}
-
 }  // namespace
-
-core::Status check_user_gcode(const core::Settings& settings) {
-  core::Status start = check_lines(settings.start_gcode, "start_gcode");
-  return start.ok() ? check_lines(settings.end_gcode, "end_gcode") : start;
-}
 
 std::optional<Command> MotionEncoder::encode(const core::Motion& motion) {
   return std::visit([this](const auto& one) { return encode_one(one); }, motion);
@@ -87,8 +69,8 @@ std::optional<Command> MotionEncoder::encode_one(const core::ExtrudeArc& motion)
   RIND_CHECK(state_.x_um && state_.y_um);
   firmware_link::Arc arc;
   arc.clockwise = motion.clockwise;
-  arc.i_um = static_cast<std::int32_t>(to_um(motion.centre.x) - *state_.x_um);
-  arc.j_um = static_cast<std::int32_t>(to_um(motion.centre.y) - *state_.y_um);
+  arc.i_um = static_cast<std::int32_t>(to_um(motion.centre.x + origin_x_) - *state_.x_um);
+  arc.j_um = static_cast<std::int32_t>(to_um(motion.centre.y + origin_y_) - *state_.y_um);
   arc.length_um = static_cast<std::int32_t>(std::lround(motion.length_mm * 1'000));
   Move move;
   move.extruding = true;
@@ -132,7 +114,7 @@ std::optional<Command> MotionEncoder::encode_one(const core::Verbatim& motion) {
 }
 
 void MotionEncoder::put_position(core::Point to, Move& move) {
-  const std::int64_t x_um = to_um(to.x), y_um = to_um(to.y);
+  const std::int64_t x_um = to_um(to.x + origin_x_), y_um = to_um(to.y + origin_y_);
   if (state_.x_um != x_um) move.x_um = state_.x_um = x_um;
   if (state_.y_um != y_um) move.y_um = state_.y_um = y_um;
 }

@@ -8,6 +8,9 @@
 // over is carried to the next move, so that the sum of what is sent never differs from the sum of
 // what was asked by more than half a unit (5 nm), however long the print.
 //
+// Motions count from the bed's front left corner, the controller from where its own origin is: the
+// bed's origin is added here, and nowhere before.
+//
 // What a controller knows already is left out (an unchanged x, y or feed), because on a serial line
 // each byte takes 40 to 90 µs.
 #pragma once
@@ -16,18 +19,18 @@
 #include <optional>
 
 #include "core/motions/motion.h"    // Motion
-#include "core/result.h"            // Status
 #include "core/settings.h"          // Settings
 #include "firmware_link/command.h"  // Command
 
 namespace host {
 
-// Whether all the user's own lines (start and end G-code) may be sent; else which one may not, and
-// why. Asked before anything heats.
-[[nodiscard]] core::Status check_user_gcode(const core::Settings& settings);
-
 class MotionEncoder {
  public:
+  MotionEncoder() = default;
+  // The bed's origin is where the settings say; otherwise it is the controller's.
+  explicit MotionEncoder(const core::Settings& settings)
+      : origin_x_(settings.bed_origin_x.units()), origin_y_(settings.bed_origin_y.units()) {}
+
   // What the controller was told last, and what is owed to it.
   struct State {
     std::optional<std::int64_t> x_um, y_um, z_um, f_mm_min;  // nothing: unknown
@@ -62,6 +65,9 @@ class MotionEncoder {
   void put_feed(double speed_mm_s, firmware_link::Move& move);
   void put_filament(double filament_mm, firmware_link::Move& move);
 
+  // Between the motions' corner and the controller's origin, in core's units.
+  std::int64_t origin_x_ = 0;
+  std::int64_t origin_y_ = 0;
   State state_;
 };
 

@@ -20,6 +20,7 @@
 #include "host/pipeline/layer_watch.h"
 #include "host/pipeline/motion_encoder.h"
 #include "host/pipeline/ordered_stages.h"
+#include "host/pipeline/user_gcode.h"  // with_own_modes
 
 namespace host {
 namespace {
@@ -42,9 +43,10 @@ class Pipeline {
         cutter_(settings_),
         splitter_(settings_),
         planner_(settings_),
-        builder_(settings_),
+        builder_(with_own_modes(settings_)),
         motion_clock_({settings_.acceleration_mm_s2, settings_.filament_acceleration_mm_s2,
                        settings_.junction_deviation_mm}),
+        encoder_(settings_),
         sink_([this](const core::Motion& motion) { send(motion); }) {
     if (!job.start) return;
     builder_.go_on_from(job.start->motions);

@@ -5,12 +5,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <variant>
 
-#include "core/check.h"  // RIND_CHECK
+#include "core/check.h"                 // RIND_CHECK
+#include "firmware_link/gcode_words.h"  // commands_in
+#include "host/pipeline/user_gcode.h"   // restored_after
 
 namespace host {
 namespace {
@@ -49,12 +52,19 @@ Command lift(std::int64_t z_um, double speed_mm_s) {
 }
 
 // What sets a controller up and moves nothing.
-bool sets_up(std::string_view line) {
+bool sets_up(const std::string& line) {
   constexpr std::array<std::string_view, 22> kCodes = {
       "M92",  "M200", "M201", "M203", "M204", "M205", "M206", "M207", "M208", "M209", "M211",
       "M218", "M220", "M221", "M301", "M304", "M412", "M413", "M420", "M425", "M572", "M900"};
-  const std::string_view code = line.substr(0, line.find_first_of(" ;"));
-  return std::find(kCodes.begin(), kCodes.end(), code) != kCodes.end();
+  const std::vector<std::string> codes = firmware_link::commands_in(line);
+  return codes.size() == 1 &&
+         std::find(kCodes.begin(), kCodes.end(), codes.front()) != kCodes.end();
+}
+
+ParkingPlace from_bed_origin(ParkingPlace place, const core::Settings& settings) {
+  place.x_um += settings.bed_origin_x.units() / kUnitsPerUm;
+  place.y_um += settings.bed_origin_y.units() / kUnitsPerUm;
+  return place;
 }
 
 std::int64_t gap(std::int64_t at, std::int64_t low, std::int64_t high) {
@@ -78,7 +88,7 @@ ParkingPlace parking_place(const core::Settings& settings, const core::Box& part
   const auto [left, right] = inside(settings.bed_x);
   const auto [front, back] = inside(settings.bed_y);
   ParkingPlace best{left, front};
-  if (part.empty()) return best;
+  if (part.empty()) return from_bed_origin(best, settings);
   std::int64_t farthest = -1;
   for (const std::int64_t x : {left, right}) {
     for (const std::int64_t y : {front, back}) {
@@ -88,7 +98,7 @@ ParkingPlace parking_place(const core::Settings& settings, const core::Box& part
       farthest = std::max(farthest, way);
     }
   }
-  return best;
+  return from_bed_origin(best, settings);
 }
 
 std::int64_t lifted_um(std::int64_t z_um, const core::Settings& settings) {
@@ -136,10 +146,12 @@ std::vector<Command> Detour::come_back(const MachineState& here, bool reheat) co
 
 std::vector<Command> Detour::begin_anew(const MachineState& here, std::int64_t nozzle_z_um,
                                         bool tell_height, bool is_klipper) const {
+  std::vector<std::string> set_up;
+  std::copy_if(settings_.start_gcode.begin(), settings_.start_gcode.end(),
+               std::back_inserter(set_up), sets_up);
   std::vector<Command> way = {command_of("G21"), command_of("G90"), command_of("M83")};
-  for (const std::string& line : settings_.start_gcode) {
-    if (sets_up(line)) way.push_back(command_of(line));
-  }
+  for (const std::string& line : set_up) way.push_back(command_of(line));
+  for (const std::string& line : restored_after(set_up)) way.push_back(command_of(line));
   if (tell_height) {
     const double z_mm = static_cast<double>(nozzle_z_um) / 1'000;
     way.push_back(command_of(is_klipper ? fmt::format("SET_KINEMATIC_POSITION Z={:.3f}", z_mm)

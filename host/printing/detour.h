@@ -28,12 +28,14 @@ namespace host {
 inline constexpr double kPrime_mm = 4;
 inline constexpr double kPrimeSpeed_mm_s = 4;
 
+// In the printer's coordinates.
 struct ParkingPlace {
   std::int64_t x_um = 0;
   std::int64_t y_um = 0;
 };
 
-// The bed's corner that is farthest from the part, a little inside. An empty box: the first corner.
+// The bed's corner that is farthest from the part, a little inside. `part` counts from the bed's
+// front left corner. An empty box: the first corner.
 [[nodiscard]] ParkingPlace parking_place(const core::Settings& settings, const core::Box& part);
 
 // How high the nozzle is lifted from there; never down, never over the axis.

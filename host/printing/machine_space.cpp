@@ -38,6 +38,24 @@ core::Settings with_space(core::Settings settings, const MachineSpace& space) {
   return settings;
 }
 
+TravelLimits from_bed(TravelLimits limits, const core::Settings& settings) {
+  const double origin_mm[] = {settings.bed_origin_x.mm(), settings.bed_origin_y.mm()};
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    limits.min_mm[axis] -= origin_mm[axis];
+    limits.max_mm[axis] -= origin_mm[axis];
+  }
+  return limits;
+}
+
+core::Box on_machine(const core::Box& part, const core::Settings& settings) {
+  if (part.empty()) return part;
+  const auto moved = [&settings](core::Point at) {
+    return core::Point{static_cast<std::int32_t>(at.x + settings.bed_origin_x.units()),
+                       static_cast<std::int32_t>(at.y + settings.bed_origin_y.units())};
+  };
+  return {moved(part.min), moved(part.max)};
+}
+
 MachineSpace within(MachineSpace space, const TravelLimits& limits) {
   space.bed_x = shorter(space.bed_x, limits.max_mm[0]);
   space.bed_y = shorter(space.bed_y, limits.max_mm[1]);

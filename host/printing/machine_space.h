@@ -26,14 +26,22 @@ struct MachineSpace {
 // The settings with that space: for parking and lifting.
 [[nodiscard]] core::Settings with_space(core::Settings settings, const MachineSpace& space);
 
-// What is in both.
+// What is in both. The limits count from the bed's front left corner.
 [[nodiscard]] MachineSpace within(MachineSpace space, const firmware_link::TravelLimits& limits);
 
 // What to say of it, once; empty: nothing. `limits`: nothing, where the controller tells none.
 [[nodiscard]] std::string space_note(const MachineSpace& space,
                                      const std::optional<firmware_link::TravelLimits>& limits);
 
-// Whether the part lies within the limits. An empty box: not known, and fits.
+// The same limits, counted from the bed's front left corner.
+[[nodiscard]] firmware_link::TravelLimits from_bed(firmware_link::TravelLimits limits,
+                                                   const core::Settings& settings);
+
+// The part in the printer's coordinates. REQUIRES: it counts from the bed's front left corner.
+[[nodiscard]] core::Box on_machine(const core::Box& part, const core::Settings& settings);
+
+// Whether the part lies within the limits, both in the printer's coordinates. An empty box: not
+// known, and fits.
 [[nodiscard]] core::Status check_travel(const core::Box& part, core::Length height,
                                         const firmware_link::TravelLimits& limits);
 

@@ -93,10 +93,12 @@ bool Monitor::travel_asked(Instant now) {
 // What the controller tells of its axes is believed.
 core::Status Monitor::check_space() {
   MachineSpace space = options_.space.value_or(space_of(settings_));
-  const std::optional<firmware_link::TravelLimits>& limits = session_->capabilities().travel;
+  std::optional<firmware_link::TravelLimits> limits = session_->capabilities().travel;
   if (limits) {
-    const core::Status fits = check_travel(options_.part, options_.height, *limits);
+    const core::Status fits =
+        check_travel(on_machine(options_.part, settings_), options_.height, *limits);
     if (!fits.ok()) return fits;
+    limits = from_bed(*limits, settings_);
   }
   if (const std::string note = space_note(space, limits); !note.empty()) {
     reporter_.note("bed", note);

@@ -11,6 +11,7 @@
 
 #include "host/exit_codes.h"
 #include "host/settings/section_words.h"
+#include "host/settings/setting_options.h"
 #include "host/version.h"
 
 namespace host {
@@ -19,54 +20,6 @@ namespace {
 constexpr const char* kAbout =
     "rind prints a part while it is still being sliced: a dense wall where the surface is near, "
     "loose fill inside, in memory that does not grow with the part's height.";
-
-// Adds `--flag VALUE` as a short way to type `--set key=VALUE`.
-void add_shortcut(CLI::App& command, Options& options, const std::string& flag,
-                  const std::string& key, const std::string& value_name, const std::string& help) {
-  command
-      .add_option_function<std::string>(
-          flag,
-          [&options, key](const std::string& value) {
-            options.assignments.emplace_back(key, value);
-          },
-          help)
-      ->type_name(value_name)
-      ->trigger_on_parse();
-}
-
-void add_assignment(Options& options, const std::string& text) {
-  const std::size_t equals = text.find('=');
-  if (equals == std::string::npos || equals == 0) {
-    throw CLI::ValidationError("--set", "'" + text + "' is not KEY=VALUE, as in layer_height=0.2");
-  }
-  options.assignments.emplace_back(text.substr(0, equals), text.substr(equals + 1));
-}
-
-void add_settings(CLI::App& command, Options& options) {
-  command.add_option("--profile", options.profile, "settings file (INI); see 'rind settings'")
-      ->type_name("FILE");
-  command
-      .add_option_function<std::vector<std::string>>(
-          "--set",
-          [&options](const std::vector<std::string>& values) {
-            for (const std::string& value : values) add_assignment(options, value);
-          },
-          "one setting; may be repeated, the last one counts")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false)
-      ->trigger_on_parse();
-  add_shortcut(command, options, "--layer-height", "layer_height", "MM", "thickness of a layer");
-  add_shortcut(command, options, "--wall-thickness", "wall_thickness", "MM",
-               "how deep below the surface everything is dense");
-  add_shortcut(command, options, "--wall", "wall_shape", "SHAPE",
-               "shape of the wall: ball or cylinder");
-  add_shortcut(command, options, "--wall-layers", "wall_layers", "N",
-               "layers a cylinder-shaped wall reaches up and down");
-  add_shortcut(command, options, "--style", "style", "STYLE",
-               "thin-wall, or to compare with: regular, fast");
-  add_shortcut(command, options, "--loose-density", "loose_density", "SHARE",
-               "share of the inside that is filled, 0 to 1");
-}
 
 void add_bad_layer(CLI::App& command, Options& options) {
   static const std::map<std::string, OnBadLayer> kWords = {{"repair", OnBadLayer::kRepair},

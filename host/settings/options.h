@@ -73,7 +73,8 @@ struct Options {
   bool tall = false;  // OpenOptions::tall
 
   // Settings: the profile first, then these in the order they were typed, shortcuts included.
-  std::string profile;  // empty: none
+  std::string profile;       // empty: none
+  bool profile_lax = false;  // without what of it can't be read
   std::vector<std::pair<std::string, std::string>> assignments;
 
   std::string stats;  // file for statistics; empty: none

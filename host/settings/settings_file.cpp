@@ -117,24 +117,89 @@ std::string_view without_comment(const Line& line) {
 }
 
 core::Status apply_ours(const Line& line, LoadedSettings& loaded) {
+  const std::string_view value = without_comment(line);
+  if (line.key == "allow_gcode" && !value.empty()) {
+    return Error{ErrorCode::kBadSetting,
+                 "allow_gcode has no place in a file, which would allow itself what it likes; use "
+                 "--allow-gcode"};
+  }
   ++loaded.set_count;
-  return set_setting(loaded.settings, line.key, without_comment(line));
+  return set_setting(loaded.settings, line.key, value);
 }
 
-core::Status apply_prusa(const Line& line, LoadedSettings& loaded) {
+// A value that has no counterpart: what holds instead.
+void leave_out(const Line& line, const std::string& place, LoadedSettings& loaded) {
+  loaded.ignored.push_back(fmt::format("{} = {}", line.key, line.value));
+  if (line.key == "bed_shape") {
+    loaded.unreadable.push_back(
+        {place + ": bed_shape is no rectangle along the axes, and rind prints on no other bed yet; "
+                 "for a rectangle within it set bed_x, bed_y, bed_origin_x and bed_origin_y",
+         {"bed_x", "bed_y"},
+         rectangle_of_bed(line.value)});
+    return;
+  }
+  loaded.left_out.push_back(fmt::format("{} = {}: rind's own value holds", line.key, line.value));
+}
+
+core::Status apply_prusa(const Line& line, const std::string& name, LoadedSettings& loaded) {
+  loaded.values.insert_or_assign(line.key, line.value);
+  const std::string place = fmt::format("{}:{}", name, line.number);
+  if (is_gcode_setting(line.key)) {
+    loaded.gcode.push_back({line.key, place, line.value});
+    ++loaded.set_count;
+    return {};
+  }
   const std::optional<std::vector<SettingText>> ours = from_prusa(line.key, line.value);
   if (!ours.has_value()) {
     loaded.ignored.push_back(line.key);
     return {};
   }
   if (ours->empty()) {
-    loaded.ignored.push_back(fmt::format("{} = {}", line.key, line.value));
+    leave_out(line, place, loaded);
     return {};
   }
   ++loaded.set_count;
   for (const SettingText& setting : *ours) {
     core::Status status = set_setting(loaded.settings, setting.key, setting.text);
     if (!status.ok()) return status;
+  }
+  return {};
+}
+
+// PrusaSlicer's own values where a profile is silent, and `cooling` before what it rests on.
+core::Status begin_prusa(std::vector<Line>& lines, LoadedSettings& loaded) {
+  const auto cools = [](const Line& line) { return is_prusa_cooling(line.key); };
+  if (std::none_of(lines.begin(), lines.end(), cools)) return {};
+  std::stable_partition(lines.begin(), lines.end(),
+                        [](const Line& line) { return line.key == "cooling"; });
+  for (const SettingText& setting : prusa_cooling()) {
+    core::Status status = set_setting(loaded.settings, setting.key, setting.text);
+    if (!status.ok()) return status;
+  }
+  return {};
+}
+
+// What only shows when all has been read.
+core::Status end_prusa(const std::string& name, LoadedSettings& loaded) {
+  const std::vector<std::string> more = left_out_of(loaded.values);
+  loaded.left_out.insert(loaded.left_out.end(), more.begin(), more.end());
+  const auto value = [&](std::string_view key) -> std::string_view {
+    const auto found = loaded.values.find(key);
+    return found == loaded.values.end() ? std::string_view() : std::string_view(found->second);
+  };
+  if (value("printer_technology") == "SLA") {
+    return Error{ErrorCode::kBadSetting,
+                 name + ": is a profile of a printer that hardens resin; rind lays filament"};
+  }
+  if (value("nozzle_diameter").find(',') != std::string_view::npos) {
+    loaded.left_out.push_back(
+        fmt::format("nozzle_diameter = {}: one tool prints, with the first one's settings",
+                    value("nozzle_diameter")));
+  }
+  if (loaded.settings.fan_share_min > loaded.settings.fan_share) {
+    loaded.left_out.push_back(
+        fmt::format("min_fan_speed = {}: the fan never runs faster than max_fan_speed",
+                    value("min_fan_speed")));
   }
   return {};
 }
@@ -147,11 +212,14 @@ Result<LoadedSettings> read_settings(std::string_view text, const std::string& n
     return Error{ErrorCode::kBadSetting, fmt::format("{}: more than {} bytes: not a settings file",
                                                      name, kSettingsBytesMax)};
   }
-  const Result<std::vector<Line>> lines = read_lines_of(text, name);
+  Result<std::vector<Line>> lines = read_lines_of(text, name);
   if (!lines.ok()) return lines.error();
   LoadedSettings loaded;
   loaded.settings = base;
   loaded.from_prusa = is_prusa_file(text, lines.value());
+  if (loaded.from_prusa) {
+    if (core::Status begun = begin_prusa(lines.value(), loaded); !begun.ok()) return begun.error();
+  }
   for (const Line& line : lines.value()) {
     if (!line.section.empty() && line.section != "rind") {
       return error_at(name, line.number,
@@ -159,8 +227,12 @@ Result<LoadedSettings> read_settings(std::string_view text, const std::string& n
                                   "bundle of profiles, export a single configuration",
                                   line.section));
     }
-    core::Status status = loaded.from_prusa ? apply_prusa(line, loaded) : apply_ours(line, loaded);
+    core::Status status =
+        loaded.from_prusa ? apply_prusa(line, name, loaded) : apply_ours(line, loaded);
     if (!status.ok()) return error_at(name, line.number, status.error().message);
+  }
+  if (loaded.from_prusa) {
+    if (core::Status ended = end_prusa(name, loaded); !ended.ok()) return ended.error();
   }
   return loaded;
 }

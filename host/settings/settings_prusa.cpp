@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/result.h"
+#include "host/settings/prusa_bed.h"
 #include "host/settings/settings_text.h"
 
 namespace host {
@@ -17,12 +18,15 @@ using Translated = std::vector<SettingText>;
 enum class Kind {
   kNumber,       // as it is; percentages (of another setting) have no counterpart
   kWidth,        // a number, but 0 means "automatic"
+  kSpeed,        // likewise
+  kSlowest,      // a speed, 0 for none
   kHeight,       // a number, 0 means the same with us
   kShare,        // with "%"
   kPercent,      // a whole number of percent, without "%"
   kLayersAfter,  // how many layers go before the first one
   kGcode,
   kBed,
+  kCooling,
 };
 
 struct Alias {
@@ -36,20 +40,21 @@ constexpr std::array kAliases = {
     Alias{"nozzle_diameter", "nozzle_diameter"},
     Alias{"filament_diameter", "filament_diameter"},
     Alias{"extrusion_width", "road_width", Kind::kWidth},
+    Alias{"extrusion_multiplier", "extrusion_multiplier"},
     Alias{"perimeters", "perimeters"},
     Alias{"fill_density", "loose_density", Kind::kShare},
     Alias{"fill_angle", "fill_angle_degrees"},
     Alias{"skirts", "skirt_loops"},
     Alias{"skirt_distance", "skirt_distance"},
-    Alias{"perimeter_speed", "perimeter_speed_mm_s"},
-    Alias{"external_perimeter_speed", "outer_perimeter_speed_mm_s"},
-    Alias{"solid_infill_speed", "solid_speed_mm_s"},
-    Alias{"infill_speed", "loose_speed_mm_s"},
-    Alias{"gap_fill_speed", "rest_speed_mm_s"},
-    Alias{"first_layer_speed", "first_layer_speed_mm_s"},
-    Alias{"travel_speed", "travel_speed_mm_s"},
+    Alias{"perimeter_speed", "perimeter_speed_mm_s", Kind::kSpeed},
+    Alias{"external_perimeter_speed", "outer_perimeter_speed_mm_s", Kind::kSpeed},
+    Alias{"solid_infill_speed", "solid_speed_mm_s", Kind::kSpeed},
+    Alias{"infill_speed", "loose_speed_mm_s", Kind::kSpeed},
+    Alias{"gap_fill_speed", "rest_speed_mm_s", Kind::kSpeed},
+    Alias{"first_layer_speed", "first_layer_speed_mm_s", Kind::kSpeed},
+    Alias{"travel_speed", "travel_speed_mm_s", Kind::kSpeed},
     Alias{"slowdown_below_layer_time", "layer_time_min_s"},
-    Alias{"min_print_speed", "slowed_speed_min_mm_s"},
+    Alias{"min_print_speed", "slowed_speed_min_mm_s", Kind::kSlowest},
     Alias{"retract_length", "retraction_mm"},
     Alias{"retract_speed", "retraction_speed_mm_s"},
     Alias{"retract_before_travel", "retraction_travel_min"},
@@ -59,7 +64,12 @@ constexpr std::array kAliases = {
     Alias{"temperature", "nozzle_celsius"},
     Alias{"first_layer_temperature", "nozzle_first_layer_celsius"},
     Alias{"bed_temperature", "bed_celsius"},
+    Alias{"cooling", "cool_short_layers", Kind::kCooling},
+    Alias{"fan_always_on", "fan_always_on"},
+    Alias{"min_fan_speed", "fan_share_min", Kind::kPercent},
     Alias{"max_fan_speed", "fan_share", Kind::kPercent},
+    Alias{"fan_below_layer_time", "fan_below_layer_time_s"},
+    Alias{"full_fan_speed_layer", "fan_full_layer"},
     Alias{"disable_fan_first_layers", "fan_from_layer", Kind::kLayersAfter},
     Alias{"start_gcode", "start_gcode", Kind::kGcode},
     Alias{"end_gcode", "end_gcode", Kind::kGcode},
@@ -80,35 +90,21 @@ constexpr std::array<std::string_view, 14> kHallmarks = {"top_solid_layers",
                                                          "avoid_crossing_perimeters",
                                                          "external_perimeter_extrusion_width"};
 
-// "0x0,250x0,250x210,0x210": the four corners of a rectangle at the origin, in any order.
-Translated bed(std::string_view text) {
-  double x_max = 0, y_max = 0;
-  int corners = 0;
-  std::vector<std::pair<double, double>> points;
-  while (!text.empty()) {
-    const std::string_view point = text.substr(0, text.find(','));
-    text.remove_prefix(std::min(text.size(), point.size() + 1));
-    const std::size_t cross = point.find('x');
-    if (cross == std::string_view::npos) return {};
-    const core::Result<double> x = read_number(point.substr(0, cross), "mm");
-    const core::Result<double> y = read_number(point.substr(cross + 1), "mm");
-    if (!x.ok() || !y.ok()) return {};
-    points.emplace_back(x.value(), y.value());
-    x_max = std::max(x_max, x.value());
-    y_max = std::max(y_max, y.value());
-  }
-  for (const auto& corner : {std::pair(0.0, 0.0), {x_max, 0.0}, {x_max, y_max}, {0.0, y_max}}) {
-    corners += std::find(points.begin(), points.end(), corner) != points.end() ? 1 : 0;
-  }
-  if (corners != 4 || points.size() != 4) return {};
-  return {{"bed_x", write_number(x_max)}, {"bed_y", write_number(y_max)}};
+// The slowest that a setting can be.
+constexpr const char* kSlowestSpeed = "0.1";
+
+Translated bed_settings(const std::optional<BedRectangle>& bed) {
+  if (!bed) return {};
+  return {{"bed_x", write_number(bed->width)},
+          {"bed_y", write_number(bed->depth)},
+          {"bed_origin_x", write_number(bed->left)},
+          {"bed_origin_y", write_number(bed->front)}};
 }
 
 Translated translate(const Alias& alias, std::string_view text) {
   const std::string ours(alias.ours);
-  if (alias.kind == Kind::kBed) return bed(text);
+  if (alias.kind == Kind::kBed) return bed_settings(rectangular_bed(text));
   if (alias.kind == Kind::kGcode) {
-    if (text.find_first_of("[{") != std::string_view::npos) return {};
     return {{ours, std::string(text)}};
   }
   const std::string_view first = trimmed(text.substr(0, text.find(',')));
@@ -119,7 +115,15 @@ Translated translate(const Alias& alias, std::string_view text) {
   if (!number.ok()) return {{ours, std::string(first)}};
   switch (alias.kind) {
     case Kind::kWidth:
+    case Kind::kSpeed:
       if (number.value() == 0) return {};
+      break;
+    case Kind::kSlowest:
+      if (number.value() == 0) return {{ours, kSlowestSpeed}};
+      break;
+    case Kind::kCooling:
+      // Without it PrusaSlicer's fan is off, unless fan_always_on says otherwise.
+      if (number.value() == 0) return {{ours, "0"}, {"fan_always_on", "0"}};
       break;
     case Kind::kPercent:
       return {{ours, write_number(number.value() / 100)}};
@@ -140,11 +144,36 @@ std::optional<Translated> from_prusa(std::string_view key, std::string_view text
   return std::nullopt;
 }
 
+Translated rectangle_of_bed(std::string_view text) {
+  return bed_settings(rectangle_within_bed(trimmed(text)));
+}
+
 std::vector<std::string_view> prusa_keys() {
   std::vector<std::string_view> keys;
   keys.reserve(kAliases.size());
   for (const Alias& alias : kAliases) keys.push_back(alias.theirs);
   return keys;
+}
+
+std::optional<std::string_view> ours_for(std::string_view key) {
+  for (const Alias& alias : kAliases) {
+    const bool as_it_is = alias.kind == Kind::kNumber || alias.kind == Kind::kHeight;
+    if (alias.theirs == key && as_it_is) return alias.ours;
+  }
+  return std::nullopt;
+}
+
+std::vector<SettingText> prusa_cooling() {
+  return {{"cool_short_layers", "1"}, {"fan_always_on", "0"},           {"fan_share_min", "0.35"},
+          {"fan_share", "1"},         {"fan_below_layer_time_s", "60"}, {"fan_from_layer", "4"},
+          {"fan_full_layer", "0"},    {"layer_time_min_s", "5"}};
+}
+
+bool is_prusa_cooling(std::string_view key) {
+  constexpr std::array<std::string_view, 6> kKeys = {
+      "cooling",       "fan_always_on",        "min_fan_speed",
+      "max_fan_speed", "fan_below_layer_time", "disable_fan_first_layers"};
+  return std::find(kKeys.begin(), kKeys.end(), key) != kKeys.end();
 }
 
 bool is_prusa_hallmark(std::string_view key) {

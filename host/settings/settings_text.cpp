@@ -28,30 +28,6 @@ std::string lower(std::string_view text) {
   return result;
 }
 
-// "\n" and "\r" end a line; what else stands behind a backslash stands for itself.
-std::vector<std::string> split_escaped(std::string_view text) {
-  std::vector<std::string> lines(1);
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const bool escape = text[i] == '\\' && i + 1 < text.size();
-    const char c = escape ? text[++i] : text[i];
-    if (c == '\n' || c == '\r' || (escape && (c == 'n' || c == 'r'))) {
-      lines.emplace_back();
-    } else {
-      lines.back() += c;
-    }
-  }
-  return lines;
-}
-
-// "N12 G1 X0" or "M110": the link counts lines, nobody else.
-bool numbers_lines(std::string_view line) {
-  const auto digit_at = [&](std::size_t i) {
-    return i < line.size() && std::isdigit(static_cast<unsigned char>(line[i])) != 0;
-  };
-  const std::string start = lower(line.substr(0, 4));
-  return (start.starts_with('n') && digit_at(1)) || (start == "m110" && !digit_at(4));
-}
-
 }  // namespace
 
 std::string_view trimmed(std::string_view text) {
@@ -107,28 +83,48 @@ core::Result<bool> read_switch(std::string_view text) {
   return bad(fmt::format("\"{}\" is neither 1 nor 0 (nor true/false, yes/no, on/off)", word));
 }
 
-core::Result<std::vector<std::string>> read_lines(std::string_view text) {
-  std::vector<std::string> lines;
-  for (const std::string& raw : split_escaped(text)) {
+// "\n" and "\r" end a line; what else stands behind a backslash stands for itself.
+std::vector<std::string> unescaped_lines(std::string_view text) {
+  std::vector<std::string> lines(1);
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool escape = text[i] == '\\' && i + 1 < text.size();
+    const char c = escape ? text[++i] : text[i];
+    if (c == '\n' || c == '\r' || (escape && (c == 'n' || c == 'r'))) {
+      lines.emplace_back();
+    } else {
+      lines.back() += c;
+    }
+  }
+  return lines;
+}
+
+bool is_printable(std::string_view text) {
+  return std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c <= '~'; });
+}
+
+core::Result<std::vector<std::string>> sendable_lines(const std::vector<std::string>& lines) {
+  std::vector<std::string> sent;
+  for (const std::string& raw : lines) {
     const std::string_view line = trimmed(std::string_view(raw).substr(0, raw.find(';')));
     if (line.empty()) continue;
     if (line.size() > kVerbatimBytesMax) {
       return bad(fmt::format("line \"{}…\" has {} bytes, a controller takes {}", line.substr(0, 20),
                              line.size(), kVerbatimBytesMax));
     }
-    if (!std::all_of(line.begin(), line.end(), [](char c) { return c >= ' ' && c <= '~'; })) {
+    if (!is_printable(line)) {
       return bad(
-          fmt::format("line {} holds characters that are not printable ASCII", lines.size() + 1));
+          fmt::format("line {} holds characters that are not printable ASCII", sent.size() + 1));
     }
-    if (numbers_lines(line)) {
-      return bad(fmt::format("line \"{}\" sets a line number, which the link does itself", line));
-    }
-    if (lines.size() == kVerbatimLinesMax) {
+    if (sent.size() == kVerbatimLinesMax) {
       return bad(fmt::format("more than {} lines", kVerbatimLinesMax));
     }
-    lines.emplace_back(line);
+    sent.emplace_back(line);
   }
-  return lines;
+  return sent;
+}
+
+core::Result<std::vector<std::string>> read_lines(std::string_view text) {
+  return sendable_lines(unescaped_lines(text));
 }
 
 std::string write_number(double number) {

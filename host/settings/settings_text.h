@@ -32,11 +32,21 @@ inline constexpr std::size_t kVerbatimLinesMax = 1'000;
 // 1/0, true/false, yes/no, on/off.
 [[nodiscard]] core::Result<bool> read_switch(std::string_view text);
 
+// At most so many characters in a setting that is a list of words.
+inline constexpr std::size_t kWordsBytesMax = 1'000;
+
 // Lines with "\n" between them, "\\" for a backslash, as PrusaSlicer writes them. Comments and
-// empty lines are dropped: they never reach the controller. An error names a line that is too long,
-// is not ASCII, or brings a line number of its own ("N…", "M110"), which would upset the link's
-// count.
+// empty lines are dropped: they never reach the controller. An error names a line that is too long
+// or not ASCII. Which commands may be sent is asked elsewhere (user_gcode.h).
 [[nodiscard]] core::Result<std::vector<std::string>> read_lines(std::string_view text);
+
+// The two halves of read_lines(): all lines, comments too, and the same without what is not sent.
+[[nodiscard]] std::vector<std::string> unescaped_lines(std::string_view text);
+[[nodiscard]] core::Result<std::vector<std::string>> sendable_lines(
+    const std::vector<std::string>& lines);
+
+// Whether all of it is printable ASCII.
+[[nodiscard]] bool is_printable(std::string_view text);
 
 // The shortest text that reads back as the same number.
 [[nodiscard]] std::string write_number(double number);

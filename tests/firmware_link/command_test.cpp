@@ -36,7 +36,7 @@ TEST_CASE("a user's line is made fit to be sent") {
 }
 
 TEST_CASE("what holds nothing to send is known") {
-  for (const char* line : {"", "   ", ";x", " ; y", "(all of it)", "\t\r\n"}) {
+  for (const char* line : {"", "   ", ";x", " ; y", "(all of it)", "\t\r\n", "// x", "@BEDLEVEL"}) {
     CAPTURE(line);
     CHECK(blank_or_comment(line));
     CHECK_FALSE(refusal(line).empty());

@@ -81,6 +81,8 @@ struct Rig {
       : job(std::move(opened)) {
     options.bed_x_mm = settings.bed_x.mm();
     options.bed_y_mm = settings.bed_y.mm();
+    options.bed_origin_x_mm = settings.bed_origin_x.mm();
+    options.bed_origin_y_mm = settings.bed_origin_y.mm();
     const bool numbers = options.dialect == firmware_link::VirtualDialect::kMarlin ||
                          options.dialect == firmware_link::VirtualDialect::kPrusa;
     options.executed = [this, numbers](const firmware_link::ExecutedCommand& command) {
@@ -131,6 +133,14 @@ inline std::vector<std::string> sliced_lines(const core::Settings& settings,
     if (text[at] != ';') lines.push_back(text.substr(at, line_end - at));
     at = line_end + 1;
   }
+  return lines;
+}
+
+// The same without the lines that a session has of its own, too, as Rig::executed has them.
+inline std::vector<std::string> given_lines(const core::Settings& settings,
+                                            const std::string& path) {
+  std::vector<std::string> lines = sliced_lines(settings, path);
+  std::erase_if(lines, [](const std::string& line) { return test::is_own_line(line); });
   return lines;
 }
 

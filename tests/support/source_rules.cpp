@@ -36,7 +36,7 @@ constexpr std::array kLibraries = {
     Library{"boost/polygon/voronoi", {"core/offsets/voronoi_diagram.cpp"}},
     Library{"libserialport.h", {"firmware_link/serial_port.cpp", "firmware_link/ports.cpp"}},
     Library{"ini.h", {"host/settings/settings_file.cpp"}},
-    Library{"CLI/", {"host/settings/options.cpp", "tools/"}},
+    Library{"CLI/", {"host/settings/options.cpp", "host/settings/setting_options.cpp", "tools/"}},
     Library{"fast_float/", {"host/formats/"}},
     Library{"expat.h", {"host/formats/xml_scanner.cpp"}},
     Library{"zip.h", {"host/formats/zip_archive.cpp"}},

@@ -94,19 +94,15 @@ TEST_CASE("rounding of filament never adds up") {
   CHECK_LE(std::abs(off), 1.0);
 }
 
-TEST_CASE("a user's line that may not be sent is told with its setting and place") {
+TEST_CASE("places count from the bed's corner, the controller from its own origin") {
   core::Settings settings;
-  CHECK(host::check_user_gcode(settings).ok());
-  settings.start_gcode = {"G28", "; a comment", "", "M112"};
-  const core::Status status = host::check_user_gcode(settings);
-  REQUIRE_FALSE(status.ok());
-  CAPTURE(status.error().message);
-  CHECK_EQ(status.error().code, core::ErrorCode::kBadSetting);
-  CHECK_NE(status.error().message.find("start_gcode, line 4 ('M112')"), std::string::npos);
-  settings.start_gcode = {};
-  settings.end_gcode = {"N7 G28*12"};
-  CHECK_NE(host::check_user_gcode(settings).error().message.find("end_gcode, line 1"),
-           std::string::npos);
+  settings.bed_origin_x = Length::from_mm(-125);
+  settings.bed_origin_y = Length::from_mm(-105.5);
+  MotionEncoder encoder(settings);
+  CHECK_EQ(text_of(encoder.encode(core::Travel{at_mm(125, 110), 60})), "G0 X0 Y4.5 F3600");
+  CHECK_EQ(text_of(encoder.encode(
+               core::ExtrudeArc{at_mm(127, 112), at_mm(125, 112), false, 3.1415, 0.25, 60})),
+           "G3 X2 Y6.5 J2 E0.25");
 }
 
 TEST_CASE("an arc is told by its end, its centre from its begin, and which way round") {

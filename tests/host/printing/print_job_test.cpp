@@ -87,7 +87,7 @@ TEST_CASE("what the controller executes is what the file says") {
     const std::string name = each.first;
     CAPTURE(name);
     const std::string path = folder.add(name, each.second);
-    const std::vector<std::string> sliced = print_test::sliced_lines(coarse(), path);
+    const std::vector<std::string> sliced = print_test::given_lines(coarse(), path);
     Rig rig(coarse(), path);
     const host::PrintOutcome outcome = rig.print();
     CHECK_EQ(outcome.exit_code, host::kExitDone);
@@ -172,7 +172,7 @@ TEST_CASE("segments merged for a slow line are the same in a file and in print")
   settings.arcs = core::ArcUse::kOff;
   const std::size_t all = print_test::sliced_lines(settings, path).size();
   settings.segment_time_min_ms = 10;
-  const std::vector<std::string> sliced = print_test::sliced_lines(settings, path);
+  const std::vector<std::string> sliced = print_test::given_lines(settings, path);
   CHECK_LT(sliced.size() * 5, all * 4);
   Rig rig(settings, path);
   CHECK_EQ(rig.print().exit_code, host::kExitDone);

@@ -340,13 +340,16 @@ TEST_CASE("another print than the one that was begun is refused before anything 
   core::Result<host::Journal> journal = host::Journal::create(journal_path, some_head());
   REQUIRE(journal.ok());
   rig.link.journal = [&journal] { return &journal.value(); };
-  rig.stop_count = [&] { return rig.executed.size() >= 300 ? 1 : 0; };
+  rig.stop_count = [&] { return rig.executed.size() >= 330 ? 1 : 0; };
   (void)rig.print();
   const auto read = host::read_journal(journal_path);
   REQUIRE(read.ok());
 
   core::Settings other = coarse();
-  other.perimeter_speed_mm_s = 61;
+  // Whatever a layer begins with is another.
+  other.road_width = Length::from_mm(0.46);
+  other.retraction_mm = 1.1;
+  other.lift_speed_mm_s = 11;
   rig.job = print_test::open(other, path);
   rig.stop_count = [] { return 0; };
   rig.link.resumption = host::Resumption{read.value().record, true, 0};

@@ -67,7 +67,9 @@ TEST_CASE("every field of core::Settings has its row, in the same order") {
   REQUIRE(header.good());
   std::vector<std::string> fields;
   const std::regex field(
-      "^  (?:Length|double|int|bool|WallShape|BuildStyle|ArcUse|PackUse|std::vector<std::string>) "
+      "^  "
+      "(?:Length|double|int|bool|WallShape|BuildStyle|ArcUse|PackUse|std::string|std::vector<std::"
+      "string>) "
       "([a-z0-9_]+)(?: = .*)?(?:;.*)?$");
   for (std::string line; std::getline(header, line);) {
     std::smatch match;
@@ -176,6 +178,8 @@ TEST_CASE("an error says what was read") {
   CHECK(contains(error_of("perimeters", "2.5"), "\"2.5\" is not a whole number"));
   CHECK(contains(error_of("perimeters", "3%"), "\"3%\" is not a whole number"));
   CHECK(contains(error_of("loose_density", "20"), "0% … 100%"));
+  CHECK(contains(error_of("fill_density", "15"), "fill_density: loose_density = 15"));
+  CHECK(contains(error_of("fill_density", "15"), "write 15%"));
   CHECK(contains(error_of("wall_shape", "cube"), "\"cube\" is not one of: ball, cylinder"));
   CHECK(contains(error_of("centre", "maybe"), "\"maybe\""));
   CHECK(contains(error_of("road_width", "50%"), "\"%\""));
@@ -187,16 +191,20 @@ TEST_CASE("an unknown key names the nearest known one") {
   CHECK(contains(error_of("perimeter", "1"), "\"perimeters\""));
   CHECK(contains(error_of("fil_density", "1"), "\"fill_density\""));
   CHECK(contains(error_of("", "1"), "there is no setting \"\""));
-  CHECK(contains(error_of(std::string(3'000, 'x'), "1"), "nearest"));
+  CHECK(contains(error_of("suport_material", "1"), "PrusaSlicer's \"support_material\""));
+  CHECK(contains(error_of("support_material", "1"), "that rind does not have"));
+  CHECK(contains(error_of("walls", "2"), "\"perimeters\""));
+  CHECK(contains(error_of("infill", "20%"), "\"loose_density\""));
+  // What is near nothing names nothing.
+  for (const std::string& far : {std::string("foo"), std::string("x"), std::string(3'000, 'x')}) {
+    CHECK_EQ(error_of(far, "1").find("nearest"), std::string::npos);
+  }
 }
 
 TEST_CASE("G-code that the link could not send is refused") {
   CHECK(contains(error_of("start_gcode", std::string(host::kVerbatimBytesMax + 1, 'G')), "bytes"));
   CHECK_EQ(set_to("start_gcode", std::string(host::kVerbatimBytesMax, 'G')).start_gcode.size(), 1);
   CHECK(contains(error_of("start_gcode", "G28\\nM117 gr\xc3\xbc\xc3\x9f"), "line 2"));
-  CHECK(contains(error_of("start_gcode", "N12 G28"), "line number"));
-  CHECK(contains(error_of("end_gcode", "m110 N0"), "line number"));
-  CHECK_EQ(set_to("end_gcode", "M1100\\nNotice").end_gcode.size(), 2);
   std::string many;
   for (std::size_t i = 0; i <= host::kVerbatimLinesMax; ++i) many += "G4\\n";
   CHECK(contains(error_of("start_gcode", many), "lines"));
@@ -218,7 +226,16 @@ TEST_CASE("PrusaSlicer's keys of the same meaning") {
   CHECK(contains(error_of("extrusion_width", "105%"), "no counterpart"));
   CHECK(contains(error_of("first_layer_speed", "50%"), "no counterpart"));
   CHECK(contains(error_of("extrusion_width", "wide"), "\"wide\" is not a number"));
-  for (const char* shape : {"-100x-100,100x-100,100x100,-100x100", "0x0,9x0,9x9", "round", "",
+  const Settings centred = set_to("bed_shape", "-100x-90,100x-90,100x90,-100x90");
+  CHECK_EQ(centred.bed_x.mm(), 200);
+  CHECK_EQ(centred.bed_y.mm(), 180);
+  CHECK_EQ(centred.bed_origin_x.mm(), -100);
+  CHECK_EQ(centred.bed_origin_y.mm(), -90);
+  CHECK_EQ(set_to("min_print_speed", "0").slowed_speed_min_mm_s, doctest::Approx(0.1));
+  CHECK_EQ(set_to("extrusion_multiplier", "1.05").extrusion_multiplier, doctest::Approx(1.05));
+  CHECK_FALSE(set_to("cooling", "0").fan_always_on);
+  CHECK_FALSE(set_to("cooling", "0").cool_short_layers);
+  for (const char* shape : {"-90x0,0x90,90x0,0x-90", "0x0,9x0,9x9", "round", "",
                             "0x0,250x0,250x210,0x210,9x9", "1x", "0x0,nanx0,nanxnan,0xnan"}) {
     CAPTURE(shape);
     CHECK(contains(error_of("bed_shape", shape), "no counterpart"));

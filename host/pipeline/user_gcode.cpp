@@ -1,0 +1,173 @@
+#include "host/pipeline/user_gcode.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string_view>
+#include <variant>
+
+#include "firmware_link/command.h"           // verbatim_from
+#include "firmware_link/gcode_words.h"       // commands_in
+#include "firmware_link/refused_commands.h"  // refused_in
+
+namespace host {
+namespace {
+
+using Lines = std::vector<std::string>;
+
+core::Error bad(std::string message) { return {core::ErrorCode::kBadSetting, std::move(message)}; }
+
+bool holds(const Lines& lines, std::string_view command) {
+  return std::any_of(lines.begin(), lines.end(), [&](const std::string& line) {
+    const std::vector<std::string> commands = firmware_link::commands_in(line);
+    return std::find(commands.begin(), commands.end(), command) != commands.end();
+  });
+}
+
+bool moves_filament(const Lines& lines) {
+  return std::any_of(lines.begin(), lines.end(), [](const std::string& line) {
+    return line.find_first_of("Ee") != std::string::npos && firmware_link::has_parameter(line, 'E');
+  });
+}
+
+core::Status check_lines(const Lines& lines, const char* setting, const Lines& allowed) {
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (firmware_link::blank_or_comment(lines[i])) continue;
+    const auto place = [&] {
+      return fmt::format("{}, line {} ('{}'): ", setting, i + 1, lines[i]);
+    };
+    const auto made = firmware_link::verbatim_from(lines[i]);
+    if (const auto* refusal = std::get_if<std::string>(&made)) return bad(place() + *refusal);
+    if (const auto refused = firmware_link::refused_in(lines[i], allowed)) {
+      return bad(fmt::format("{0}{1} {2}; take it out, or allow it with --allow-gcode {1}", place(),
+                             refused->command, refused->reason));
+    }
+  }
+  return {};
+}
+
+// What is set back when one of the commands was used.
+struct Restored {
+  std::string_view changed_by;
+  std::string_view line;
+};
+
+constexpr std::array kRestored = {
+    Restored{"G18", "G17"},      Restored{"G19", "G17"},     Restored{"G93", "G94"},
+    Restored{"G95", "G94"},      Restored{"M149", "M149 C"}, Restored{"M200", "M200 D0"},
+    Restored{"M209", "M209 S0"},
+};
+
+// What is left as the user set it, and changes the part or where it lies.
+struct Kept {
+  std::string_view command;
+  std::string_view effect;
+};
+
+constexpr std::array kKept = {
+    Kept{"G53", "changes the coordinates that the part is laid in"},
+    Kept{"G54", "changes the coordinates that the part is laid in"},
+    Kept{"G55", "changes the coordinates that the part is laid in"},
+    Kept{"G56", "changes the coordinates that the part is laid in"},
+    Kept{"G57", "changes the coordinates that the part is laid in"},
+    Kept{"G58", "changes the coordinates that the part is laid in"},
+    Kept{"G59", "changes the coordinates that the part is laid in"},
+    Kept{"M206", "moves the coordinates that the part is laid in"},
+    Kept{"M220", "changes the speed of the whole print"},
+    Kept{"M221", "changes the flow of the whole print"},
+    Kept{"SET_GCODE_OFFSET", "moves the coordinates that the part is laid in"},
+};
+
+// G92 without E alone: the printer's place gets another name.
+bool renames_place(const std::string& line) {
+  const std::vector<std::string> commands = firmware_link::commands_in(line);
+  if (commands.empty() || commands.front() != "G92") return false;
+  return std::any_of(std::begin("XYZ"), std::end("XYZ") - 1,
+                     [&](char axis) { return firmware_link::has_parameter(line, axis); });
+}
+
+bool chooses_other_tool(std::string_view command) {
+  return command.size() > 1 && command[0] == 'T' && command != "T0" &&
+         firmware_link::is_classic(command);
+}
+
+}  // namespace
+
+core::Result<Lines> allowed_commands(const std::string& text) {
+  Lines allowed;
+  std::string_view rest = text;
+  while (!rest.empty()) {
+    const std::string_view one = rest.substr(0, rest.find_first_of(", "));
+    rest.remove_prefix(std::min(rest.size(), one.size() + 1));
+    if (one.empty()) continue;
+    const std::string command = firmware_link::canonical(one);
+    const bool begins_right = command.front() >= 'A' && command.front() <= 'Z';
+    if (!begins_right || firmware_link::command_word_size(one) != one.size()) {
+      return bad(fmt::format("allow_gcode: \"{}\" is no command; expected such as M500,M501", one));
+    }
+    const auto refused = firmware_link::refused_command(command);
+    if (refused && refused->never) {
+      return bad(fmt::format("allow_gcode: {} is never sent: it {}", command, refused->reason));
+    }
+    allowed.push_back(command);
+  }
+  return allowed;
+}
+
+core::Status check_user_gcode(const core::Settings& settings) {
+  const core::Result<Lines> allowed = allowed_commands(settings.allow_gcode);
+  if (!allowed.ok()) return allowed.error();
+  core::Status start = check_lines(settings.start_gcode, "start_gcode", allowed.value());
+  return start.ok() ? check_lines(settings.end_gcode, "end_gcode", allowed.value()) : start;
+}
+
+std::vector<std::string> user_gcode_notes(const core::Settings& settings) {
+  std::vector<std::string> notes;
+  const auto note = [&notes](std::string text) {
+    if (std::find(notes.begin(), notes.end(), text) == notes.end()) notes.push_back(text);
+  };
+  for (const std::string& line : settings.start_gcode) {
+    const std::string sent = firmware_link::without_comments(line);
+    if (renames_place(line)) {
+      note(
+          fmt::format("start_gcode: {} gives the nozzle's place another name: the part is laid in "
+                      "those coordinates",
+                      sent));
+    }
+    for (const std::string& command : firmware_link::commands_in(line)) {
+      for (const Kept& kept : kKept) {
+        if (kept.command == command) note(fmt::format("start_gcode: {} {}", sent, kept.effect));
+      }
+      if (chooses_other_tool(command)) {
+        note(fmt::format("start_gcode: {} chooses the tool that the part is laid with", sent));
+      }
+    }
+  }
+  return notes;
+}
+
+std::vector<std::string> restored_after(const Lines& lines) {
+  Lines restored;
+  for (const Restored& one : kRestored) {
+    if (!holds(lines, one.changed_by)) continue;
+    const bool there = std::find(restored.begin(), restored.end(), one.line) != restored.end();
+    if (!there) restored.emplace_back(one.line);
+  }
+  return restored;
+}
+
+core::Settings with_own_modes(core::Settings settings) {
+  Lines& start = settings.start_gcode;
+  const Lines restored = restored_after(start);
+  if (!start.empty()) start.insert(start.begin(), {"G21", "G90", "M82"});
+  start.insert(start.end(), {"G21", "G90", "M83"});
+  start.insert(start.end(), restored.begin(), restored.end());
+  start.emplace_back("G92 E0");
+  Lines& end = settings.end_gcode;
+  if (moves_filament(end)) end.insert(end.begin(), "G92 E0");
+  return settings;
+}
+
+}  // namespace host

@@ -1,0 +1,197 @@
+#include "host/settings/prusa_left_out.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "firmware_link/gcode_words.h"    // commands_in
+#include "host/settings/settings_text.h"  // read_number, unescaped_lines, trimmed
+
+namespace host {
+namespace {
+
+// When a value asks for something.
+enum class When {
+  kOn,         // a number or share that is not 0, a word that is neither "0" nor "none"
+  kAboveOne,   // a number above 1
+  kText,       // anything
+  kGcode,      // a command that does something
+  kUnlike,     // another value than that of `other`
+  kUnlikeOn,   // likewise, but for 0, which is automatic
+  kNotALine,   // a pattern of fill other than lines
+  kNotMarlin,  // a firmware that other words are for
+};
+
+struct LeftOut {
+  std::string_view key;
+  When when = When::kOn;
+  std::string_view instead;
+  std::string_view other = {};
+};
+
+constexpr std::string_view kOneWidth = "every road that fits whole is as wide as extrusion_width";
+constexpr std::string_view kNoBridges = "bridges are laid as any other road";
+constexpr std::string_view kAccelerations = "accelerations are the printer's own";
+constexpr std::string_view kNotSent = "it is not sent";
+constexpr std::string_view kAnyFlow = "speeds are as they are set, whatever flow they take";
+
+constexpr std::array kLeftOut = {
+    LeftOut{"support_material", When::kOn, "no supports are laid"},
+    LeftOut{"support_material_enforce_layers", When::kOn, "no supports are laid"},
+    LeftOut{"raft_layers", When::kOn, "no raft is laid"},
+    LeftOut{"brim_width", When::kOn, "no brim is laid"},
+    LeftOut{"draft_shield", When::kOn, "no draft shield is laid"},
+    LeftOut{"skirt_height", When::kAboveOne, "the skirt is one layer high"},
+    LeftOut{"min_skirt_length", When::kOn, "the skirt has as many loops as skirts says"},
+    LeftOut{"first_layer_height", When::kUnlike, "the first layer is as high as the others",
+            "layer_height"},
+    LeftOut{"first_layer_bed_temperature", When::kUnlike,
+            "the bed is as warm on the first layer as later", "bed_temperature"},
+    LeftOut{"first_layer_extrusion_width", When::kUnlikeOn, kOneWidth, "extrusion_width"},
+    LeftOut{"perimeter_extrusion_width", When::kUnlikeOn, kOneWidth, "extrusion_width"},
+    LeftOut{"external_perimeter_extrusion_width", When::kUnlikeOn, kOneWidth, "extrusion_width"},
+    LeftOut{"infill_extrusion_width", When::kUnlikeOn, kOneWidth, "extrusion_width"},
+    LeftOut{"solid_infill_extrusion_width", When::kUnlikeOn, kOneWidth, "extrusion_width"},
+    LeftOut{"top_infill_extrusion_width", When::kUnlikeOn, kOneWidth, "extrusion_width"},
+    LeftOut{"top_solid_layers", When::kOn, "the top is as thick as wall_thickness"},
+    LeftOut{"bottom_solid_layers", When::kOn, "the bottom is as thick as wall_thickness"},
+    LeftOut{"fill_pattern", When::kNotALine, "the inside is filled with lines"},
+    LeftOut{"spiral_vase", When::kOn, "every layer is laid by itself"},
+    LeftOut{"ironing", When::kOn, "nothing is ironed"},
+    LeftOut{"fuzzy_skin", When::kOn, "the surface is smooth"},
+    LeftOut{"infill_every_layers", When::kAboveOne, "every layer is filled"},
+    LeftOut{"xy_size_compensation", When::kOn, "the part is as wide as the model"},
+    LeftOut{"elefant_foot_compensation", When::kOn, "the first layer is as wide as the model"},
+    LeftOut{"z_offset", When::kOn, "heights are as they are computed"},
+    LeftOut{"bridge_speed", When::kOn, kNoBridges},
+    LeftOut{"bridge_flow_ratio", When::kOn, kNoBridges},
+    LeftOut{"bridge_fan_speed", When::kOn, kNoBridges},
+    LeftOut{"enable_dynamic_overhang_speeds", When::kOn, "overhangs are laid as any other road"},
+    LeftOut{"enable_dynamic_fan_speeds", When::kOn, "overhangs are cooled as any other road"},
+    LeftOut{"small_perimeter_speed", When::kUnlikeOn, "small perimeters are as fast as others",
+            "perimeter_speed"},
+    LeftOut{"top_solid_infill_speed", When::kUnlikeOn, "the top is as fast as other dense fill",
+            "solid_infill_speed"},
+    LeftOut{"max_volumetric_speed", When::kOn, kAnyFlow},
+    LeftOut{"filament_max_volumetric_speed", When::kOn, kAnyFlow},
+    LeftOut{"retract_restart_extra", When::kOn, "as much filament comes back as was drawn back"},
+    LeftOut{"use_firmware_retraction", When::kOn, "rind draws filament back itself"},
+    LeftOut{"use_volumetric_e", When::kOn, "filament is counted by its length"},
+    LeftOut{"wipe", When::kOn, "the nozzle is not wiped"},
+    LeftOut{"default_acceleration", When::kOn, kAccelerations},
+    LeftOut{"perimeter_acceleration", When::kOn, kAccelerations},
+    LeftOut{"external_perimeter_acceleration", When::kOn, kAccelerations},
+    LeftOut{"infill_acceleration", When::kOn, kAccelerations},
+    LeftOut{"solid_infill_acceleration", When::kOn, kAccelerations},
+    LeftOut{"top_solid_infill_acceleration", When::kOn, kAccelerations},
+    LeftOut{"bridge_acceleration", When::kOn, kAccelerations},
+    LeftOut{"first_layer_acceleration", When::kOn, kAccelerations},
+    LeftOut{"travel_acceleration", When::kOn, kAccelerations},
+    LeftOut{"chamber_temperature", When::kOn, "the chamber is not heated"},
+    LeftOut{"start_filament_gcode", When::kGcode, kNotSent},
+    LeftOut{"end_filament_gcode", When::kGcode, kNotSent},
+    LeftOut{"before_layer_gcode", When::kGcode, kNotSent},
+    LeftOut{"layer_gcode", When::kGcode, kNotSent},
+    LeftOut{"post_process", When::kText, "no program of a profile's is ever run"},
+    LeftOut{"gcode_flavor", When::kNotMarlin, "the commands are those of Marlin and Klipper"},
+};
+
+bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+bool does_something(std::string_view gcode) {
+  for (const std::string& line : unescaped_lines(gcode)) {
+    const std::string text = firmware_link::without_comments(line);
+    // Every layer of ours begins at filament 0 anyway.
+    if (text.empty() || text == "\"" || text == "\"\"" || text.starts_with("G92 E0")) continue;
+    return true;
+  }
+  return false;
+}
+
+bool same_number(std::string_view a, std::string_view b) {
+  const core::Result<double> x = read_number(a, ""), y = read_number(b, "");
+  return x.ok() && y.ok() ? x.value() == y.value() : a == b;
+}
+
+bool asks(const LeftOut& row, std::string_view value, const ProfileValues& profile) {
+  const std::string_view first = first_value(value);
+  const bool off = first.empty() || is_one_of(first, {"none", "no", "disabled", "nil"}) ||
+                   same_number(first, "0") || first == "0%";
+  const auto other = profile.find(row.other);
+  const bool unlike = other == profile.end() || !same_number(first, first_value(other->second));
+  const core::Result<double> number = read_number(first, "");
+  switch (row.when) {
+    case When::kOn:
+      return !off;
+    case When::kAboveOne:
+      return number.ok() && number.value() > 1;
+    case When::kText:
+      return !trimmed(value).empty() && value != "\"\"";
+    case When::kGcode:
+      return does_something(value);
+    case When::kUnlike:
+      // All the same where it is a share of the other that makes the whole.
+      return unlike && first != "100%";
+    case When::kUnlikeOn:
+      return !off && unlike;
+    case When::kNotALine:
+      return !is_one_of(first, {"rectilinear", "alignedrectilinear", "line", "zig-zag", ""});
+    case When::kNotMarlin:
+      return is_one_of(first, {"makerware", "sailfish", "mach3", "machinekit", "no-extrusion"});
+  }
+  return false;
+}
+
+// Long G-code is told by its begin.
+std::string shortened_value(std::string_view value) {
+  constexpr std::size_t kShown = 40;
+  std::string text(trimmed(value.substr(0, kShown)));
+  return value.size() > kShown ? text + "…" : text;
+}
+
+}  // namespace
+
+std::string_view first_value(std::string_view text) {
+  std::string_view first = trimmed(text.substr(0, text.find_first_of(",;")));
+  if (first.size() >= 2 && first.front() == '"' && first.back() == '"') {
+    first = trimmed(first.substr(1, first.size() - 2));
+  }
+  return first;
+}
+
+std::vector<std::string> left_out_of(const ProfileValues& profile) {
+  std::vector<std::string> sentences;
+  std::string keys;
+  for (std::size_t i = 0; i < kLeftOut.size(); ++i) {
+    const LeftOut& row = kLeftOut[i];
+    if (const auto value = profile.find(row.key); value != profile.end()) {
+      if (asks(row, value->second, profile)) {
+        keys += fmt::format("{}{} = {}", keys.empty() ? "" : ", ", row.key,
+                            shortened_value(value->second));
+      }
+    }
+    // What has the same consequence is told in one sentence.
+    const bool more = i + 1 < kLeftOut.size() && kLeftOut[i + 1].instead == row.instead;
+    if (more || keys.empty()) continue;
+    sentences.push_back(fmt::format("{}: {}", keys, row.instead));
+    keys.clear();
+  }
+  return sentences;
+}
+
+bool is_left_out(std::string_view key) {
+  return std::any_of(kLeftOut.begin(), kLeftOut.end(),
+                     [&](const LeftOut& row) { return row.key == key; });
+}
+
+std::vector<std::string_view> left_out_keys() {
+  std::vector<std::string_view> keys;
+  keys.reserve(kLeftOut.size());
+  for (const LeftOut& row : kLeftOut) keys.push_back(row.key);
+  return keys;
+}
+
+}  // namespace host

@@ -1,0 +1,187 @@
+// The rows of the table of settings; what is done with them is in settings_table.cpp.
+//
+// Help texts are noun phrases: what the setting is, then what a value of it means.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "core/limits.h"                  // kCoordinateMax
+#include "core/settings.h"                // Settings
+#include "core/units.h"                   // Length, kUnitsPerMm
+#include "host/settings/settings_text.h"  // kVerbatimLinesMax
+
+namespace host {
+
+using SettingLines = std::vector<std::string>;
+
+// Which field, and with it how its values are written.
+using SettingMember =
+    std::variant<core::Length core::Settings::*, double core::Settings::*, int core::Settings::*,
+                 bool core::Settings::*, core::WallShape core::Settings::*,
+                 core::BuildStyle core::Settings::*, core::ArcUse core::Settings::*,
+                 core::PackUse core::Settings::*, std::string core::Settings::*,
+                 SettingLines core::Settings::*>;
+
+struct Setting {
+  std::string_view key;
+  SettingMember member;
+  std::string_view unit;  // "%": a share, which may also be given in percent
+  double min = 0;         // both ends belong to the range
+  double max = 0;
+  std::string_view help;
+};
+
+// The part lies within.
+inline constexpr double kBedMaxMm = core::kCoordinateMax / core::kUnitsPerMm / 2;
+
+inline constexpr std::array kSettings = {
+    Setting{"layer_height", &core::Settings::layer_height, "mm", 0.01, 2, "height of every layer"},
+    Setting{"wall_thickness", &core::Settings::wall_thickness, "mm", 0.05, 100,
+            "thickness of the dense wall, sideways, up and down"},
+    Setting{"wall_shape", &core::Settings::wall_shape, "", 0, 0,
+            "shape of the wall's inner side: ball, as thick on any slope; cylinder, one depth for "
+            "all layers"},
+    Setting{"wall_layers", &core::Settings::wall_layers, "", 0, 64,
+            "number of layers that a cylinder-shaped wall reaches up and down; 0: as many as it is "
+            "thick"},
+    Setting{"style", &core::Settings::style, "", 0, 0,
+            "way of building the inside: thin-wall; to compare with: regular, dense everywhere; "
+            "fast, loose in hidden layers"},
+    Setting{"loose_width_min", &core::Settings::loose_width_min, "mm", 0, 20,
+            "least width of the loose inside; narrower parts of it are made solid"},
+    Setting{"loose_area_min_mm2", &core::Settings::loose_area_min_mm2, "mm²", 0, 10'000,
+            "least area of an island of the loose inside; smaller ones are made solid"},
+    Setting{"nozzle_diameter", &core::Settings::nozzle_diameter, "mm", 0.05, 5,
+            "bore of the nozzle"},
+    Setting{"filament_diameter", &core::Settings::filament_diameter, "mm", 0.5, 10,
+            "diameter of the filament as bought"},
+    Setting{"extrusion_multiplier", &core::Settings::extrusion_multiplier, "×", 0.1, 10,
+            "factor of the filament that every road takes"},
+    Setting{"road_width", &core::Settings::road_width, "mm", 0.05, 10,
+            "width of every road that fits whole"},
+    Setting{"road_width_min", &core::Settings::road_width_min, "mm", 0.01, 10,
+            "width of the narrowest road in a rest; narrower rests are left out"},
+    Setting{"perimeters", &core::Settings::perimeters, "", 0, 50,
+            "number of closed roads along every contour"},
+    Setting{"road_overlap", &core::Settings::road_overlap, "%", 0, 1,
+            "overlap of neighbouring roads; 1: the layer has no voids, 0: roads just touch"},
+    Setting{"loose_density", &core::Settings::loose_density, "%", 0, 1,
+            "share of the inside that is filled; 0: empty, 1: dense"},
+    Setting{"fill_angle_degrees", &core::Settings::fill_angle_degrees, "°", -360, 360,
+            "direction of fill on even layers; odd ones are turned by 90°"},
+    Setting{"loose_anchor", &core::Settings::loose_anchor, "mm", 0, 20,
+            "reach of loose roads into the wall"},
+    Setting{"skirt_loops", &core::Settings::skirt_loops, "", 0, 50,
+            "number of loops around the first layer; 0: none"},
+    Setting{"skirt_distance", &core::Settings::skirt_distance, "mm", 0, 200,
+            "distance from the part to the skirt"},
+    Setting{"simplify_tolerance", &core::Settings::simplify_tolerance, "mm", 0, 0.5,
+            "farthest that a slice's contours are moved to save points"},
+    Setting{"arc_tolerance", &core::Settings::arc_tolerance, "mm", 0.0005, 0.5,
+            "farthest that chords stay off the arcs of an offset"},
+    Setting{
+        "chain_gap_max", &core::Settings::chain_gap_max, "mm", 0, 100,
+        "width of gaps of a broken mesh that are closed; wider ones only where one way is left"},
+    Setting{"arcs", &core::Settings::arcs, "", 0, 0,
+            "use of arcs (G2, G3) for round roads; auto: where the controller says that it draws "
+            "them, and in files"},
+    Setting{"arc_fit_tolerance", &core::Settings::arc_fit_tolerance, "mm", 0, 0.5,
+            "farthest that an arc is off the road that it stands for; 0: no arcs"},
+    Setting{"segment_time_min_ms", &core::Settings::segment_time_min_ms, "ms", 0, 1'000,
+            "least time of a segment; shorter ones are merged, else laid slower; 0: as the port's "
+            "baud says, none in files; 0.001: none anywhere"},
+    Setting{"segment_tolerance", &core::Settings::segment_tolerance, "mm", 0, 0.5,
+            "farthest that a merged segment is off the road"},
+    Setting{"meatpack", &core::Settings::meatpack, "", 0, 0,
+            "packing of lines; auto: where the controller offers MeatPack; only for a port that "
+            "loses nothing"},
+    Setting{"wait_limit_s", &core::Settings::wait_limit_s, "s", 0, 604'800,
+            "least time that the controller may be silent over a command; 0: by the command, from "
+            "seconds to hours"},
+    Setting{"perimeter_speed_mm_s", &core::Settings::perimeter_speed_mm_s, "mm/s", 0.1, 2'000,
+            "speed of inner perimeters"},
+    Setting{"outer_perimeter_speed_mm_s", &core::Settings::outer_perimeter_speed_mm_s, "mm/s", 0.1,
+            2'000, "speed of the part's visible surface"},
+    Setting{"solid_speed_mm_s", &core::Settings::solid_speed_mm_s, "mm/s", 0.1, 2'000,
+            "speed of the wall's dense fill"},
+    Setting{"loose_speed_mm_s", &core::Settings::loose_speed_mm_s, "mm/s", 0.1, 2'000,
+            "speed of the inside's fill"},
+    Setting{"rest_speed_mm_s", &core::Settings::rest_speed_mm_s, "mm/s", 0.1, 2'000,
+            "speed of roads in narrow rests, which have a width of their own"},
+    Setting{"first_layer_speed_mm_s", &core::Settings::first_layer_speed_mm_s, "mm/s", 0.1, 2'000,
+            "speed of the fastest road of the first layer"},
+    Setting{"travel_speed_mm_s", &core::Settings::travel_speed_mm_s, "mm/s", 0.1, 5'000,
+            "speed of travel without material"},
+    Setting{"lift_speed_mm_s", &core::Settings::lift_speed_mm_s, "mm/s", 0.1, 1'000,
+            "speed of the nozzle up and down"},
+    Setting{"layer_time_min_s", &core::Settings::layer_time_min_s, "s", 0, 3'600,
+            "least time of a layer; one that would be done sooner is slowed down, where "
+            "cool_short_layers is set"},
+    Setting{"slowed_speed_min_mm_s", &core::Settings::slowed_speed_min_mm_s, "mm/s", 0.1, 2'000,
+            "slowest speed that a layer is slowed down to"},
+    Setting{"acceleration_mm_s2", &core::Settings::acceleration_mm_s2, "mm/s2", 1, 100'000,
+            "acceleration of the machine, for the estimate of time only"},
+    Setting{"filament_acceleration_mm_s2", &core::Settings::filament_acceleration_mm_s2, "mm/s2", 1,
+            100'000, "acceleration of retractions, for the estimate of time only"},
+    Setting{"junction_deviation_mm", &core::Settings::junction_deviation_mm, "mm", 0, 1,
+            "deviation that the machine allows itself at corners, for the estimate of time only"},
+    Setting{"retraction_mm", &core::Settings::retraction_mm, "mm", 0, 100,
+            "length of filament that is drawn back before travel"},
+    Setting{"retraction_speed_mm_s", &core::Settings::retraction_speed_mm_s, "mm/s", 0.1, 500,
+            "speed of the filament when it is drawn back and returned"},
+    Setting{"retraction_travel_min", &core::Settings::retraction_travel_min, "mm", 0, 1'000,
+            "length of the shortest travel inside the part that has a retraction"},
+    Setting{"retraction_lift", &core::Settings::retraction_lift, "mm", 0, 50,
+            "height of the nozzle over the layer in travel with retraction"},
+    Setting{"bed_x", &core::Settings::bed_x, "mm", 1, kBedMaxMm, "width of the bed"},
+    Setting{"bed_y", &core::Settings::bed_y, "mm", 1, kBedMaxMm, "depth of the bed"},
+    Setting{"bed_origin_x", &core::Settings::bed_origin_x, "mm", -kBedMaxMm, kBedMaxMm,
+            "printer's x of the bed's front left corner"},
+    Setting{"bed_origin_y", &core::Settings::bed_origin_y, "mm", -kBedMaxMm, kBedMaxMm,
+            "printer's y of the bed's front left corner"},
+    Setting{"axis_z", &core::Settings::axis_z, "mm", 0, 1e9,
+            "height of the highest place that the nozzle can reach; 0: not limited"},
+    Setting{"centre", &core::Settings::centre, "", 0, 1,
+            "whether the part lies in the middle of the bed; 0: at part_x, part_y"},
+    Setting{"part_x", &core::Settings::part_x, "mm", 0, kBedMaxMm,
+            "distance of the part's left side from the bed's"},
+    Setting{"part_y", &core::Settings::part_y, "mm", 0, kBedMaxMm,
+            "distance of the part's front from the bed's"},
+    Setting{"nozzle_celsius", &core::Settings::nozzle_celsius, "°C", 0, 500,
+            "temperature of the nozzle; 0: not heated"},
+    Setting{"nozzle_first_layer_celsius", &core::Settings::nozzle_first_layer_celsius, "°C", 0, 500,
+            "temperature of the nozzle on the first layer; 0: not heated"},
+    Setting{"bed_celsius", &core::Settings::bed_celsius, "°C", 0, 200,
+            "temperature of the bed; 0: not heated"},
+    Setting{"cool_short_layers", &core::Settings::cool_short_layers, "", 0, 1,
+            "whether layers that take little time are slowed down and get more of the fan"},
+    Setting{"fan_share", &core::Settings::fan_share, "%", 0, 1,
+            "speed of the part's fan on layers that take less than layer_time_min_s"},
+    Setting{"fan_share_min", &core::Settings::fan_share_min, "%", 0, 1,
+            "speed of the part's fan on layers that take fan_below_layer_time_s or more, if it is "
+            "not above fan_share"},
+    Setting{"fan_always_on", &core::Settings::fan_always_on, "", 0, 1,
+            "whether the fan runs on layers that take long, too"},
+    Setting{"fan_below_layer_time_s", &core::Settings::fan_below_layer_time_s, "s", 0, 3'600,
+            "time of a layer below which the fan is more than fan_share_min"},
+    Setting{"fan_from_layer", &core::Settings::fan_from_layer, "", 1, 1e6,
+            "number of the first layer with the fan on, counted from 1"},
+    Setting{"fan_full_layer", &core::Settings::fan_full_layer, "", 0, 1e6,
+            "number of the layer up to which the fan's speed grows; 0: at once"},
+    Setting{"start_gcode", &core::Settings::start_gcode, "", 0, kVerbatimLinesMax,
+            "lines of G-code that are sent first, with \\n between them; ';' starts a comment"},
+    Setting{"end_gcode", &core::Settings::end_gcode, "", 0, kVerbatimLinesMax,
+            "lines of G-code that are sent last"},
+    Setting{"allow_gcode", &core::Settings::allow_gcode, "", 0, 0,
+            "commands that start_gcode and end_gcode may hold though they are refused otherwise, "
+            "as M500,M501; on the command line only"},
+    Setting{"park_lift", &core::Settings::park_lift, "mm", 0, 1'000,
+            "height that the nozzle goes up by at the end and at a stop"},
+};
+
+}  // namespace host
