@@ -39,5 +39,5 @@ install_missing() {
 # The compiler cache finds a file again in another folder, and with a precompiled header.
 export CCACHE_BASEDIR=${CCACHE_BASEDIR:-$PWD}
 export CCACHE_NOHASHDIR=1
-export CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
+export CCACHE_SLOPPINESS=pch_defines,time_macros
 cmake_options=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)

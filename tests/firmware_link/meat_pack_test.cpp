@@ -101,7 +101,7 @@ TEST_CASE("lines are packed once it answers, and not where nobody wants it") {
     const Scenario* scenario = find_scenario(wanted ? "packed" : "clean");
     REQUIRE(scenario != nullptr);
     ScenarioRun run(*scenario, 1, kMishapLines);
-    const auto commands = print_of(1);
+    const auto commands = print_of(*scenario, 1);
     REQUIRE(run.run(commands, 1h));
     CHECK(run.session->state() == SessionState::kFinished);
     CHECK(run.printed == texts_of(commands));
