@@ -93,14 +93,32 @@ Temperatures read_temperatures(std::string_view text) {
   return read;
 }
 
-// The first of each: behind "Count" they come again, in steps.
-Position read_position(std::string_view text) {
+std::size_t decimals_of(std::string_view number) {
+  const std::size_t end = std::min(number.find(' '), number.size());
+  const std::size_t point = number.substr(0, end).find('.');
+  return point == std::string_view::npos ? 0 : end - point - 1;
+}
+
+// The first of each: behind "Count" they come again, in steps. Nothing where they don't all have as
+// many decimals: then a digit got lost on the way.
+std::optional<Position> read_position(std::string_view text) {
   text = text.substr(0, text.find("Count"));
   Position read;
-  read.x_mm = number_behind<double>(text, "X:");
-  read.y_mm = number_behind<double>(text, "Y:");
-  read.z_mm = number_behind<double>(text, "Z:");
-  read.e_mm = number_behind<double>(text, "E:");
+  std::optional<std::size_t> decimals;
+  bool alike = true;
+  const auto number = [&](std::string_view key) {
+    std::string_view behind;
+    const auto value = number_behind<double>(text, key, &behind);
+    if (!value) return value;
+    alike = alike && decimals.value_or(decimals_of(behind)) == decimals_of(behind);
+    decimals = decimals_of(behind);
+    return value;
+  };
+  read.x_mm = number("X:");
+  read.y_mm = number("Y:");
+  read.z_mm = number("Z:");
+  read.e_mm = number("E:");
+  if (!alike) return std::nullopt;
   return read;
 }
 
@@ -189,8 +207,10 @@ Reply read_reply(std::string_view line) {
     return reply;
   }
   if (head.substr(0, 2) == "X:") {
+    const std::optional<Position> position = read_position(rest);
+    if (!position) return plain(Kind::kUnknown, rest);
     Reply reply = plain(Kind::kPosition, rest);
-    reply.position = read_position(rest);
+    reply.position = *position;
     return reply;
   }
   return plain(says_stopped(rest) ? Kind::kHalted : Kind::kUnknown, rest);

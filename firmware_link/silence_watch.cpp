@@ -56,10 +56,12 @@ SilenceWatch::Step SilenceWatch::look_long(const LinkRules& rules, const Sight& 
   const Duration again =
       rules.numbered ? rules.ask_after - rules.ask_after_idle : rules.ask_after_idle;
   if (sight.questions > 0 && ask_due(again, sight, now)) return Step::kAsk;
-  // One that says when it is busy, and says nothing, does not work.
+  // One that says when it is busy, and doesn't, has not got the command, or has ended it.
+  // Temperatures come by themselves all the while.
   const bool says_busy = rules.numbered && worked_once_;
   if (says_busy) {
-    const Instant since = asks_ > 0 ? std::max(sight.last_life, last_ask_) : sight.last_life;
+    const Instant since =
+        asks_ > 0 ? std::max(sight.last_progress, last_ask_) : sight.last_progress;
     if (now - since > rules.silence_max) {
       if (sight.may_resynchronise) return Step::kResynchronise;
       return give_up("the controller does not answer any more, during " + what_of(sight));

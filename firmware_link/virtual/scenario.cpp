@@ -22,7 +22,7 @@ Scenario noise(std::string_view name, std::string_view what, const WireDamage& d
   scenario.up = up;
   scenario.faults = kNoise;
   // Several losses may meet.
-  scenario.stood_max = std::chrono::seconds(8);
+  scenario.stood_max = std::chrono::seconds(12);
   return scenario;
 }
 
@@ -91,7 +91,7 @@ std::vector<Scenario> noises() {
       noise("everything", "all damages both ways", everything(100), everything(60)),
   };
   for (Scenario& scenario : all) {
-    if (scenario.up.delay_max.count() > 0) scenario.stood_max = std::chrono::seconds(20);
+    if (scenario.up.delay_max.count() > 0) scenario.stood_max = std::chrono::seconds(30);
   }
   Scenario advanced =
       noise("advanced-everything", "the same, with ADVANCED_OK", everything(100), everything(60));
@@ -177,6 +177,7 @@ std::vector<Scenario> all_scenarios() {
   lossy.down = with(&WireDamage::lose_line, 0.02);
   lossy.may_finish = true;
   lossy.faults |= fault_bit(FaultKind::kNoAnswer);
+  lossy.stood_max = std::chrono::seconds(10);  // the questions get lost, too
   add(lossy);
   add(mishap("prusa", "Prusa's firmware, and nothing goes wrong", Mishap::kNone, FaultKind::kNone,
              VirtualDialect::kPrusa));

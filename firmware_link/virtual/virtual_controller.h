@@ -3,10 +3,10 @@
 // It answers byte for byte as Marlin bugfix-2.1.x with its default configuration was measured to
 // (the table is in README.md), and it has the same narrow places:
 //
-//     wire ──> receive ring ──> 4 command slots ──> handler ──> planner of 16 blocks ──> motion
-//     (baud)   128 bytes;       a line each,        one command  15 usable; a full one   lengths,
-//              full: bytes      95 bytes, longer    at a time    holds the `ok` back     feeds,
-//              are lost         ones are cut                                             acceleration
+//     wire ──> receive ring ──> command slots ──> handler ──> planner of 16 blocks ──> motion
+//     (baud)   128 bytes;       4, a line each;   one          15 usable; a full one   lengths,
+//              full: bytes      over 95 bytes     command      holds the `ok` back     feeds,
+//              are lost         it is cut         at a time                            acceleration
 //
 // A command's `ok` leaves when its handler is done: at once for a move that the planner takes, late
 // for G28, G4, M109, M190, M400, with `echo:busy: processing` every 2 s meanwhile.

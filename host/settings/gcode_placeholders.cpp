@@ -86,9 +86,9 @@ bool is_condition(std::string_view content) {
   constexpr std::array<std::string_view, 6> kWords = {"if",    "elsif", "else",
                                                       "endif", "local", "global"};
   content = trimmed(content);
-  const std::string_view word = content.substr(
-      0, std::find_if(content.begin(), content.end(), [](char c) { return c < 'a' || c > 'z'; }) -
-             content.begin());
+  const auto* const end =
+      std::find_if(content.begin(), content.end(), [](char c) { return c < 'a' || c > 'z'; });
+  const std::string_view word = content.substr(0, static_cast<std::size_t>(end - content.begin()));
   const bool ends =
       word.size() == content.size() || content[word.size()] == ' ' || content[word.size()] == '(';
   return ends && std::find(kWords.begin(), kWords.end(), word) != kWords.end();

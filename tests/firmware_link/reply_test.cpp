@@ -41,6 +41,8 @@ TEST_CASE("answers are told apart by their beginning") {
       {"T:29.60 E:0 W:?", Kind::kTemperatures},
       {"B:25.5 /0.0 T0:26.8 /40.0", Kind::kTemperatures},
       {"X:0.00 Y:0.00 Z:5.00 E:0.00 Count X:0 Y:0 Z:2000", Kind::kPosition},
+      {"X:70.38 Y:20.03 Z:0.00 E:1.1 Count X:5630 Y:1602 Z:0", Kind::kUnknown},
+      {"X:70.38 Y:20.03 Z:0.00 E:1.199 Count X:5630 Y:1602 Z:0", Kind::kUnknown},
       {"FIRMWARE_NAME:Marlin 2.1", Kind::kFirmwareName},
       {"Cap:EEPROM:0", Kind::kCapability},
       {"Marlin bugfix-2.1.x", Kind::kUnknown},

@@ -353,12 +353,12 @@ TEST_CASE("complaints about what was mended are counted, not told") {
     hand.say("X:2.00 Y:0.00 Z:0.00 E:0.00 Count X:160\nok\n");
   }
   REQUIRE(hand.session.can_take());
-  hand.take("M555 P1");
-  CHECK(holds(hand.output(), "M555"));
-  hand.say("echo:Unknown command: \"M555 P1\"\nok\n");
+  hand.take("M556 S1");
+  CHECK(holds(hand.output(), "M556"));
+  hand.say("echo:Unknown command: \"M556 S1\"\nok\n");
   hand.say("Error:volume.init failed\nok\n");
   const std::vector<std::string> told = hand.told(SessionEvent::Kind::kWarning);
   REQUIRE(told.size() == 2);
-  CHECK(told[0] == "\"M555 P1\"");
+  CHECK(told[0] == "\"M556 S1\"");
   CHECK(told[1] == "volume.init failed");
 }

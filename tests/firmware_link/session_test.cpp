@@ -363,7 +363,8 @@ TEST_CASE("a Resend soon after another makes the narrow window last twice as lon
       while (hand.session.can_take()) hand.take(1000);
       if (hand.session.statistics().lines_in_flight > 1) break;
       // Each refused line may be followed by a question of the link's own.
-      hand.say(hand.take_output().find("M114") == std::string::npos ? "ok\n" : "X:1.00 E:0\nok\n");
+      hand.say(hand.take_output().find("M114") == std::string::npos ? "ok\n"
+                                                                    : "X:1.00 E:0.00\nok\n");
       ++line;
     }
     return lines;
