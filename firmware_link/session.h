@@ -385,6 +385,7 @@ class Session {
   bool waits_for_user_ = false;
   bool warned_of_resends_ = false;
   int resyncs_in_a_row_ = 0;
+  int mismatches_ = 0;  // without the `Resend:` that answers them
   int repeats_of_a_line_ = 0;
   std::int64_t repeated_line_ = -1;
   std::int64_t calm_lines_ = 8;

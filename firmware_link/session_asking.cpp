@@ -19,6 +19,9 @@ namespace {
 constexpr std::string_view kQuestion = "M105";
 constexpr std::size_t kMismatchBytes = 19;
 
+// Forced mismatches in a row without the `Resend:` that answers them: so many don't get lost.
+constexpr int kMismatchesMax = 16;
+
 // Questions in flight, at most: behind a command that takes long they take up command slots.
 constexpr int kQuestionsBehindLong = 2;
 constexpr int kQuestionsMax = 4;
@@ -213,6 +216,13 @@ void Session::resynchronise(Instant now) {
 }
 
 void Session::put_forced_mismatch() {
+  if (++mismatches_ > kMismatchesMax) {
+    fault(FaultKind::kRefusals,
+          "the controller does not count lines as a " + std::string(dialect_->name()) +
+              " does; it calls itself \"" + firmware_name_ + "\"",
+          true);
+    return;
+  }
   resync_pending_ = true;
   if (output_end_ - output_begin_ + kLineBytesMax + 2 > output_.size()) return;
   LineBuffer buffer;

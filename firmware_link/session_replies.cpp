@@ -3,6 +3,7 @@
 #include <string>
 
 #include "firmware_link/check.h"
+#include "firmware_link/dialects/dialects.h"  // is_known_firmware
 #include "firmware_link/session.h"
 
 namespace firmware_link {
@@ -188,11 +189,12 @@ void Session::reset_seen(Instant now) {
 }
 
 void Session::note_names(const Reply& reply) {
-  // Klipper says its name in the `ok` itself.
+  // Klipper says its name in the `ok` itself. Nobody else does, so a damaged one is Klipper's, too.
   constexpr std::string_view kName = "FIRMWARE_NAME:";
   if (reply.kind == Reply::Kind::kFirmwareName) named(reply.text);
   if (reply.kind == Reply::Kind::kOk && reply.text.substr(0, kName.size()) == kName) {
-    named(reply.text.substr(kName.size()));
+    const std::string_view name = reply.text.substr(kName.size());
+    named(is_known_firmware(firmware_name_in(name)) ? name : "Klipper");
   }
   if (reply.kind == Reply::Kind::kCapability) note_capability(reply.text, capabilities_);
   if (reply.kind == Reply::Kind::kEcho || reply.kind == Reply::Kind::kUnknown) {
@@ -280,6 +282,7 @@ void Session::resend_asked(const Reply& reply, Instant now) {
   accounts_.possible();
   const std::int64_t sequence = *reply.number + numbering_base_;
   confirmed_ = sequence == window_.sent_end();
+  mismatches_ = 0;
   if (confirmed_) resyncs_in_a_row_ = 0;
   if (sequence < window_.next_to_send() && !recovering_ && !repeat_from(sequence)) return;
   window_.restart(sequence);

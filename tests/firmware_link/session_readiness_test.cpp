@@ -362,3 +362,18 @@ TEST_CASE("complaints about what was mended are counted, not told") {
   CHECK(told[0] == "\"M556 S1\"");
   CHECK(told[1] == "volume.init failed");
 }
+
+TEST_CASE("one that does not count lines is not asked for ever") {
+  ByHand hand;
+  hand.open_marlin();
+  hand.take(1000);
+  (void)hand.output();
+  hand.say("ok\n");
+  hand.session.finish(hand.now);
+  for (int i = 0; i < 30 && hand.session.state() == SessionState::kFinishing; ++i) {
+    hand.pass(2s);
+    if (!hand.output().empty()) hand.say("ok\nok T:20.0 /0.0\n");
+  }
+  CHECK(hand.session.state() == SessionState::kFaulted);
+  CHECK(hand.session.reason().find("does not count lines") != std::string::npos);
+}

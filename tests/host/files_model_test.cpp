@@ -112,7 +112,8 @@ class World {
       said_ += text + "\n";
     }
     CAPTURE(said_);
-    for (const auto& [name, text] : before) {
+    for (const auto& entry : before) {
+      const std::string &name = entry.first, &text = entry.second;
       CAPTURE(name);
       if (is_journal(text)) {
         check_journal(name, text, after, commands);
@@ -121,7 +122,8 @@ class World {
       REQUIRE_MESSAGE(after.contains(name), "a file is gone");
       if (after.at(name) != text) check_changed(name, text, after.at(name), commands);
     }
-    for (const auto& [name, text] : after) {
+    for (const auto& entry : after) {
+      const std::string &name = entry.first, &text = entry.second;
       CAPTURE(name);
       if (!before.contains(name)) check_changed(name, "", text, commands);
     }
