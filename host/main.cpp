@@ -10,12 +10,12 @@
 
 #include "host/commands/commands.h"
 #include "host/commands/output_names.h"
-#include "host/exit_codes.h"
-#include "host/log_file.h"
-#include "host/memory_budget.h"
-#include "host/output/output_file.h"
-#include "host/printing/stop_signals.h"
+#include "host/files/log_file.h"
+#include "host/files/output_file.h"
 #include "host/settings/options.h"
+#include "host/system/exit_codes.h"
+#include "host/system/memory_budget.h"
+#include "host/system/stop_signals.h"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <new>
 
-#include "host/memory_budget.h"
+#include "host/system/memory_budget.h"
 
 void* operator new(std::size_t bytes) {
   if (host::memory_allowed(bytes)) {

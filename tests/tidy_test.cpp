@@ -72,7 +72,7 @@ std::size_t include_complaints(const std::string& path, const std::string& inclu
 TEST_CASE("there are sources to look at") {
   CHECK_GT(sources().size(), 50);
   for (const char* expected :
-       {"core/units.h", "firmware_link/byte_port.h", "host/part/layer_source.h",
+       {"core/units.h", "firmware_link/ports/byte_port.h", "host/formats/layer_source.h",
         "tests/tidy_test.cpp", "CMakeLists.txt"}) {
     CHECK(std::any_of(sources().begin(), sources().end(),
                       [&](const Source& source) { return source.path == expected; }));
@@ -185,12 +185,33 @@ TEST_CASE("arrows between the rooms") {
   hold_everywhere(test::check_includes);
 }
 
+TEST_CASE("a folder includes only folders below it") {
+  const auto found = [](const std::string& path, const std::string& include) {
+    return complaints(test::check_floors, path, "#include \"" + include + "\"\n");
+  };
+  CHECK_EQ(found("core/walls/a.h", "core/offsets/b.h"), 0);
+  CHECK_EQ(found("core/walls/a.h", "core/walls/b.h"), 0);
+  CHECK_EQ(found("core/walls/a.h", "core/b.h"), 0);
+  CHECK_EQ(found("core/offsets/a.cpp", "core/walls/b.h"), 1);
+  CHECK_EQ(found("core/a.h", "core/regions/b.h"), 1);
+  CHECK_EQ(found("core/cellar/a.h", "core/b.h"), 1);
+  CHECK_EQ(found("core/walls/a.h", "core/cellar/b.h"), 1);
+  CHECK_EQ(found("firmware_link/session/a.cpp", "firmware_link/dialects/b.h"), 0);
+  CHECK_EQ(found("firmware_link/dialects/a.cpp", "firmware_link/session/b.h"), 1);
+  CHECK_EQ(found("firmware_link/a.cpp", "firmware_link/wire/b.h"), 1);
+  CHECK_EQ(found("host/main.cpp", "host/commands/b.h"), 0);
+  CHECK_EQ(found("host/part/a.cpp", "host/printing/b.h"), 1);
+  CHECK_EQ(found("host/part/a.cpp", "core/sections/b.h"), 0);
+  CHECK_EQ(found("tools/a.cpp", "host/commands/b.h"), 0);
+  hold_everywhere(test::check_floors);
+}
+
 TEST_CASE("libraries, and what the inner rooms do without") {
-  CHECK_EQ(include_complaints("core/booleans/reference_boolean.cpp", "<boost/polygon/polygon.hpp>"),
+  CHECK_EQ(include_complaints("tools/oracles/reference_boolean.cpp", "<boost/polygon/polygon.hpp>"),
            0);
   CHECK_EQ(include_complaints("core/fill.cpp", "<boost/polygon/polygon.hpp>"), 1);
-  CHECK_EQ(include_complaints("core/booleans/reference_boolean.h", "<boost/polygon/polygon.hpp>"),
-           2);
+  CHECK_EQ(include_complaints("tools/oracles/reference_boolean.h", "<boost/polygon/polygon.hpp>"),
+           1);
   CHECK_EQ(include_complaints("core/a.cpp", "<boost/algorithm/string.hpp>"), 1);
   CHECK_EQ(include_complaints("core/a.cpp", "<fmt/format.h>"), 1);
   CHECK_EQ(include_complaints("host/a.cpp", "<fmt/format.h>"), 0);
@@ -204,10 +225,10 @@ TEST_CASE("libraries, and what the inner rooms do without") {
   CHECK_EQ(include_complaints("core/a.cpp", "<thread>"), 1);
   CHECK_EQ(include_complaints("core/a.h", "<fstream>"), 1);
   CHECK_EQ(include_complaints("core/a.cpp", "<unistd.h>"), 1);
-  CHECK_EQ(include_complaints("firmware_link/session.cpp", "<chrono>"), 0);
-  CHECK_EQ(include_complaints("firmware_link/session.cpp", "<mutex>"), 1);
-  CHECK_EQ(include_complaints("firmware_link/session.cpp", "<termios.h>"), 1);
-  CHECK_EQ(include_complaints("firmware_link/tty_port.cpp", "<termios.h>"), 0);
+  CHECK_EQ(include_complaints("firmware_link/session/session.cpp", "<chrono>"), 0);
+  CHECK_EQ(include_complaints("firmware_link/session/session.cpp", "<mutex>"), 1);
+  CHECK_EQ(include_complaints("firmware_link/session/session.cpp", "<termios.h>"), 1);
+  CHECK_EQ(include_complaints("firmware_link/ports/tty_port.cpp", "<termios.h>"), 0);
   CHECK_EQ(include_complaints("host/a.cpp", "<sys/resource.h>"), 0);
 }
 

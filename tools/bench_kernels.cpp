@@ -25,11 +25,11 @@
 #include <vector>
 
 #include "core/booleans/boolean.h"
-#include "core/booleans/reference_boolean.h"
-#include "core/offsets/mountain_foot.h"
 #include "core/offsets/offset_contours.h"
+#include "core/offsets/polygon_offset.h"
 #include "core/offsets/voronoi_mountain.h"
 #include "core/units.h"
+#include "tools/oracles/reference_boolean.h"
 #include "tools/samples/slice_samples.h"
 
 namespace {
@@ -112,12 +112,12 @@ void add_offsets(const std::string& name, const Sample& sample, double depth_mm,
     }
   });
   // One for all, as a thread of the program has.
-  static core::MountainFoot foot;
+  static core::PolygonOffsetter offsetter;
   const auto ours = [&sample](const std::vector<Length>& depths, bool chords) {
     static std::vector<OffsetContours> out;
     if (out.size() < depths.size()) out.resize(depths.size());
     for (const SlicePair& pair : sample.pairs) {
-      foot.offset(pair.lower, depths, std::span(out).first(depths.size()));
+      offsetter.offset(pair.lower, depths, std::span(out).first(depths.size()));
       if (chords) benchmark::DoNotOptimize(core::flatten(out[0], kTolerance).rings().data());
     }
   };
@@ -164,9 +164,9 @@ void add_boolean(const std::string& name, const Sample& inner, ClipperLib::ClipT
 
 // The sample's inner offsets; nothing where one of a pair is empty.
 Sample inner_offsets(const Sample& sample, double depth_mm) {
-  core::MountainFoot foot;
+  core::PolygonOffsetter offsetter;
   const auto inner = [&](const Region& region) {
-    return core::flatten(foot.offset(region, Length::from_mm(depth_mm)), kTolerance);
+    return core::flatten(offsetter.offset(region, Length::from_mm(depth_mm)), kTolerance);
   };
   Sample result{sample.name, {}};
   for (const SlicePair& pair : sample.pairs) {

@@ -30,10 +30,10 @@
 #include <vector>
 
 #include "firmware_link/dialects/marlin_dialect.h"
-#include "firmware_link/line_codec.h"
-#include "firmware_link/link_step.h"
-#include "firmware_link/ports.h"
+#include "firmware_link/ports/ports.h"
+#include "firmware_link/session/link_step.h"
 #include "firmware_link/virtual/virtual_controller.h"
+#include "firmware_link/wire/line_codec.h"
 
 namespace {
 
@@ -66,7 +66,7 @@ Instant clock_now() {
 struct Result {
   bool done = false;
   double lines_s = 0;
-  std::int64_t starvations = 0;
+  std::int64_t underruns = 0;
   double low_s = 0;
   std::int64_t resends = 0;
 };
@@ -112,7 +112,7 @@ class Server {
     result.done = count_ >= moves_;
     const double seconds = std::chrono::duration<double>(last_ - first_).count();
     if (seconds > 0) result.lines_s = static_cast<double>(count_ - 1) / seconds;
-    result.starvations = controller_->totals().planner_starvations;
+    result.underruns = controller_->totals().planner_underruns;
     result.low_s = std::chrono::duration<double>(controller_->totals().planner_low).count();
     result.resends = controller_->totals().resends_asked;
     return result;
@@ -262,7 +262,7 @@ void report(const char* what, const Result& result) {
   fmt::print(
       "  {:10} {:6.0f} lines/s, planner ran dry {} times, below half for {:.2f} s, {} "
       "resends{}\n",
-      what, result.lines_s, result.starvations, result.low_s, result.resends,
+      what, result.lines_s, result.underruns, result.low_s, result.resends,
       result.done ? "" : "  (did not finish)");
 }
 

@@ -11,7 +11,7 @@ if(GIT_FOUND AND EXISTS ${SOURCES}/.git)
   endif()
 endif()
 file(CONFIGURE OUTPUT ${OUT} @ONLY CONTENT [[
-#include "host/version.h"
+#include "host/system/version.h"
 
 namespace host {
 

@@ -28,7 +28,7 @@
 #include <optional>
 #include <string>
 
-#include "firmware_link/virtual/hostile_controller.h"
+#include "tools/faults/hostile_controller.h"
 
 namespace {
 
@@ -266,7 +266,7 @@ void print_totals(VirtualController& controller) {
                static_cast<long long>(totals.moves), totals.filament_mm(), totals.distance_mm,
                totals.z_mm_max, static_cast<long long>(totals.resends_asked),
                static_cast<long long>(totals.receive_bytes_lost),
-               static_cast<long long>(totals.planner_starvations));
+               static_cast<long long>(totals.planner_underruns));
 }
 
 void list_scenarios() {

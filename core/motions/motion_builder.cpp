@@ -227,7 +227,7 @@ double MotionBuilder::speed_mm_s(RoadKind kind) const {
       break;
     case RoadKind::kSolid:
       break;
-    case RoadKind::kRest:
+    case RoadKind::kGapFill:
       speed = settings_.rest_speed_mm_s;
       break;
     case RoadKind::kLoose:

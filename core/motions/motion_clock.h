@@ -19,8 +19,8 @@
 // Not counted: heating up, and what start and end G-code do beside.
 #pragma once
 
-#include "core/motions/motion.h"     // Motion
-#include "core/walls/ring_buffer.h"  // RingBuffer
+#include "core/motions/motion.h"  // Motion
+#include "core/ring_buffer.h"     // RingBuffer
 
 namespace core {
 

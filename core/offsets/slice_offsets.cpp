@@ -4,9 +4,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/offsets/mountain_foot.h"    // MountainFoot
 #include "core/offsets/offset_contours.h"  // flatten
-#include "core/walls/wall_depths.h"        // wall_depths
+#include "core/offsets/polygon_offset.h"   // PolygonOffsetter
+#include "core/offsets/wall_depths.h"      // wall_depths
 
 namespace core {
 
@@ -26,7 +26,7 @@ Length narrow_half(const Settings& settings, Length layer_height) {
 
 std::int64_t OffsetCutter::fill(const Slice& slice, SliceOffsets& cut) const {
   if (slice.region.empty()) return 0;
-  thread_local MountainFoot foot;
+  thread_local PolygonOffsetter offsetter;
   const Length half_spacing =
       Length::from_units(perimeter_spacing(settings_, slice.height).units() / 2);
   const Length half_narrow = narrow_half(settings_, slice.height);
@@ -46,8 +46,8 @@ std::int64_t OffsetCutter::fill(const Slice& slice, SliceOffsets& cut) const {
   depths.push_back(inner_edge);
   thread_local std::vector<OffsetContours> contours;
   contours.resize(depths.size());
-  const std::int64_t tries_before = foot.retries() + foot.fallbacks();
-  foot.offset(slice.region, depths, contours);
+  const std::int64_t tries_before = offsetter.retries() + offsetter.fallbacks();
+  offsetter.offset(slice.region, depths, contours);
 
   const auto flat = [&](const OffsetContours& at) { return flatten(at, settings_.arc_tolerance); };
   for (std::size_t i = 0; i < walls.size(); ++i) {
@@ -58,7 +58,7 @@ std::int64_t OffsetCutter::fill(const Slice& slice, SliceOffsets& cut) const {
     cut.perimeter_cores.push_back(flat(contours[i + 1]));
   }
   cut.interior = flat(contours.back());
-  return foot.retries() + foot.fallbacks() - tries_before;
+  return offsetter.retries() + offsetter.fallbacks() - tries_before;
 }
 
 OffsetCutter::Place OffsetCutter::place(const Slice& slice) {

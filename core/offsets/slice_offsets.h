@@ -14,10 +14,11 @@
 #include <cstdint>
 #include <memory>
 
-#include "core/regions/region.h"  // Region
-#include "core/settings.h"        // Settings
-#include "core/slices/slice.h"    // Slice, SliceOffsets
-#include "core/units.h"           // Length
+#include "core/offsets/layer_offsets.h"  // SliceOffsets
+#include "core/regions/region.h"         // Region
+#include "core/settings.h"               // Settings
+#include "core/slices/slice.h"           // Slice
+#include "core/units.h"                  // Length
 
 namespace core {
 

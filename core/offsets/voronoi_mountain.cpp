@@ -4,8 +4,8 @@
 
 #include "core/limits.h"                   // kDiagramTurnsMax
 #include "core/offsets/capsule_offset.h"   // capsule_offset
-#include "core/offsets/mountain_foot.h"    // MountainFoot
 #include "core/offsets/offset_walk.h"      // walk_offset
+#include "core/offsets/polygon_offset.h"   // PolygonOffsetter
 #include "core/offsets/voronoi_diagram.h"  // make_voronoi_diagram
 #include "core/regions/contact_check.h"    // split_at_touches
 
@@ -80,7 +80,7 @@ int VoronoiMountain::fallbacks() const { return diagram_->fallbacks; }
 Region offset(const Region& region, Length depth, Length arc_tolerance) {
   if (region.empty() || depth == Length()) return region;
   if (depth > Length() && deeper_than_any_point(region, depth)) return {};
-  return flatten(MountainFoot().offset(region, depth), arc_tolerance);
+  return flatten(PolygonOffsetter().offset(region, depth), arc_tolerance);
 }
 
 }  // namespace core

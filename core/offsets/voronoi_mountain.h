@@ -45,7 +45,7 @@ class VoronoiMountain {
 };
 
 // The flattened offset of `region` at `depth`, for callers that need only one. The foot of the
-// mountain does it (mountain_foot.h): no diagram is built unless that fails.
+// mountain does it (polygon_offset.h): no diagram is built unless that fails.
 [[nodiscard]] Region offset(const Region& region, Length depth, Length arc_tolerance);
 
 }  // namespace core

@@ -4,9 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "core/geometry.h"    // Point
-#include "core/roads/road.h"  // Road
-#include "core/units.h"       // kUnitsPerMm
+#include "core/geometry.h"  // Point
+#include "core/units.h"     // kUnitsPerMm
 
 namespace core {
 
@@ -21,10 +20,6 @@ namespace core {
   double sum = closed ? distance_mm(points.back(), points.front()) : 0;
   for (std::size_t i = 1; i < points.size(); ++i) sum += distance_mm(points[i - 1], points[i]);
   return sum;
-}
-
-[[nodiscard]] inline double length_mm(const Road& road) {
-  return length_mm(road.points, road.closed);
 }
 
 // Between a and b, at share t of the way.

@@ -15,7 +15,7 @@
 #include "core/roads/road.h"          // Road
 #include "core/roads/road_planner.h"  // RoadPlanner
 #include "core/settings.h"            // Settings
-#include "core/slices/slice.h"        // SplitLayer
+#include "core/walls/split_layer.h"   // SplitLayer
 #include "core/walls/wall_style.h"    // WallStyle
 
 namespace core {

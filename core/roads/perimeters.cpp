@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/booleans/boolean.h"         // intersect, subtract
-#include "core/offsets/offset_contours.h"  // flatten
-#include "core/offsets/slice_offsets.h"    // perimeter_depth
-#include "core/regions/leash.h"            // leashed
-#include "core/regions/polyline.h"         // between, distance_mm
-#include "core/regions/segment_grid.h"     // SegmentGrid
-#include "core/regions/simplify.h"         // simplify
-#include "core/roads/bead_cover.h"         // add_bead_outlines, uncovered
+#include "core/booleans/boolean.h"           // intersect, subtract
+#include "core/offsets/offset_contours.h"    // flatten
+#include "core/offsets/slice_offsets.h"      // perimeter_depth
+#include "core/regions/contour_proximity.h"  // frechet_within
+#include "core/regions/polyline.h"           // between, distance_mm
+#include "core/regions/segment_grid.h"       // SegmentGrid
+#include "core/regions/simplify.h"           // simplify
+#include "core/roads/bead_cover.h"           // add_bead_outlines, uncovered
 
 namespace core {
 
@@ -92,15 +92,15 @@ bool all_near(const std::vector<Sample>& ring, bool near) {
 // Where the next core is too far from `line` for a next perimeter to fit.
 std::vector<Road> narrow_places(const Region& line, const Region& next_core, Length reach) {
   std::vector<Road> places;
-  if (leashed(line, next_core, reach)) return places;
+  if (frechet_within(line, next_core, reach)) return places;
   const SegmentGrid grid(reach, next_core);
   for (const Ring& ring : line.rings()) {
     const std::vector<Sample> ring_samples = samples(ring, grid, reach, reach);
     if (all_near(ring_samples, true)) continue;
     if (all_near(ring_samples, false)) {
-      places.push_back({RoadKind::kRest, reach, true, ring});
+      places.push_back({RoadKind::kGapFill, reach, true, ring});
     } else {
-      add_runs(ring_samples, false, reach, RoadKind::kRest, places);
+      add_runs(ring_samples, false, reach, RoadKind::kGapFill, places);
     }
   }
   return places;
@@ -113,7 +113,7 @@ std::vector<Road> roads_near_core(const Region& line, const Region& core, Length
   std::vector<Road> roads;
   if (core.empty()) return roads;
   // The simplified rings stray from the line by the tolerance at most.
-  const bool whole = reach > tolerance && leashed(line, core, reach - tolerance);
+  const bool whole = reach > tolerance && frechet_within(line, core, reach - tolerance);
   const SegmentGrid grid(reach, whole ? Region() : core);
   for (const Ring& exact : line.rings()) {
     const Ring ring = simplify(exact, tolerance);

@@ -7,17 +7,18 @@
 //     ┄┄┄┄┄┄┄┄┄┄┄┄┄┄┄┄┄ ╰──────────────   cut open where it is not
 //       ╭─ core ─────╮      too narrow
 //     ┄┄┄┄┄┄┄┄┄┄┄┄┄┄┄┄┄ ╭──────────────   rest: what no perimeter covers there, left for one
-//     ──────────────────╯                       road of its own width (rest_fill.h)
+//     ──────────────────╯                       road of its own width (gap_fill.h)
 //
 // "Near" is twice the core's depth below the line, so that corners down to 60° stay whole.
 #pragma once
 
 #include <vector>
 
-#include "core/regions/region.h"  // Region
-#include "core/roads/road.h"      // Road
-#include "core/settings.h"        // Settings
-#include "core/slices/slice.h"    // Slice, SliceOffsets
+#include "core/offsets/layer_offsets.h"  // SliceOffsets
+#include "core/regions/region.h"         // Region
+#include "core/roads/road.h"             // Road
+#include "core/settings.h"               // Settings
+#include "core/slices/slice.h"           // Slice
 
 namespace core {
 

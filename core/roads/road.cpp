@@ -3,7 +3,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/regions/polyline.h"  // length_mm
+
 namespace core {
+
+double length_mm(const Road& road) { return length_mm(road.points, road.closed); }
 
 double bead_area_mm2(Length width, Length height) {
   const double w = width.mm();

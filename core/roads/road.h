@@ -12,9 +12,9 @@ enum class RoadKind {
   kSkirt,
   kOuterPerimeter,  // the part's visible surface
   kPerimeter,
-  kSolid,  // dense fill of the wall
-  kRest,   // of its own width, where whole roads don't fit
-  kLoose,  // fill of the inside
+  kSolid,    // dense fill of the wall
+  kGapFill,  // of its own width, where whole roads don't fit
+  kLoose,    // fill of the inside
 };
 
 inline constexpr int kRoadKindCount = 6;
@@ -25,6 +25,8 @@ struct Road {
   bool closed = false;        // the last point joins the first, which is not repeated
   std::vector<Point> points;  // centre line; 2 points or more, 3 or more where closed
 };
+
+[[nodiscard]] double length_mm(const Road& road);
 
 // Cross-section in mm² of a bead with round sides:  h (w − h) + π (h/2)²
 //

@@ -27,7 +27,7 @@ int stage(RoadKind kind) {
     case RoadKind::kOuterPerimeter:
       return 1;
     case RoadKind::kSolid:
-    case RoadKind::kRest:
+    case RoadKind::kGapFill:
       return 2;
     case RoadKind::kLoose:
       break;

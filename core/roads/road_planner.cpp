@@ -5,12 +5,12 @@
 #include <utility>
 
 #include "core/booleans/boolean.h"          // clean, intersect, subtract
+#include "core/booleans/simplified.h"       // simplified
 #include "core/offsets/slice_offsets.h"     // perimeter_spacing
 #include "core/offsets/voronoi_mountain.h"  // offset
-#include "core/regions/simplified.h"        // simplified
+#include "core/roads/gap_fill.h"            // gap_fill_roads
 #include "core/roads/line_fill.h"           // LineFill
 #include "core/roads/perimeters.h"          // perimeters
-#include "core/roads/rest_fill.h"           // rest_roads
 #include "core/roads/road_order.h"          // printing_order
 #include "core/roads/skirt.h"               // skirt_roads
 #include "core/roads/wall_fill.h"           // wall_roads
@@ -49,7 +49,7 @@ std::vector<Road> RoadPlanner::plan(const SplitLayer& layer) const {
   const Length height = slice.height;
   Perimeters around = perimeters(slice, offsets, settings_);
   std::vector<Road> roads = std::move(around.roads);
-  append(rest_roads(around.rest, RestEdges::kPart, height, settings_), roads);
+  append(gap_fill_roads(around.rest, GapEdges::kPart, height, settings_), roads);
   const Region loose = simplified(layer.loose, settings_.simplify_tolerance);
   append(
       wall_roads(wall_to_fill(offsets.interior, loose, settings_), slice.index, height, settings_),

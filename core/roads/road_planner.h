@@ -6,7 +6,7 @@
 //     │ ┌───────────┐ │                 too narrow for them (perimeters.h)
 //     │ │╱╱╱╱╱╱╱╱╱╱╱│ │   the wall      parallel roads, joined at their ends (line_fill.h)
 //     │ │╱╱╱     ╱╱╱│ │   its rests     roads of their own width where whole ones don't fit, so
-//     │ │╱╱╱  ╱  ╱╱╱│ │                 that the wall is dense (rest_fill.h)
+//     │ │╱╱╱  ╱  ╱╱╱│ │                 that the wall is dense (gap_fill.h)
 //     │ │╱╱╱ ╱   ╱╱╱│ │   the inside    straight roads farther apart, anchored in the wall
 //
 // Islands and roads follow one another by nearest end (road_order.h).
@@ -14,10 +14,10 @@
 
 #include <vector>
 
-#include "core/roads/road.h"    // Road
-#include "core/settings.h"      // Settings
-#include "core/slices/slice.h"  // SplitLayer
-#include "core/units.h"         // Length
+#include "core/roads/road.h"         // Road
+#include "core/settings.h"           // Settings
+#include "core/units.h"              // Length
+#include "core/walls/split_layer.h"  // SplitLayer
 
 namespace core {
 

@@ -6,16 +6,16 @@
 #include <numbers>
 #include <utility>
 
-#include "core/booleans/boolean.h"       // subtract
-#include "core/offsets/mountain_foot.h"  // MountainFoot
-#include "core/offsets/slice_offsets.h"  // narrow_half, perimeter_spacing
-#include "core/regions/leash.h"          // stays_near
-#include "core/regions/polyline.h"       // length_mm
-#include "core/regions/simplified.h"     // simplified
-#include "core/roads/bead_cover.h"       // uncovered
-#include "core/roads/line_fill.h"        // LineFill
-#include "core/roads/perimeters.h"       // roads_near_core
-#include "core/roads/rest_fill.h"        // rest_roads
+#include "core/booleans/boolean.h"           // subtract
+#include "core/booleans/simplified.h"        // simplified
+#include "core/offsets/polygon_offset.h"     // PolygonOffsetter
+#include "core/offsets/slice_offsets.h"      // narrow_half, perimeter_spacing
+#include "core/regions/contour_proximity.h"  // stays_near
+#include "core/regions/polyline.h"           // length_mm
+#include "core/roads/bead_cover.h"           // uncovered
+#include "core/roads/gap_fill.h"             // gap_fill_roads
+#include "core/roads/line_fill.h"            // LineFill
+#include "core/roads/perimeters.h"           // roads_near_core
 
 namespace core {
 
@@ -99,7 +99,7 @@ class WallFill {
 
   // Outwards for negative depths.
   [[nodiscard]] Region inner(const Region& region, Length depth) {
-    return flatten(foot_.offset(region, depth), settings_.arc_tolerance);
+    return flatten(offsetter_.offset(region, depth), settings_.arc_tolerance);
   }
 
   // Roads along the edges for as long as there is room for two, and one of its own width in the
@@ -122,11 +122,11 @@ class WallFill {
     const Region rest = rings.empty() ? band : uncovered(band, rings, distance + kBeadSeam);
     // Rings that share a narrow band overlap already.
     if (!rest.empty() && breadth_mm(band) >= 2 * distance.mm()) {
-      const Length hair = rest_room_min(settings_, RestEdges::kRoads);
+      const Length hair = rest_room_min(settings_, GapEdges::kRoads);
       for (std::size_t i = innermost; i < rings.size(); ++i) rings[i].width += hair;
     }
     add(std::move(rings));
-    add(rest_roads(rest, RestEdges::kRoads, height_, settings_));
+    add(gap_fill_roads(rest, GapEdges::kRoads, height_, settings_));
   }
 
   // Where the innermost rings leave too little for one more road, all rings share it.
@@ -164,7 +164,7 @@ class WallFill {
       for (Road& row : rows) row.width = fitted;
     }
     add(std::move(rows));
-    add(rest_roads(rest, RestEdges::kRoads, height_, settings_));
+    add(gap_fill_roads(rest, GapEdges::kRoads, height_, settings_));
   }
 
   void add(std::vector<Road> roads) {
@@ -176,7 +176,7 @@ class WallFill {
   Length height_;
   const Settings& settings_;
   Length spacing_;
-  MountainFoot foot_;
+  PolygonOffsetter offsetter_;
   std::vector<Road> roads_;
 };
 

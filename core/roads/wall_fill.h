@@ -3,7 +3,7 @@
 //     wide parts     parallel roads at the fill angle, joined at their ends (line_fill.h)
 //     bands          where at most five roads fit side by side: roads along the edges, where short
 //                    rows would lay far too much in their joins
-//     rests          what both leave: roads of their own width (rest_fill.h)
+//     rests          what both leave: roads of their own width (gap_fill.h)
 //
 // Joins lay material that the rows they connect have laid already, and rows that end before the
 // edge lay too little there. With s the volume-true distance, c the depth at which rows end, b the

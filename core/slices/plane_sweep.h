@@ -23,7 +23,7 @@
 #include "core/geometry.h"               // Triangle, Segment
 #include "core/result.h"                 // Result
 #include "core/slices/segment_chains.h"  // SliceRings
-#include "core/slices/slice.h"           // Slice
+#include "core/slices/slice.h"           // Slice, SliceDefects
 #include "core/units.h"                  // LayerIndex, Length
 
 namespace core {

@@ -1,15 +1,12 @@
-// What passes between the stages: a slice, its offsets, and the layer split into wall and inside.
+// The part cut at one height.
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <optional>
-#include <vector>
 
-#include "core/geometry.h"                 // Point
-#include "core/offsets/offset_contours.h"  // OffsetContours
-#include "core/regions/region.h"           // Region
-#include "core/units.h"                    // LayerIndex, Length
+#include "core/geometry.h"        // Point
+#include "core/regions/region.h"  // Region
+#include "core/units.h"           // LayerIndex, Length
 
 namespace core {
 
@@ -40,37 +37,6 @@ struct Slice {
   SliceDefects defects;
 
   [[nodiscard]] Length top() const { return bottom + height; }
-};
-
-// A slice's inner offset at one depth.
-struct InnerOffset {
-  Length depth;
-  Region region;
-};
-
-// What is cut from one slice's mountain, once, for all later stages.
-struct SliceOffsets {
-  // Equal for equal slices that follow one another, and only for them (slice_offsets.h).
-  std::int64_t content = 0;
-
-  // I(S) at the wall's depths, the deepest first: one where the wall is a cylinder, one for each
-  // distance in layers where it is a ball (wall_depths.h).
-  std::vector<InnerOffset> wall_inners;
-  std::vector<OffsetContours> perimeters;  // centre lines of the perimeters, from the outside in
-  std::vector<Region> perimeter_cores;     // where each perimeter has room (perimeters.h)
-  Region interior;                         // what the perimeters leave to be filled
-};
-
-struct Layer {
-  Slice slice;
-  std::shared_ptr<const SliceOffsets> offsets;  // shared by equal slices that follow one another
-};
-
-// solid ∪ loose = layer.slice.region, solid ∩ loose = ∅.
-struct SplitLayer {
-  Layer layer;
-  Region solid;  // the wall: filled densely
-  Region loose;  // the inside
 };
 
 }  // namespace core

@@ -5,7 +5,7 @@
 #include "core/booleans/boolean.h"          // intersect, subtract_within
 #include "core/check.h"                     // RIND_CHECK
 #include "core/offsets/voronoi_mountain.h"  // offset
-#include "core/walls/wall_depths.h"         // ball_depth
+#include "core/offsets/wall_depths.h"       // ball_depth
 
 namespace core {
 namespace {

@@ -21,11 +21,13 @@
 #include <utility>
 #include <vector>
 
-#include "core/limits.h"             // kWindowLayersMax
-#include "core/regions/region.h"     // Region
-#include "core/slices/slice.h"       // Layer, SplitLayer
-#include "core/units.h"              // Length
-#include "core/walls/ring_buffer.h"  // RingBuffer
+#include "core/limits.h"                 // kWindowLayersMax
+#include "core/offsets/layer_offsets.h"  // Layer
+#include "core/regions/region.h"         // Region
+#include "core/ring_buffer.h"            // RingBuffer
+#include "core/slices/slice.h"           // Slice
+#include "core/units.h"                  // Length
+#include "core/walls/split_layer.h"      // SplitLayer
 
 namespace core {
 

@@ -6,7 +6,7 @@
 #include "core/booleans/boolean.h"
 #include "core/check.h"
 #include "core/offsets/voronoi_mountain.h"
-#include "core/regions/leash.h"
+#include "core/regions/contour_proximity.h"
 
 namespace core {
 namespace {

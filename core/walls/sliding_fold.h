@@ -23,8 +23,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/check.h"              // RIND_CHECK
-#include "core/walls/ring_buffer.h"  // RingBuffer
+#include "core/check.h"        // RIND_CHECK
+#include "core/ring_buffer.h"  // RingBuffer
 
 namespace core {
 

@@ -19,7 +19,7 @@
 
 #include "core/check.h"               // RIND_CHECK
 #include "core/limits.h"              // kWallLayersMax
-#include "core/walls/ring_buffer.h"   // RingBuffer
+#include "core/ring_buffer.h"         // RingBuffer
 #include "core/walls/sliding_fold.h"  // SlidingFold
 
 namespace core {

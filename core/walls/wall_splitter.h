@@ -30,14 +30,15 @@
 #include <utility>
 #include <variant>
 
-#include "core/booleans/boolean.h"  // intersect
-#include "core/limits.h"            // kFoldCostMax
-#include "core/regions/region.h"    // Region
-#include "core/settings.h"          // Settings
-#include "core/slices/slice.h"      // Layer, SplitLayer
-#include "core/units.h"             // LayerIndex
-#include "core/walls/ball_wall.h"   // BallWall
-#include "core/walls/wall_fold.h"   // WallFold
+#include "core/booleans/boolean.h"       // intersect
+#include "core/limits.h"                 // kFoldCostMax
+#include "core/offsets/layer_offsets.h"  // Layer
+#include "core/regions/region.h"         // Region
+#include "core/settings.h"               // Settings
+#include "core/units.h"                  // LayerIndex
+#include "core/walls/ball_wall.h"        // BallWall
+#include "core/walls/split_layer.h"      // SplitLayer
+#include "core/walls/wall_fold.h"        // WallFold
 
 namespace core {
 

@@ -8,10 +8,10 @@
 //                 QuickSlice 6.2 that DETC2000/DAC-14285 compares with, figure 1.)
 #pragma once
 
-#include "core/regions/region.h"  // Region
-#include "core/settings.h"        // Settings
-#include "core/slices/slice.h"    // SplitLayer
-#include "core/units.h"           // Length
+#include "core/regions/region.h"     // Region
+#include "core/settings.h"           // Settings
+#include "core/units.h"              // Length
+#include "core/walls/split_layer.h"  // SplitLayer
 
 namespace core {
 

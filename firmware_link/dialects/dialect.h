@@ -8,10 +8,10 @@
 #include <cstddef>
 #include <string_view>
 
-#include "firmware_link/capabilities.h"  // Capabilities
-#include "firmware_link/instant.h"       // Duration
-#include "firmware_link/limits.h"        // kWindowLinesMax
-#include "firmware_link/reply.h"         // Reply
+#include "firmware_link/wire/capabilities.h"  // Capabilities
+#include "firmware_link/wire/instant.h"       // Duration
+#include "firmware_link/wire/limits.h"        // kWindowLinesMax
+#include "firmware_link/wire/reply.h"         // Reply
 
 namespace firmware_link {
 

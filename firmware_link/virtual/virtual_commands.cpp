@@ -4,10 +4,10 @@
 #include <cmath>
 #include <utility>
 
-#include "firmware_link/check.h"
-#include "firmware_link/command_waits.h"  // word_of
+#include "firmware_link/session/command_waits.h"  // word_of
 #include "firmware_link/virtual/virtual_firmware.h"
 #include "firmware_link/virtual/virtual_speech.h"  // unknown_command …
+#include "firmware_link/wire/check.h"
 
 namespace firmware_link {
 namespace {

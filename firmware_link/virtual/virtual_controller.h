@@ -23,7 +23,7 @@
 #include <span>
 #include <string_view>
 
-#include "firmware_link/instant.h"  // Instant, Duration
+#include "firmware_link/wire/instant.h"  // Instant, Duration
 
 namespace firmware_link {
 
@@ -114,7 +114,7 @@ struct VirtualControllerTotals {
 
   // The planner ran dry while moves still came (a blob on the part), and how long it was below half
   // full while it moved (where Marlin begins to slow down).
-  std::int64_t planner_starvations = 0;
+  std::int64_t planner_underruns = 0;
   Duration planner_low{0};
   std::size_t planner_blocks_max = 0;
   std::size_t receive_bytes_max = 0;

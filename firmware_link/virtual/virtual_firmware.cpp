@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <chrono>
 
-#include "firmware_link/check.h"
 #include "firmware_link/virtual/virtual_speech.h"  // banner_of
+#include "firmware_link/wire/check.h"
 
 namespace firmware_link {
 namespace {
@@ -226,7 +226,7 @@ VirtualControllerState VirtualController::Firmware::state() const {
 }
 
 const VirtualControllerTotals& VirtualController::Firmware::totals() {
-  totals_.planner_starvations = planner_.starvations();
+  totals_.planner_underruns = planner_.underruns();
   totals_.planner_low = planner_.low();
   totals_.planner_blocks_max = planner_.count_max();
   return totals_;

@@ -17,13 +17,13 @@
 #include <string>
 #include <string_view>
 
-#include "firmware_link/check.h"
-#include "firmware_link/line_codec.h"     // word
-#include "firmware_link/meat_pack.h"      // MeatUnpacker
-#include "firmware_link/planner_watch.h"  // kArcBlockUm
+#include "firmware_link/session/planner_watch.h"  // kArcBlockUm
 #include "firmware_link/virtual/virtual_controller.h"
 #include "firmware_link/virtual/virtual_heater.h"   // VirtualHeater
 #include "firmware_link/virtual/virtual_planner.h"  // VirtualPlanner
+#include "firmware_link/wire/check.h"
+#include "firmware_link/wire/line_codec.h"  // word
+#include "firmware_link/wire/meat_pack.h"   // MeatUnpacker
 
 namespace firmware_link {
 

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "firmware_link/instant.h"  // Instant
+#include "firmware_link/wire/instant.h"  // Instant
 
 namespace firmware_link {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "firmware_link/check.h"
+#include "firmware_link/wire/check.h"
 
 namespace firmware_link {
 namespace {
@@ -35,7 +35,7 @@ void VirtualPlanner::push(const PlannerMove& move, Instant now, bool pause_was_a
     const PlannerMove& before = at(count_ - 1).move;
     entry = std::max(0.0, cosine(before, move)) * std::min(before.speed_mm_s, move.speed_mm_s);
   } else if (moved_before_ && !pause_was_asked && now > running_until_) {
-    ++starvations_;
+    ++underruns_;
   }
   at(count_++) = {move, entry};
   count_max_ = std::max(count_max_, count_);

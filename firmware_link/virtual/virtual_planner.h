@@ -13,8 +13,8 @@
 #include <functional>
 #include <optional>
 
-#include "firmware_link/instant.h"  // Instant
-#include "firmware_link/limits.h"   // kPlannerBlocks
+#include "firmware_link/wire/instant.h"  // Instant
+#include "firmware_link/wire/limits.h"   // kPlannerBlocks
 
 namespace firmware_link {
 
@@ -32,7 +32,7 @@ class VirtualPlanner {
   [[nodiscard]] bool full() const { return count_ == kPlannerBlocks - 1; }
   [[nodiscard]] std::size_t count() const { return count_; }
 
-  // REQUIRES: !full(). `pause_was_asked`: a gap before this move is no starvation.
+  // REQUIRES: !full(). `pause_was_asked`: a gap before this move is no underrun.
   void push(const PlannerMove& move, Instant now, bool pause_was_asked);
 
   // Called when a command's last block has ended.
@@ -46,7 +46,7 @@ class VirtualPlanner {
 
   void clear() { count_ = 0; }
 
-  [[nodiscard]] std::int64_t starvations() const { return starvations_; }
+  [[nodiscard]] std::int64_t underruns() const { return underruns_; }
   [[nodiscard]] Duration low() const { return low_; }
   [[nodiscard]] std::size_t count_max() const { return count_max_; }
 
@@ -67,7 +67,7 @@ class VirtualPlanner {
   Instant running_until_;
   bool moved_before_ = false;
 
-  std::int64_t starvations_ = 0;
+  std::int64_t underruns_ = 0;
   Duration low_{0};
   std::size_t count_max_ = 0;
 };

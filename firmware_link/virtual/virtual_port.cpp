@@ -4,7 +4,7 @@
 #include <chrono>
 #include <utility>
 
-#include "firmware_link/check.h"
+#include "firmware_link/wire/check.h"
 
 namespace firmware_link {
 namespace {

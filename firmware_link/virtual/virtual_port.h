@@ -10,9 +10,9 @@
 
 #include <functional>
 
-#include "firmware_link/byte_port.h"                   // BytePort
-#include "firmware_link/instant.h"                     // Instant
+#include "firmware_link/ports/byte_port.h"             // BytePort
 #include "firmware_link/virtual/virtual_controller.h"  // VirtualController
+#include "firmware_link/wire/instant.h"                // Instant
 
 namespace firmware_link {
 

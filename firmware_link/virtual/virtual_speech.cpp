@@ -3,8 +3,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "firmware_link/check.h"
 #include "firmware_link/virtual/virtual_texts.h"  // kBanner
+#include "firmware_link/wire/check.h"
 
 namespace firmware_link {
 namespace {

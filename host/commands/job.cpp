@@ -4,11 +4,11 @@
 
 #include "host/commands/commands.h"
 #include "host/commands/output_names.h"
-#include "host/exit_codes.h"
-#include "host/output/output_file.h"
+#include "host/files/output_file.h"
 #include "host/pipeline/user_gcode.h"
-#include "host/printing/stop_signals.h"
 #include "host/settings/whole_settings.h"
+#include "host/system/exit_codes.h"
+#include "host/system/stop_signals.h"
 
 namespace host {
 

@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
-#include "core/result.h"             // Status
-#include "host/part/content_hash.h"  // FileContent
-#include "host/printing/journal.h"   // Journal, JournalHead
-#include "host/printing/progress.h"  // Reporter
+#include "core/result.h"              // Status
+#include "host/files/content_hash.h"  // FileContent
+#include "host/printing/journal.h"    // Journal, JournalHead
+#include "host/printing/progress.h"   // Reporter
 
 namespace host {
 

@@ -8,12 +8,12 @@
 #include <utility>
 #include <vector>
 
-#include "host/formats/formats.h"  // kind_of
-#include "host/limits.h"           // kLookBytesMax
-#include "host/log_file.h"         // older_logs
-#include "host/output/output_target.h"
-#include "host/part/input_file.h"
+#include "host/files/input_file.h"
+#include "host/files/log_file.h"  // older_logs
+#include "host/files/output_target.h"
+#include "host/formats/formats.h"        // kind_of
 #include "host/printing/journal_file.h"  // look_at_journal
+#include "host/system/limits.h"          // kLookBytesMax
 
 namespace host {
 namespace {

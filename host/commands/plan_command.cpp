@@ -6,10 +6,10 @@
 
 #include "core/motions/motion_clock.h"
 #include "host/commands/commands.h"
-#include "host/exit_codes.h"
 #include "host/pipeline/pipeline.h"
 #include "host/printing/slow_layer_note.h"
-#include "host/printing/stop_signals.h"
+#include "host/system/exit_codes.h"
+#include "host/system/stop_signals.h"
 
 namespace host {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "firmware_link/ports.h"
+#include "firmware_link/ports/ports.h"
 #include "host/commands/commands.h"
 
 namespace host {

@@ -6,16 +6,16 @@
 #include <utility>
 #include <vector>
 
-#include "firmware_link/ports.h"
+#include "firmware_link/ports/ports.h"
 #include "host/commands/commands.h"
 #include "host/commands/print_run.h"
-#include "host/exit_codes.h"
-#include "host/pipeline/stage_clock.h"
 #include "host/printing/journal_places.h"  // choose_journal
-#include "host/printing/stop_signals.h"
 #include "host/settings/settings_table.h"
 #include "host/settings/settings_text.h"  // trimmed
-#include "host/version.h"
+#include "host/system/exit_codes.h"
+#include "host/system/stage_clock.h"
+#include "host/system/stop_signals.h"
+#include "host/system/version.h"
 
 namespace host {
 namespace {

@@ -11,14 +11,14 @@
 #include <utility>
 #include <variant>
 
-#include "firmware_link/ports.h"
+#include "firmware_link/ports/ports.h"
 #include "firmware_link/virtual/virtual_port.h"
 #include "host/commands/commands.h"
-#include "host/exit_codes.h"
 #include "host/printing/port_clock.h"
 #include "host/printing/print_job.h"
-#include "host/printing/stop_signals.h"
 #include "host/settings/settings_text.h"  // read_number, trimmed
+#include "host/system/exit_codes.h"
+#include "host/system/stop_signals.h"
 
 namespace host {
 namespace {
@@ -26,7 +26,7 @@ namespace {
 using firmware_link::BytePort;
 
 // With nothing to lay and the planner empty for so long, the nozzle leaves the part.
-constexpr double kStarved_s = 0.3;
+constexpr double kUnderrun_s = 0.3;
 
 // How long the geometry's last layer is waited for when the link has ended.
 constexpr double kGeometryGrace_s = 0.1;
@@ -188,12 +188,12 @@ int run_print(const Options& options, Job& job, JournalKeeper& keeper, RunExtras
     Controls controls(options.part != "-");
     PrintRequest request{job, *port, reporter, stop_urgency, began_s};
     request.geometry_grace_s = kGeometryGrace_s;
-    request.link.wish = [&controls] { return controls.next(); };
+    request.link.request = [&controls] { return controls.next(); };
     request.link.journal = [&keeper] { return keeper.journal(); };
     request.link.may_begin = [&keeper, &reporter] { return keeper.reserve(reporter); };
     request.link.hot_s = options.pause_heat_s;
     // A virtual controller's seconds may be others than geometry's.
-    request.link.starved_s = is_virtual(options) && options.virtual_speed != 1 ? 0 : kStarved_s;
+    request.link.underrun_s = is_virtual(options) && options.virtual_speed != 1 ? 0 : kUnderrun_s;
     request.link.lost_port = lost_port(options, extras.usb, controls, port);
     request.link.space = extras.space;
     request.link.resumption = std::move(extras.resumption);

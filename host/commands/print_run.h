@@ -6,14 +6,14 @@
 #include <optional>
 #include <string>
 
-#include "firmware_link/byte_port.h"       // BytePort
-#include "host/commands/journal_keeper.h"  // JournalKeeper
-#include "host/pipeline/pipeline.h"        // Job
-#include "host/printing/controls.h"        // Controls
-#include "host/printing/machine_space.h"   // MachineSpace
-#include "host/printing/monitor.h"         // Resumption
-#include "host/printing/progress.h"        // Reporter
-#include "host/settings/options.h"         // Options
+#include "firmware_link/ports/byte_port.h"  // BytePort
+#include "host/commands/journal_keeper.h"   // JournalKeeper
+#include "host/pipeline/pipeline.h"         // Job
+#include "host/printing/controls.h"         // Controls
+#include "host/printing/machine_space.h"    // MachineSpace
+#include "host/printing/monitor.h"          // Resumption
+#include "host/printing/progress.h"         // Reporter
+#include "host/settings/options.h"          // Options
 
 namespace host {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "host/commands/commands.h"
-#include "host/part/content_hash.h"        // content_of
+#include "host/files/content_hash.h"       // content_of
 #include "host/printing/journal_places.h"  // find_journals
 
 namespace host {

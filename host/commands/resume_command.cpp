@@ -6,14 +6,14 @@
 
 #include "host/commands/commands.h"
 #include "host/commands/print_run.h"
-#include "host/commands/resume_choice.h"  // list_journals, journal_named
-#include "host/exit_codes.h"
-#include "host/pipeline/stage_clock.h"
+#include "host/commands/resume_choice.h"   // list_journals, journal_named
 #include "host/printing/journal_places.h"  // layer_text, state_text
-#include "host/printing/stop_signals.h"
-#include "host/settings/settings_file.h"  // load_settings
+#include "host/settings/settings_file.h"   // load_settings
 #include "host/settings/settings_table.h"
-#include "host/version.h"
+#include "host/system/exit_codes.h"
+#include "host/system/stage_clock.h"
+#include "host/system/stop_signals.h"
+#include "host/system/version.h"
 
 namespace host {
 namespace {

@@ -7,17 +7,17 @@
 #include <utility>
 #include <vector>
 
-#include "core/walls/layer_window.h"
+#include "core/sections/layer_window.h"
 #include "core/walls/wall_style.h"
 #include "host/commands/commands.h"
-#include "host/exit_codes.h"
+#include "host/files/output_file.h"
 #include "host/output/layer_picture.h"
-#include "host/output/output_file.h"
 #include "host/output/picture_style.h"
 #include "host/output/section_picture.h"
 #include "host/pipeline/pipeline.h"
 #include "host/printing/slow_layer_note.h"
-#include "host/printing/stop_signals.h"
+#include "host/system/exit_codes.h"
+#include "host/system/stop_signals.h"
 
 namespace host {
 namespace {

@@ -9,17 +9,17 @@
 
 #include "core/check.h"
 #include "host/commands/commands.h"
-#include "host/exit_codes.h"
+#include "host/files/output_file.h"
 #include "host/formats/cli_writer.h"
 #include "host/formats/lsif_writer.h"
 #include "host/formats/slice_v0_writer.h"
 #include "host/formats/svg_writer.h"
 #include "host/output/gcode_writer.h"
-#include "host/output/output_file.h"
 #include "host/pipeline/pipeline.h"
-#include "host/pipeline/stage_clock.h"
 #include "host/printing/slow_layer_note.h"
-#include "host/printing/stop_signals.h"
+#include "host/system/exit_codes.h"
+#include "host/system/stage_clock.h"
+#include "host/system/stop_signals.h"
 
 namespace host {
 namespace {

@@ -7,9 +7,9 @@
 #include <memory>
 #include <string>
 
-#include "core/result.h"                // Result
-#include "host/formats/xml_scanner.h"   // XmlScanner
-#include "host/part/triangle_source.h"  // TriangleSource
+#include "core/result.h"                   // Result
+#include "host/formats/triangle_source.h"  // TriangleSource
+#include "host/formats/xml_scanner.h"      // XmlScanner
 
 namespace host {
 

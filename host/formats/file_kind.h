@@ -5,8 +5,8 @@
 // line is a word of OBJ's, behind comments of any length and lines of other words.
 #pragma once
 
-#include "core/result.h"           // Result
-#include "host/part/input_file.h"  // InputFile
+#include "core/result.h"            // Result
+#include "host/files/input_file.h"  // InputFile
 
 namespace host {
 

@@ -6,13 +6,13 @@
 #include <span>
 #include <string_view>
 
-#include "core/result.h"                // Result
-#include "host/formats/file_kind.h"     // FileKind
-#include "host/formats/layer_reader.h"  // LayerReader
-#include "host/formats/layer_writer.h"  // LayerWriter, LayerFileHead
-#include "host/formats/part_content.h"  // PartContent
-#include "host/part/input_file.h"       // InputFile
-#include "host/part/triangle_source.h"  // TriangleSource
+#include "core/result.h"                   // Result
+#include "host/files/input_file.h"         // InputFile
+#include "host/formats/file_kind.h"        // FileKind
+#include "host/formats/layer_reader.h"     // LayerReader
+#include "host/formats/layer_writer.h"     // LayerWriter, LayerFileHead
+#include "host/formats/part_content.h"     // PartContent
+#include "host/formats/triangle_source.h"  // TriangleSource
 
 namespace host {
 

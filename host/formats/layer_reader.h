@@ -16,7 +16,7 @@
 #include "core/geometry.h"               // Box
 #include "core/units.h"                  // LayerIndex, Length
 #include "host/formats/format_limits.h"  // kFormatWarningsMax
-#include "host/part/layer_source.h"      // LayerSource
+#include "host/formats/layer_source.h"   // LayerSource
 
 namespace host {
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "core/roads/road.h"    // Road
-#include "core/slices/slice.h"  // SplitLayer
-#include "core/units.h"         // LayerIndex, Length
+#include "core/roads/road.h"         // Road
+#include "core/units.h"              // LayerIndex, Length
+#include "core/walls/split_layer.h"  // SplitLayer
 
 namespace host {
 

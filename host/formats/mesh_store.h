@@ -22,8 +22,8 @@
 
 #include "core/geometry.h"             // Triangle
 #include "core/result.h"               // Result, Status
+#include "host/files/mapped_array.h"   // MappedArray
 #include "host/formats/vertex_snap.h"  // PointMm
-#include "host/part/mapped_array.h"    // MappedArray
 
 namespace host {
 

@@ -7,10 +7,10 @@
 #include <string_view>
 #include <utility>
 
+#include "host/files/mapped_array.h"    // MappedArray
 #include "host/formats/number_text.h"   // parse_real
 #include "host/formats/text_scanner.h"  // TextScanner
 #include "host/formats/vertex_snap.h"   // snapped_vertex
-#include "host/part/mapped_array.h"     // MappedArray
 
 namespace host {
 namespace {

@@ -9,9 +9,9 @@
 
 #include <memory>
 
-#include "core/result.h"                // Result
-#include "host/part/input_file.h"       // InputFile
-#include "host/part/triangle_source.h"  // TriangleSource
+#include "core/result.h"                   // Result
+#include "host/files/input_file.h"         // InputFile
+#include "host/formats/triangle_source.h"  // TriangleSource
 
 namespace host {
 

@@ -4,9 +4,9 @@
 #include <memory>
 #include <variant>
 
-#include "host/formats/layer_reader.h"  // LayerReader
-#include "host/formats/shell_tree.h"    // ShellTree
-#include "host/part/triangle_source.h"  // TriangleSource
+#include "host/formats/layer_reader.h"     // LayerReader
+#include "host/formats/shell_tree.h"       // ShellTree
+#include "host/formats/triangle_source.h"  // TriangleSource
 
 namespace host {
 

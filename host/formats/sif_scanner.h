@@ -8,8 +8,8 @@
 #include <string_view>
 
 #include "core/result.h"                // Result, Status
+#include "host/files/input_file.h"      // InputFile
 #include "host/formats/text_scanner.h"  // TextScanner
-#include "host/part/input_file.h"       // InputFile
 
 namespace host {
 

@@ -14,8 +14,8 @@
 #include <memory>
 
 #include "core/result.h"                // Result
+#include "host/files/input_file.h"      // InputFile
 #include "host/formats/layer_reader.h"  // LayerReader
-#include "host/part/input_file.h"       // InputFile
 
 namespace host {
 

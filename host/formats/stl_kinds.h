@@ -4,8 +4,8 @@
 #include <memory>
 #include <string_view>
 
-#include "host/formats/stl.h"      // StlReader
-#include "host/part/input_file.h"  // InputFile
+#include "host/files/input_file.h"  // InputFile
+#include "host/formats/stl.h"       // StlReader
 
 namespace host {
 

@@ -9,8 +9,8 @@
 #include <string>
 #include <string_view>
 
-#include "core/result.h"           // Error
-#include "host/part/input_file.h"  // InputFile
+#include "core/result.h"            // Error
+#include "host/files/input_file.h"  // InputFile
 
 namespace host {
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "host/part/bed_placing.h"  // MeshExtent
+#include "host/formats/mesh_extent.h"  // MeshExtent
 
 namespace host {
 namespace {

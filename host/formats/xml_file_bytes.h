@@ -1,8 +1,8 @@
 // A file's bytes for an XmlScanner.
 #pragma once
 
+#include "host/files/input_file.h"     // InputFile
 #include "host/formats/xml_scanner.h"  // XmlScanner
-#include "host/part/input_file.h"      // InputFile
 
 namespace host {
 

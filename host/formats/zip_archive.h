@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "core/result.h"               // Result
+#include "host/files/input_file.h"     // InputFile
 #include "host/formats/xml_scanner.h"  // XmlScanner::ByteSource
-#include "host/part/input_file.h"      // InputFile
 
 namespace host {
 

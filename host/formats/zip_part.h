@@ -8,8 +8,8 @@
 #pragma once
 
 #include "core/result.h"               // Result
+#include "host/files/input_file.h"     // InputFile
 #include "host/formats/zip_archive.h"  // ZipArchive
-#include "host/part/input_file.h"      // InputFile
 
 namespace host {
 

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <variant>
 
-#include "firmware_link/line_codec.h"
+#include "firmware_link/wire/line_codec.h"
 
 namespace host {
 
@@ -19,7 +19,7 @@ const char* prusa_type_name(core::RoadKind kind) {
       return "Perimeter";
     case core::RoadKind::kSolid:
       return "Solid infill";
-    case core::RoadKind::kRest:
+    case core::RoadKind::kGapFill:
       return "Gap fill";
     case core::RoadKind::kLoose:
       return "Internal infill";

@@ -11,8 +11,8 @@
 #include <optional>
 #include <string>
 
-#include "core/motions/motion.h"    // Motion
-#include "firmware_link/command.h"  // Command
+#include "core/motions/motion.h"         // Motion
+#include "firmware_link/wire/command.h"  // Command
 
 namespace host {
 

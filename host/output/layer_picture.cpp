@@ -8,7 +8,7 @@
 #include <iterator>
 
 #include "core/check.h"
-#include "core/walls/wall_regions.h"
+#include "core/sections/wall_regions.h"
 #include "host/output/picture_style.h"
 
 namespace host {
@@ -142,16 +142,6 @@ void append_area_legend(std::string& svg, const std::vector<Area>& areas,
               fmt::format("wall {:.1f} mm² ({:.0f} %), inside {:.1f} mm² ({:.0f} %)", solid,
                           100 * solid / whole, loose, 100 * loose / whole));
   append_scale_bar(svg, x, y + kLegendRowPx, frame.px_per_mm, frame.panel_width / 3);
-}
-
-double length_mm(const core::Road& road) {
-  double sum = 0;
-  const std::size_t count = road.points.size();
-  for (std::size_t i = 0; i + (road.closed ? 0 : 1) < count; ++i) {
-    const core::Point a = road.points[i], b = road.points[(i + 1) % count];
-    sum += std::hypot(to_mm(std::int64_t{a.x} - b.x), to_mm(std::int64_t{a.y} - b.y));
-  }
-  return sum;
 }
 
 void append_road_legend(std::string& svg, const LayerPicture& picture, const Frame& frame) {

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "core/roads/road.h"          // Road
-#include "core/walls/layer_window.h"  // LayerWindow
+#include "core/roads/road.h"             // Road
+#include "core/sections/layer_window.h"  // LayerWindow
 
 namespace host {
 

@@ -1,7 +1,8 @@
 // What the pictures have in common: colours, legend rows, the scale bar, the page.
 //
-// Warm colours are dense, cool ones loose; the wall's three regions (core/walls/wall_regions.h) and
-// the kinds of road have the same colours in every picture. Text goes to the end of `svg`.
+// Warm colours are dense, cool ones loose; the wall's three regions
+// (core/sections/wall_regions.h) and the kinds of road have the same colours in every picture.
+// Text goes to the end of `svg`.
 #pragma once
 
 #include <array>
@@ -40,7 +41,7 @@ inline constexpr std::array<KindStyle, core::kRoadKindCount> kKindStyles = {{
     {core::RoadKind::kOuterPerimeter, "outer perimeter", {"#7d2a17", "#c8502f"}},
     {core::RoadKind::kPerimeter, "perimeter", {"#a3541f", "#e58a45"}},
     {core::RoadKind::kSolid, "solid fill", {"#b27d22", "#f0bd5c"}},
-    {core::RoadKind::kRest, "narrow rest", {"#56306f", "#9a6bb8"}},
+    {core::RoadKind::kGapFill, "narrow rest", {"#56306f", "#9a6bb8"}},
     {core::RoadKind::kLoose, "loose fill", {"#2c5d72", "#5f9bb3"}},
     {core::RoadKind::kSkirt, "skirt", {"#8d8d8d", "#bdbdbd"}},
 }};

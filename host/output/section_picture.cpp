@@ -7,7 +7,7 @@
 #include <iterator>
 #include <string_view>
 
-#include "core/walls/wall_regions.h"
+#include "core/sections/wall_regions.h"
 
 namespace host {
 namespace {

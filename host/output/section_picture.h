@@ -18,14 +18,14 @@
 #include <utility>
 #include <vector>
 
-#include "core/geometry.h"              // Box
-#include "core/roads/road.h"            // Road
-#include "core/settings.h"              // Settings
-#include "core/units.h"                 // Length
-#include "core/walls/layer_window.h"    // LayerWindow
-#include "core/walls/section.h"         // SectionLine
-#include "core/walls/wall_gauge.h"      // WallPlace
-#include "host/output/picture_style.h"  // Colours
+#include "core/geometry.h"               // Box
+#include "core/roads/road.h"             // Road
+#include "core/sections/layer_window.h"  // LayerWindow
+#include "core/sections/section.h"       // SectionLine
+#include "core/sections/wall_gauge.h"    // WallPlace
+#include "core/settings.h"               // Settings
+#include "core/units.h"                  // Length
+#include "host/output/picture_style.h"   // Colours
 
 namespace host {
 

@@ -15,11 +15,11 @@
 #include <string>
 #include <utility>
 
-#include "core/regions/region.h"        // Region
-#include "core/result.h"                // Result
-#include "core/slices/slice.h"          // Slice
-#include "core/units.h"                 // LayerIndex
-#include "host/printing/warning_box.h"  // WarningBox
+#include "core/regions/region.h"      // Region
+#include "core/result.h"              // Result
+#include "core/slices/slice.h"        // Slice, SliceDefects
+#include "core/units.h"               // LayerIndex
+#include "host/system/warning_box.h"  // WarningBox
 
 namespace host {
 

@@ -5,24 +5,14 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <string>
 
-#include "core/geometry.h"  // Box, Point, Triangle
-#include "core/result.h"    // Status
-#include "core/settings.h"  // Settings
+#include "core/geometry.h"             // Box, Point, Triangle
+#include "core/result.h"               // Status
+#include "core/settings.h"             // Settings
+#include "host/formats/mesh_extent.h"  // MeshExtent
 
 namespace host {
-
-// Where a mesh is, in its own coordinates. Empty at birth.
-struct MeshExtent {
-  core::Box box;
-  std::int64_t lowest_z = std::numeric_limits<std::int64_t>::max();
-  std::int64_t highest_z = std::numeric_limits<std::int64_t>::min();
-
-  void add(const core::Triangle& triangle);
-  [[nodiscard]] bool holds(const core::Triangle& triangle) const;
-};
 
 struct Shift {
   std::int64_t x = 0;

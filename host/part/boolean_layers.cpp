@@ -6,15 +6,15 @@
 #include <utility>
 #include <vector>
 
-#include "core/booleans/boolean.h"      // unite, intersect, subtract
-#include "core/limits.h"                // kCoordinateMax
-#include "core/slices/plane_sweep.h"    // PlaneSweep, layer_count
-#include "host/limits.h"                // kSortBytesMin
-#include "host/part/bed_placing.h"      // shift_to_bed, check_on_bed
-#include "host/part/edge_ledger.h"      // EdgeLedger
-#include "host/part/mesh_sorter.h"      // MeshSorter
-#include "host/part/mesh_survey.h"      // is_degenerate, turned_text
-#include "host/pipeline/stage_clock.h"  // CpuTimer
+#include "core/booleans/boolean.h"    // unite, intersect, subtract
+#include "core/limits.h"              // kCoordinateMax
+#include "core/slices/plane_sweep.h"  // PlaneSweep, layer_count
+#include "host/part/bed_placing.h"    // shift_to_bed, check_on_bed
+#include "host/part/edge_ledger.h"    // EdgeLedger
+#include "host/part/mesh_sorter.h"    // MeshSorter
+#include "host/part/mesh_survey.h"    // is_degenerate, turned_text
+#include "host/system/limits.h"       // kSortBytesMin
+#include "host/system/stage_clock.h"  // CpuTimer
 
 namespace host {
 namespace {

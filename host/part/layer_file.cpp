@@ -4,9 +4,9 @@
 #include <optional>
 #include <utility>
 
-#include "host/part/bed_placing.h"      // shift_to_bed, check_on_bed
-#include "host/part/layer_rules.h"      // check_layer_height
-#include "host/pipeline/stage_clock.h"  // CpuTimer
+#include "host/part/bed_placing.h"    // shift_to_bed, check_on_bed
+#include "host/part/layer_rules.h"    // check_layer_height
+#include "host/system/stage_clock.h"  // CpuTimer
 
 namespace host {
 namespace {

@@ -7,15 +7,15 @@
 #include <utility>
 #include <vector>
 
-#include "core/roads/rest_fill.h"       // kRoomSlack
-#include "core/slices/plane_sweep.h"    // PlaneSweep, layer_count
-#include "host/part/bed_placing.h"      // shift_to_bed, check_on_bed
-#include "host/part/height_check.h"     // check_height
-#include "host/part/mesh_sorter.h"      // MeshSorter
-#include "host/part/mesh_survey.h"      // MeshSurvey
-#include "host/part/plane_check.h"      // check_planes
-#include "host/part/reorder_window.h"   // OrderGauge, ReorderWindow
-#include "host/pipeline/stage_clock.h"  // CpuTimer
+#include "core/roads/gap_fill.h"       // kRoomSlack
+#include "core/slices/plane_sweep.h"   // PlaneSweep, layer_count
+#include "host/part/bed_placing.h"     // shift_to_bed, check_on_bed
+#include "host/part/height_check.h"    // check_height
+#include "host/part/mesh_sorter.h"     // MeshSorter
+#include "host/part/mesh_survey.h"     // MeshSurvey
+#include "host/part/plane_check.h"     // check_planes
+#include "host/part/reorder_window.h"  // OrderGauge, ReorderWindow
+#include "host/system/stage_clock.h"   // CpuTimer
 
 namespace host {
 namespace {

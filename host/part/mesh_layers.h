@@ -15,10 +15,10 @@
 #include <memory>
 #include <string>
 
-#include "core/result.h"                // Result
-#include "core/settings.h"              // Settings
-#include "host/part/opened_part.h"      // OpenedPart, OpenOptions
-#include "host/part/triangle_source.h"  // TriangleSource
+#include "core/result.h"                   // Result
+#include "core/settings.h"                 // Settings
+#include "host/formats/triangle_source.h"  // TriangleSource
+#include "host/part/opened_part.h"         // OpenedPart, OpenOptions
 
 namespace host {
 

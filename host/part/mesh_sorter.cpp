@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "core/check.h"               // RIND_CHECK
-#include "host/limits.h"              // kSortBytesMin
-#include "host/part/spill_file.h"     // SpillFile
+#include "host/files/spill_file.h"    // SpillFile
 #include "host/part/triangle_runs.h"  // TriangleRuns, TriangleMerge
+#include "host/system/limits.h"       // kSortBytesMin
 
 namespace host {
 namespace {

@@ -3,7 +3,8 @@
 #include <algorithm>
 
 #include "core/slices/plane_sweep.h"  // layer_count
-#include "host/limits.h"              // kHeightGapsMax
+#include "host/part/bed_placing.h"    // mm_text
+#include "host/system/limits.h"       // kHeightGapsMax
 
 namespace host {
 namespace {

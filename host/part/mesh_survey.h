@@ -11,7 +11,7 @@
 
 #include "core/geometry.h"                // Triangle
 #include "core/units.h"                   // LayerIndex, Length
-#include "host/part/bed_placing.h"        // MeshExtent
+#include "host/formats/mesh_extent.h"     // MeshExtent
 #include "host/part/edge_ledger.h"        // EdgeLedger
 #include "host/part/height_fill.h"        // HeightFill
 #include "host/part/outermost_corners.h"  // OutermostCorners

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "core/geometry.h"           // Box
-#include "core/result.h"             // Result
-#include "core/units.h"              // LayerIndex, Length
-#include "host/limits.h"             // kSortBytesDefault, kReorderTriangles
-#include "host/part/layer_source.h"  // LayerSource
+#include "core/geometry.h"              // Box
+#include "core/result.h"                // Result
+#include "core/units.h"                 // LayerIndex, Length
+#include "host/formats/layer_source.h"  // LayerSource
+#include "host/system/limits.h"         // kSortBytesDefault, kReorderTriangles
 
 namespace host {
 

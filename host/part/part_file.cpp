@@ -4,13 +4,13 @@
 #include <memory>
 #include <utility>
 
-#include "host/formats/formats.h"       // kind_of
-#include "host/formats/sif_reader.h"    // read_sif
-#include "host/part/boolean_layers.h"   // open_booleans
-#include "host/part/input_file.h"       // InputFile
-#include "host/part/layer_file.h"       // open_layer_file
-#include "host/part/mesh_layers.h"      // open_mesh
-#include "host/part/triangle_source.h"  // TriangleSource
+#include "host/files/input_file.h"         // InputFile
+#include "host/formats/formats.h"          // kind_of
+#include "host/formats/sif_reader.h"       // read_sif
+#include "host/formats/triangle_source.h"  // TriangleSource
+#include "host/part/boolean_layers.h"      // open_booleans
+#include "host/part/layer_file.h"          // open_layer_file
+#include "host/part/mesh_layers.h"         // open_mesh
 
 namespace host {
 namespace {

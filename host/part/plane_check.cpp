@@ -1,6 +1,6 @@
 #include "host/part/plane_check.h"
 
-#include "host/printing/stop_signals.h"  // stop_signal_count
+#include "host/system/stop_signals.h"  // stop_signal_count
 
 namespace host {
 

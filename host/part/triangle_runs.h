@@ -10,7 +10,7 @@
 
 #include "core/geometry.h"              // Triangle, Vertex
 #include "core/result.h"                // Result, Status
-#include "host/part/spill_file.h"       // SpillFile
+#include "host/files/spill_file.h"      // SpillFile
 #include "host/part/triangle_record.h"  // kTriangleRecordBytesMax
 
 namespace host {

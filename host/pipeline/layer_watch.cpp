@@ -7,7 +7,7 @@
 #include <exception>
 #include <utility>
 
-#include "host/pipeline/stage_clock.h"  // steady_seconds
+#include "host/system/stage_clock.h"  // steady_seconds
 
 namespace host {
 namespace {

@@ -22,7 +22,7 @@
 
 #include "core/regions/region.h"  // Region
 #include "core/units.h"           // LayerIndex, Length
-#include "host/limits.h"          // kSlowLayersTold, kSlowLayersKnown
+#include "host/system/limits.h"   // kSlowLayersTold, kSlowLayersKnown
 
 namespace host {
 

@@ -18,9 +18,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "core/motions/motion.h"    // Motion
-#include "core/settings.h"          // Settings
-#include "firmware_link/command.h"  // Command
+#include "core/motions/motion.h"         // Motion
+#include "core/settings.h"               // Settings
+#include "firmware_link/wire/command.h"  // Command
 
 namespace host {
 

@@ -10,8 +10,8 @@
 #include <functional>
 #include <memory>
 
-#include "host/limits.h"                // kBatchesAhead
 #include "host/pipeline/layer_batch.h"  // LayerBatch
+#include "host/system/limits.h"         // kBatchesAhead
 
 namespace host {
 

@@ -14,13 +14,13 @@
 #include "core/roads/layer_planner.h"
 #include "core/walls/wall_splitter.h"
 #include "core/walls/wall_style.h"
-#include "host/memory_budget.h"
 #include "host/part/layer_rules.h"
 #include "host/pipeline/layer_batch.h"
 #include "host/pipeline/layer_watch.h"
 #include "host/pipeline/motion_encoder.h"
 #include "host/pipeline/ordered_stages.h"
 #include "host/pipeline/user_gcode.h"  // with_own_modes
+#include "host/system/memory_budget.h"
 
 namespace host {
 namespace {

@@ -18,18 +18,18 @@
 #include <string>
 #include <vector>
 
-#include "core/motions/motion.h"        // Motion
-#include "core/result.h"                // Result
-#include "core/roads/road.h"            // Road
-#include "core/settings.h"              // Settings
-#include "core/slices/slice.h"          // SplitLayer
-#include "firmware_link/command.h"      // Command
-#include "host/part/bad_layers.h"       // OnBadLayer
-#include "host/part/part_file.h"        // OpenedPart
-#include "host/pipeline/layer_watch.h"  // SlowLayer
-#include "host/pipeline/statistics.h"   // GeometryStatistics
-#include "host/printing/checkpoint.h"   // Checkpoint
-#include "host/printing/warning_box.h"  // WarningBox
+#include "core/motions/motion.h"         // Motion
+#include "core/result.h"                 // Result
+#include "core/roads/road.h"             // Road
+#include "core/settings.h"               // Settings
+#include "core/walls/split_layer.h"      // SplitLayer
+#include "firmware_link/wire/command.h"  // Command
+#include "host/part/bad_layers.h"        // OnBadLayer
+#include "host/part/part_file.h"         // OpenedPart
+#include "host/pipeline/checkpoint.h"    // Checkpoint
+#include "host/pipeline/layer_watch.h"   // SlowLayer
+#include "host/pipeline/statistics.h"    // GeometryStatistics
+#include "host/system/warning_box.h"     // WarningBox
 
 namespace host {
 

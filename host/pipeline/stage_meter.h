@@ -6,8 +6,8 @@
 #include <cstdint>
 
 #include "core/booleans/boolean.h"      // boolean_retries
-#include "host/memory_budget.h"         // thread_allocations
-#include "host/pipeline/stage_clock.h"  // Stage, StageSeconds, CpuTimer
+#include "host/system/memory_budget.h"  // thread_allocations
+#include "host/system/stage_clock.h"    // Stage, StageSeconds, CpuTimer
 
 namespace host {
 

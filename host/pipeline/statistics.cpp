@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
-#include "host/limits.h"
+#include "host/system/limits.h"
 
 namespace host {
 namespace {
@@ -96,7 +96,7 @@ std::string road_kind_name(core::RoadKind kind) {
       return "perimeter";
     case core::RoadKind::kSolid:
       return "solid";
-    case core::RoadKind::kRest:
+    case core::RoadKind::kGapFill:
       return "rest";
     case core::RoadKind::kLoose:
       return "loose";

@@ -12,8 +12,8 @@
 #include "core/units.h"                 // LayerIndex, Length
 #include "host/pipeline/layer_times.h"  // LayerTimes
 #include "host/pipeline/layer_watch.h"  // SlowLayers
-#include "host/pipeline/stage_clock.h"  // StageClock
 #include "host/pipeline/stage_meter.h"  // StageCounts
+#include "host/system/stage_clock.h"    // StageClock
 
 namespace host {
 

@@ -8,9 +8,9 @@
 #include <string_view>
 #include <variant>
 
-#include "firmware_link/command.h"           // verbatim_from
-#include "firmware_link/gcode_words.h"       // commands_in
-#include "firmware_link/refused_commands.h"  // refused_in
+#include "firmware_link/wire/command.h"           // verbatim_from
+#include "firmware_link/wire/gcode_words.h"       // commands_in
+#include "firmware_link/wire/refused_commands.h"  // refused_in
 
 namespace host {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <cstdio>
 
-#include "host/printing/stop_signals.h"  // pause_signal_count
+#include "host/system/stop_signals.h"  // pause_signal_count
 
 namespace host {
 namespace {
@@ -23,27 +23,27 @@ bool readable(int wait_ms) {
 
 }  // namespace
 
-std::optional<Wish> wish_of_key(char key) {
+std::optional<UserRequest> request_of_key(char key) {
   switch (key) {
     case 'p':
-      return Wish::kPause;
+      return UserRequest::kPause;
     case 'r':
-      return Wish::kGoOn;
+      return UserRequest::kResume;
     case ' ':
-      return Wish::kToggle;
+      return UserRequest::kToggle;
     case 's':
-      return Wish::kStop;
+      return UserRequest::kStop;
     case '+':
-      return Wish::kFeedUp;
+      return UserRequest::kFeedUp;
     case '-':
-      return Wish::kFeedDown;
+      return UserRequest::kFeedDown;
     case '>':
-      return Wish::kFlowUp;
+      return UserRequest::kFlowUp;
     case '<':
-      return Wish::kFlowDown;
+      return UserRequest::kFlowDown;
     case '?':
     case 'h':
-      return Wish::kHelp;
+      return UserRequest::kHelp;
     default:
       return std::nullopt;
   }
@@ -82,15 +82,15 @@ Controls::~Controls() {
   if (terminal_) terminal_->set_back();
 }
 
-std::optional<Wish> Controls::next() {
+std::optional<UserRequest> Controls::next() {
   if (toggles_seen_ != pause_signal_count()) {
     ++toggles_seen_;
-    return Wish::kToggle;
+    return UserRequest::kToggle;
   }
   if (!terminal_ || !own_terminal()) return std::nullopt;
   char key = 0;
   while (readable(0) && ::read(STDIN_FILENO, &key, 1) == 1) {
-    if (const std::optional<Wish> wish = wish_of_key(key)) return wish;
+    if (const std::optional<UserRequest> request = request_of_key(key)) return request;
   }
   return std::nullopt;
 }

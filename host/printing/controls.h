@@ -15,9 +15,9 @@
 
 namespace host {
 
-enum class Wish {
+enum class UserRequest {
   kPause,
-  kGoOn,
+  kResume,
   kToggle,
   kStop,
   kFeedUp,
@@ -28,7 +28,7 @@ enum class Wish {
 };
 
 // Nothing: the key means nothing.
-[[nodiscard]] std::optional<Wish> wish_of_key(char key);
+[[nodiscard]] std::optional<UserRequest> request_of_key(char key);
 
 // What the keys are, in one line.
 [[nodiscard]] std::string key_help();
@@ -41,8 +41,8 @@ class Controls {
   Controls(const Controls&) = delete;
   Controls& operator=(const Controls&) = delete;
 
-  // The oldest wish that nobody took; never waits.
-  [[nodiscard]] std::optional<Wish> next();
+  // The oldest request that nobody took; never waits.
+  [[nodiscard]] std::optional<UserRequest> next();
 
   [[nodiscard]] bool has_keys() const { return terminal_ != nullptr; }
 

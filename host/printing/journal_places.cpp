@@ -10,7 +10,7 @@
 #include <string_view>
 #include <utility>
 
-#include "host/part/content_hash.h"  // hash_of
+#include "host/files/content_hash.h"  // hash_of
 
 namespace host {
 namespace {

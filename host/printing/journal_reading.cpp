@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "host/part/content_hash.h"  // hash_of
-#include "host/part/input_file.h"
+#include "host/files/content_hash.h"  // hash_of
+#include "host/files/input_file.h"
 #include "host/printing/journal.h"
 #include "host/printing/journal_file.h"  // kJournalWord
 

@@ -3,8 +3,8 @@
 #include <bit>
 #include <cstring>
 
-#include "core/check.h"              // RIND_CHECK
-#include "host/part/content_hash.h"  // hash_of
+#include "core/check.h"               // RIND_CHECK
+#include "host/files/content_hash.h"  // hash_of
 
 namespace host {
 namespace {

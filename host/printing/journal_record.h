@@ -14,7 +14,7 @@
 #include <string>
 #include <string_view>
 
-#include "host/printing/checkpoint.h"     // Checkpoint
+#include "host/pipeline/checkpoint.h"     // Checkpoint
 #include "host/printing/machine_state.h"  // MachineState
 
 namespace host {

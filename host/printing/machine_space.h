@@ -6,11 +6,11 @@
 #include <optional>
 #include <string>
 
-#include "core/geometry.h"                // Box
-#include "core/result.h"                  // Status
-#include "core/settings.h"                // Settings
-#include "firmware_link/command.h"        // Move
-#include "firmware_link/travel_limits.h"  // TravelLimits
+#include "core/geometry.h"                     // Box
+#include "core/result.h"                       // Status
+#include "core/settings.h"                     // Settings
+#include "firmware_link/wire/command.h"        // Move
+#include "firmware_link/wire/travel_limits.h"  // TravelLimits
 
 namespace host {
 

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "core/settings.h"             // Settings
-#include "firmware_link/command.h"     // Command
-#include "host/printing/checkpoint.h"  // Checkpoint
+#include "core/settings.h"               // Settings
+#include "firmware_link/wire/command.h"  // Command
+#include "host/pipeline/checkpoint.h"    // Checkpoint
 
 namespace host {
 

@@ -9,7 +9,7 @@
 
 #include "core/check.h"
 #include "firmware_link/dialects/marlin_dialect.h"
-#include "firmware_link/link_step.h"
+#include "firmware_link/session/link_step.h"
 #include "host/printing/port_clock.h"
 
 namespace host {
@@ -35,8 +35,8 @@ Monitor::Monitor(const core::Settings& settings, MonitorOptions options,
       queue_(queue),
       reporter_(reporter),
       machine_(with_space(settings, options_.space.value_or(space_of(settings)))),
-      detour_(machine_, parking_place(machine_, options_.part)),
-      pauses_(detour_, options_.hot_s),
+      park_moves_(machine_, parking_place(machine_, options_.part)),
+      pauses_(park_moves_, options_.hot_s),
       starting_(options_.resumption.has_value()) {
   RIND_CHECK(options_.stop_count != nullptr);
   RIND_CHECK(options_.slices_cut != nullptr);
@@ -61,7 +61,7 @@ LinkOutcome Monitor::run() {
     if (stop_asked()) return stop(LinkEnd::kUserStopped);
     if (queue_.closed()) return stop(LinkEnd::kGeometryEnded);
     const Instant now = link_now();
-    take_wishes(now);
+    take_requests(now);
     watch_queue(now);
     feed(now);
     if (!refused_.empty()) return stop(LinkEnd::kRefused);
@@ -106,8 +106,8 @@ core::Status Monitor::check_space() {
   if (!limits) return {};
   space = within(space, *limits);
   machine_ = with_space(settings_, space);
-  detour_ = Detour(machine_, parking_place(machine_, options_.part));
-  pauses_.set_detour(detour_);
+  park_moves_ = ParkMoves(machine_, parking_place(machine_, options_.part));
+  pauses_.set_park_moves(park_moves_);
   return {};
 }
 
@@ -144,7 +144,7 @@ bool Monitor::feed_one(Instant now) {
     session_->insert(*command, now);
     return true;
   }
-  if (pauses_.turn_due() && pauses_.turn(steady_seconds(), trail_.state_before(index_))) {
+  if (pauses_.turn_due() && pauses_.turn(steady_seconds(), history_.state_before(index_))) {
     tell_phase(now);
     return true;
   }
@@ -193,13 +193,13 @@ bool Monitor::feed_one(Instant now) {
 
 // What was given to a session that is lost, and has to be given again, then what is new.
 const QueuedCommand* Monitor::peek() {
-  if (index_ < trail_.end()) return &trail_.at(index_);
+  if (index_ < history_.end()) return &history_.at(index_);
   if (!waiting_) waiting_ = queue_.try_pop();
   return waiting_ ? &*waiting_ : nullptr;
 }
 
 void Monitor::advance() {
-  if (index_ == trail_.end()) trail_.push(*std::exchange(waiting_, std::nullopt));
+  if (index_ == history_.end()) history_.push(*std::exchange(waiting_, std::nullopt));
   ++index_;
 }
 
@@ -223,22 +223,23 @@ void Monitor::watch_queue(Instant now) {
   } else if (!idle_since_s_) {
     idle_since_s_ = now_s;
   }
-  if (options_.starved_s <= 0 || !options_.seconds_made) return;
+  if (options_.underrun_s <= 0 || !options_.seconds_made) return;
   const bool more = !queue_.finished();
   const double ahead_s = options_.seconds_made() - last_.seconds;
-  if (pauses_.starved()) {
+  if (pauses_.underrun()) {
     const bool enough =
-        ahead_s >= FeedGovernor::kAmple_s || queue_.level().items >= queue_.limits().items / 2;
-    if (enough || !more) pauses_.starve(false);
+        ahead_s >= FeedThrottle::kAmple_s || queue_.level().items >= queue_.limits().items / 2;
+    if (enough || !more) pauses_.set_underrun(false);
     return;
   }
   if (first_road_ == 0 || session_->state() != SessionState::kStreaming) return;
-  if (more && pauses_.printing() && idle_since_s_ && now_s - *idle_since_s_ >= options_.starved_s) {
+  if (more && pauses_.printing() && idle_since_s_ &&
+      now_s - *idle_since_s_ >= options_.underrun_s) {
     ++statistics_.parks;
-    pauses_.starve(true);
+    pauses_.set_underrun(true);
     return;
   }
-  const int wanted = governor_.percent(now_s, ahead_s, more);
+  const int wanted = throttle_.percent(now_s, ahead_s, more);
   if (wanted == statistics_.feed_percent) return;
   if (wanted < statistics_.feed_percent) ++statistics_.slowdowns;
   statistics_.feed_percent = wanted;
@@ -247,7 +248,7 @@ void Monitor::watch_queue(Instant now) {
 
 // What a person wants, times what geometry can follow.
 void Monitor::set_feed(Instant now) {
-  const int percent = std::clamp(wished_feed_percent_ * statistics_.feed_percent / 100,
+  const int percent = std::clamp(requested_feed_percent_ * statistics_.feed_percent / 100,
                                  kFeedPercentMin, kFeedPercentMax);
   if (percent == feed_percent_ || session_->state() != SessionState::kStreaming) return;
   feed_percent_ = percent;

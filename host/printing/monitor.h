@@ -1,7 +1,7 @@
 // Runs the link: takes commands from the queue, feeds the session, watches for whatever must
 // interrupt or end the print, and brings it to a safe end then.
 //
-//     queue ──try_pop──> trail ──> session ──step──> port
+//     queue ──try_pop──> history ──> session ──step──> port
 //               ▲          │          │
 //               │          │          ├─ lost, reset ──> waits, goes on behind what was executed
 //               │          │          └─ other fault ──> safe sequence, as far as it is heard
@@ -19,23 +19,23 @@
 #include <string>
 #include <vector>
 
-#include "core/result.h"                   // Status
-#include "core/settings.h"                 // Settings
-#include "core/units.h"                    // LayerIndex, Length
-#include "firmware_link/byte_port.h"       // BytePort
-#include "firmware_link/command.h"         // Command
-#include "firmware_link/session.h"         // Session
-#include "host/pipeline/statistics.h"      // LinkStatistics
-#include "host/printing/command_trail.h"   // CommandTrail
-#include "host/printing/controls.h"        // Wish
-#include "host/printing/detour.h"          // Detour
-#include "host/printing/feed_governor.h"   // FeedGovernor
-#include "host/printing/journal.h"         // Journal
-#include "host/printing/machine_space.h"   // MachineSpace
-#include "host/printing/pause_control.h"   // PauseControl
-#include "host/printing/progress.h"        // Reporter
-#include "host/printing/queued_command.h"  // CommandQueue
-#include "host/printing/resume_point.h"    // ResumePoint
+#include "core/result.h"                    // Status
+#include "core/settings.h"                  // Settings
+#include "core/units.h"                     // LayerIndex, Length
+#include "firmware_link/ports/byte_port.h"  // BytePort
+#include "firmware_link/session/session.h"  // Session
+#include "firmware_link/wire/command.h"     // Command
+#include "host/pipeline/statistics.h"       // LinkStatistics
+#include "host/printing/command_history.h"  // CommandHistory
+#include "host/printing/controls.h"         // UserRequest
+#include "host/printing/feed_throttle.h"    // FeedThrottle
+#include "host/printing/journal.h"          // Journal
+#include "host/printing/machine_space.h"    // MachineSpace
+#include "host/printing/park_moves.h"       // ParkMoves
+#include "host/printing/pause_control.h"    // PauseControl
+#include "host/printing/progress.h"         // Reporter
+#include "host/printing/queued_command.h"   // CommandQueue
+#include "host/printing/resume_point.h"     // ResumePoint
 
 namespace host {
 
@@ -82,15 +82,15 @@ struct MonitorOptions {
   std::function<core::LayerIndex()> layers;            // of the part; 0: not known yet
   std::function<std::vector<std::string>()> warnings;  // since it was asked last
 
-  std::function<std::optional<Wish>()> wish;  // may be empty
-  std::function<double()> seconds_made;       // of motion, by geometry so far; may be empty
-  double starved_s = 0;                       // with nothing to lay: off the part; 0: never
-  double hot_s = 600;                         // how long a paused nozzle stays hot
-  double banner_wait_s = 2.5;                 // for a `start` (SessionOptions)
-  core::Box part;                             // where not to park
-  core::Length height;                        // of the part; 0: not known
-  std::optional<MachineSpace> space;          // nothing: as the settings say
-  std::function<Journal*()> journal;          // null as long as there is none; may be empty
+  std::function<std::optional<UserRequest>()> request;  // may be empty
+  std::function<double()> seconds_made;  // of motion, by geometry so far; may be empty
+  double underrun_s = 0;                 // with nothing to lay: off the part; 0: never
+  double hot_s = 600;                    // how long a paused nozzle stays hot
+  double banner_wait_s = 2.5;            // for a `start` (SessionOptions)
+  core::Box part;                        // where not to park
+  core::Length height;                   // of the part; 0: not known
+  std::optional<MachineSpace> space;     // nothing: as the settings say
+  std::function<Journal*()> journal;     // null as long as there is none; may be empty
   // Called once, when it has said what it can do, before it is given a command; may be empty.
   std::function<void(const firmware_link::Capabilities&)> controller_known;
   // Likewise; an error ends the print, and nothing was given. May be empty.
@@ -116,7 +116,7 @@ class Monitor {
  private:
   // monitor.cpp: commands to the session.
   void begin_session(bool ask_found_line);
-  [[nodiscard]] bool stop_asked() const { return options_.stop_count() > 0 || stop_wished_; }
+  [[nodiscard]] bool stop_asked() const { return options_.stop_count() > 0 || stop_requested_; }
   void feed(firmware_link::Instant now);
   [[nodiscard]] bool travel_asked(firmware_link::Instant now);
   [[nodiscard]] core::Status check_space();
@@ -129,8 +129,8 @@ class Monitor {
   void set_feed(firmware_link::Instant now);
 
   // monitor_reports.cpp: what people want, and are told.
-  void take_wishes(firmware_link::Instant now);
-  void obey(Wish wish, firmware_link::Instant now);
+  void take_requests(firmware_link::Instant now);
+  void obey(UserRequest request, firmware_link::Instant now);
   void pause(bool wanted);
   void tell_phase(firmware_link::Instant now);
   void note_acknowledged();
@@ -158,7 +158,7 @@ class Monitor {
                                                              bool at_once) const;
 
   // monitor_place.cpp: where a controller that numbers nothing was found.
-  [[nodiscard]] bool trail_reaches(std::int64_t command);
+  [[nodiscard]] bool history_reaches(std::int64_t command);
   [[nodiscard]] ResumePoint point_of(const JournalRecord& left, bool same_boot) const;
   [[nodiscard]] bool cannot_be_placed(const ResumePoint& point) const;
   [[nodiscard]] LinkOutcome unplaced() const;
@@ -188,13 +188,13 @@ class Monitor {
 
   // Commands by their number in the print: index_ is the next to take, session_base_ the first that
   // this session took.
-  CommandTrail trail_;
+  CommandHistory history_;
   std::int64_t index_ = 0;
   std::int64_t session_base_ = 0;
   std::int64_t sure_base_ = 0;            // executed, whatever became of the planner before it
   bool all_moved_ = false;                // what was accepted, whatever happens
   bool place_known_ = true;               // the session's controller was not reset before
-  std::optional<QueuedCommand> waiting_;  // popped, not in the trail
+  std::optional<QueuedCommand> waiting_;  // popped, not in the history
   QueuedCommand last_;                    // taken last
   int travel_asks_ = 0;                   // how often it was asked how far it may go
   bool begun_ = false;                    // the controller has been greeted, and may be used
@@ -204,22 +204,22 @@ class Monitor {
   bool finish_said_ = false;
 
   core::Settings machine_;  // settings_, with the space that there is
-  Detour detour_;
+  ParkMoves park_moves_;
   PauseControl pauses_;
-  FeedGovernor governor_;
-  int wished_feed_percent_ = 100;
-  int wished_flow_percent_ = 100;
+  FeedThrottle throttle_;
+  int requested_feed_percent_ = 100;
+  int requested_flow_percent_ = 100;
   int feed_percent_ = 100;  // as the controller was told
-  bool stop_wished_ = false;
+  bool stop_requested_ = false;
   std::string refused_;  // why; empty: it is not
   std::string pause_cause_ = "user";
   std::int64_t paused_before_ = -1;     // the command that has asked for it last
   std::optional<double> idle_since_s_;  // nothing to lay, and nothing in the planner
 
-  bool trail_begun_ = false;     // of a resumption
-  std::string unplaced_;         // why it cannot be told its height; empty: it can
-  bool starting_ = false;        // a resumption whose point is not known yet
-  std::int64_t skip_until_ = 0;  // executed before
+  bool history_started_ = false;  // of a resumption
+  std::string unplaced_;          // why it cannot be told its height; empty: it can
+  bool starting_ = false;         // a resumption whose point is not known yet
+  std::int64_t skip_until_ = 0;   // executed before
   std::optional<ResumePoint> go_on_at_;
 
   std::string journaled_;  // the last record

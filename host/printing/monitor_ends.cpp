@@ -7,9 +7,9 @@
 #include <string_view>
 #include <utility>
 
-#include "firmware_link/link_step.h"
-#include "firmware_link/meat_pack.h"  // kMeatPackReset
-#include "firmware_link/reply.h"      // LineSplitter, read_reply
+#include "firmware_link/session/link_step.h"
+#include "firmware_link/wire/meat_pack.h"  // kMeatPackReset
+#include "firmware_link/wire/reply.h"      // LineSplitter, read_reply
 #include "host/printing/monitor.h"
 #include "host/printing/port_clock.h"
 
@@ -51,7 +51,7 @@ std::vector<Command> Monitor::safe_sequence() const {
     retract.f_mm_min = std::llround(settings_.retraction_speed_mm_s * 60);
     commands.emplace_back(retract);
   }
-  const std::optional<std::int64_t> z_um = trail_.state_before(index_).z_um;
+  const std::optional<std::int64_t> z_um = history_.state_before(index_).z_um;
   if (on_part && z_um) {
     firmware_link::Move lift;
     lift.z_um = lifted_um(*z_um, machine_);

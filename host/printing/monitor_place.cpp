@@ -6,8 +6,8 @@
 
 namespace host {
 
-// Fills the trail up to that command of the print; false: geometry has not made it yet.
-bool Monitor::trail_reaches(std::int64_t command) {
+// Fills the history up to that command of the print; false: geometry has not made it yet.
+bool Monitor::history_reaches(std::int64_t command) {
   while (index_ < command) {
     if (peek() == nullptr) return queue_.drained() && !queue_.closed();
     advance();
@@ -15,16 +15,16 @@ bool Monitor::trail_reaches(std::int64_t command) {
   return true;
 }
 
-// REQUIRES: what was sent is in the trail, as far as there is any.
+// REQUIRES: what was sent is in the history, as far as there is any.
 ResumePoint Monitor::point_of(const JournalRecord& left, bool same_boot) const {
   const std::optional<firmware_link::Position>& place = session_->found_place();
-  if (session_->numbers_lines() || !place || left.accepted < trail_.begin() ||
-      left.accepted > trail_.end()) {
+  if (session_->numbers_lines() || !place || left.accepted < history_.begin() ||
+      left.accepted > history_.end()) {
     return resume_point(left, {session_->found_line(), session_->numbers_lines(), same_boot});
   }
-  const std::int64_t last = std::max(left.accepted, std::min(commands_sent(left), trail_.end()));
+  const std::int64_t last = std::max(left.accepted, std::min(commands_sent(left), history_.end()));
   return resume_point_at(left, {*place, session_->found_homed().value_or(false)}, last,
-                         [this](std::int64_t command) { return trail_.state_before(command); });
+                         [this](std::int64_t command) { return history_.state_before(command); });
 }
 
 // Klipper that has lost its place is told its height by a command that it may not have.

@@ -8,7 +8,7 @@
 #include <thread>
 #include <utility>
 
-#include "firmware_link/link_step.h"
+#include "firmware_link/session/link_step.h"
 #include "host/printing/monitor.h"
 #include "host/printing/port_clock.h"
 #include "host/printing/told_place.h"
@@ -53,7 +53,7 @@ constexpr std::int32_t kNoLine = std::numeric_limits<std::int32_t>::max() - kJou
 }  // namespace
 
 // Of what has been accepted, all before this was executed, whatever becomes of the planner.
-// Nothing: no road was accepted, or it is farther back than the trail.
+// Nothing: no road was accepted, or it is farther back than the history.
 std::optional<std::int64_t> Monitor::sure_before(std::int64_t accepted) const {
   if (all_moved_) return accepted;
   const std::int32_t told_free = session_->capabilities().planner_blocks;
@@ -63,29 +63,30 @@ std::optional<std::int64_t> Monitor::sure_before(std::int64_t accepted) const {
   std::int64_t sure = session_->accepted() > 0 ? session_base_ : sure_base_;
   if (is_klipper(*session_)) {
     const double seconds = kKlipperPlans_s * std::max(1.0, feed_percent_ / 100.0);
-    sure = std::max(sure, trail_.executed_before(accepted, seconds).value_or(trail_.begin()));
+    sure = std::max(sure, history_.executed_before(accepted, seconds).value_or(history_.begin()));
   } else {
-    sure = std::max(sure, trail_.executed_before(accepted, blocks).value_or(sure));
+    sure = std::max(sure, history_.executed_before(accepted, blocks).value_or(sure));
   }
   // Nothing is laid before the first road.
   sure = std::max(sure, first_road_ - 1);
-  if (sure < trail_.begin() || sure > accepted) return std::nullopt;
+  if (sure < history_.begin() || sure > accepted) return std::nullopt;
   return sure;
 }
 
 std::optional<JournalRecord> Monitor::record(PrintState state) const {
   const std::int64_t accepted = session_base_ + session_->accepted();
-  if (first_road_ == 0 || accepted > trail_.end() || accepted < trail_.begin()) return std::nullopt;
+  if (first_road_ == 0 || accepted > history_.end() || accepted < history_.begin())
+    return std::nullopt;
   const std::optional<std::int64_t> sure = sure_before(accepted);
   if (!sure) return std::nullopt;
-  const TrailMark mark = trail_.mark_before(*sure);
+  const HistoryMark mark = history_.mark_before(*sure);
   if (!mark.checkpoint) return std::nullopt;
   JournalRecord record;
   record.checkpoint = *mark.checkpoint;
   record.sure = *sure;
   record.sure_hash = mark.hash;
   record.accepted = accepted;
-  record.machine = trail_.state_before(accepted);
+  record.machine = history_.state_before(accepted);
   record.nozzle_z_um = pauses_.nozzle_z_um().value_or(record.machine.z_um.value_or(0));
   record.state = state;
   record.layers = options_.layers();
@@ -154,19 +155,19 @@ void Monitor::close_journal(PrintState state) {
 bool Monitor::start_resumed() {
   const Resumption& resumption = *options_.resumption;
   const JournalRecord& left = resumption.record;
-  if (!trail_begun_) {
+  if (!history_started_) {
     if (peek() == nullptr) {
       // All had been executed already.
       if (queue_.drained() && !queue_.closed()) starting_ = false;
       return !starting_;
     }
     RIND_CHECK(waiting_ && waiting_->before != nullptr);
-    trail_.begin_at(left.sure, *waiting_->before,
-                    {std::make_shared<const Checkpoint>(left.checkpoint), left.sure_hash});
+    history_.begin_at(left.sure, *waiting_->before,
+                      {std::make_shared<const Checkpoint>(left.checkpoint), left.sure_hash});
     index_ = sure_base_ = left.sure;
-    trail_begun_ = true;
+    history_started_ = true;
   }
-  if (session_->found_place() && !trail_reaches(commands_sent(left))) return false;
+  if (session_->found_place() && !history_reaches(commands_sent(left))) return false;
   const ResumePoint point = point_of(left, resumption.same_boot);
   if (cannot_be_placed(point)) {
     unplaced_ = kUnplaced;
@@ -190,14 +191,14 @@ bool Monitor::start_resumed() {
 // `at_once`: in the print that was interrupted, so that all is still hot.
 std::vector<Command> Monitor::way_back(const ResumePoint& point, std::int64_t nozzle_z_um,
                                        bool at_once) const {
-  const MachineState here = trail_.state_before(point.command);
+  const MachineState here = history_.state_before(point.command);
   const bool in_place = at_once && point.lives;
   std::vector<Command> way =
-      in_place ? detour_.leave_part(here)
-               : detour_.begin_anew(here, nozzle_z_um, !point.lives, is_klipper(*session_));
+      in_place ? park_moves_.leave_part(here)
+               : park_moves_.begin_anew(here, nozzle_z_um, !point.lives, is_klipper(*session_));
   // What is accepted behind it tells that all before it was executed (sure_before()).
   if (in_place) way.push_back(command_of("M400"));
-  const std::vector<Command> back = detour_.come_back(here, false);
+  const std::vector<Command> back = park_moves_.come_back(here, false);
   way.insert(way.end(), back.begin(), back.end());
   return way;
 }
@@ -205,7 +206,7 @@ std::vector<Command> Monitor::way_back(const ResumePoint& point, std::int64_t no
 bool Monitor::recoverable() const {
   const FaultKind kind = session_->fault_kind();
   if (options_.lost_port.wait_s <= 0 || first_road_ == 0 || starting_ || go_on_at_) return false;
-  if (!trail_.state_before(index_).placed() && trail_.end() > trail_.begin()) return false;
+  if (!history_.state_before(index_).placed() && history_.end() > history_.begin()) return false;
   return kind == FaultKind::kReset ||
          (kind == FaultKind::kPortLost && options_.lost_port.reopen != nullptr);
 }
@@ -238,7 +239,7 @@ std::optional<LinkOutcome> Monitor::recover() {
     end.measures = "nothing was heated or moved any more";
     return end;
   }
-  point.command = std::clamp(point.command, trail_.begin(), trail_.end());
+  point.command = std::clamp(point.command, history_.begin(), history_.end());
   std::int64_t z_um = left->nozzle_z_um;
   if (!point.lives) {
     const bool asks = options_.lost_port.nozzle_height &&
@@ -283,7 +284,7 @@ std::optional<LinkOutcome> Monitor::reconnect(bool reset, double until_s) {
       end.measures = heaters_off_unheard();
       return end;
     }
-    take_wishes(link_now());
+    take_requests(link_now());
     report_progress();
     if (!open) {
       // Held open, it could not come back under its name.

@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include "host/pipeline/stage_clock.h"  // steady_seconds
 #include "host/printing/monitor.h"
+#include "host/system/stage_clock.h"  // steady_seconds
 
 namespace host {
 namespace {
@@ -22,50 +22,52 @@ constexpr int kPercentMax = 300;
 
 }  // namespace
 
-void Monitor::take_wishes(Instant now) {
-  while (options_.wish) {
-    const std::optional<Wish> wish = options_.wish();
-    if (!wish) return;
-    obey(*wish, now);
+void Monitor::take_requests(Instant now) {
+  while (options_.request) {
+    const std::optional<UserRequest> request = options_.request();
+    if (!request) return;
+    obey(*request, now);
   }
 }
 
-void Monitor::obey(Wish wish, Instant now) {
+void Monitor::obey(UserRequest request, Instant now) {
   const auto change = [](int& percent, int by) {
     percent = std::clamp(percent + by, kPercentMin, kPercentMax);
   };
-  switch (wish) {
-    case Wish::kPause:
+  switch (request) {
+    case UserRequest::kPause:
       pause(true);
       return;
-    case Wish::kGoOn:
+    case UserRequest::kResume:
       session_->answer_user(now);
       pause(false);
       return;
-    case Wish::kToggle:
+    case UserRequest::kToggle:
       pause(!pauses_.pause_wanted());
       return;
-    case Wish::kStop:
-      stop_wished_ = true;
+    case UserRequest::kStop:
+      stop_requested_ = true;
       return;
-    case Wish::kHelp:
+    case UserRequest::kHelp:
       reporter_.note("keys", key_help());
       return;
-    case Wish::kFeedUp:
-    case Wish::kFeedDown:
-      change(wished_feed_percent_, wish == Wish::kFeedUp ? kStep_percent : -kStep_percent);
+    case UserRequest::kFeedUp:
+    case UserRequest::kFeedDown:
+      change(requested_feed_percent_,
+             request == UserRequest::kFeedUp ? kStep_percent : -kStep_percent);
       set_feed(now);
-      reporter_.note("feed", fmt::format("feed {} %", wished_feed_percent_),
-                     {{"percent", std::int64_t{wished_feed_percent_}}});
+      reporter_.note("feed", fmt::format("feed {} %", requested_feed_percent_),
+                     {{"percent", std::int64_t{requested_feed_percent_}}});
       return;
-    case Wish::kFlowUp:
-    case Wish::kFlowDown:
-      change(wished_flow_percent_, wish == Wish::kFlowUp ? kStep_percent : -kStep_percent);
+    case UserRequest::kFlowUp:
+    case UserRequest::kFlowDown:
+      change(requested_flow_percent_,
+             request == UserRequest::kFlowUp ? kStep_percent : -kStep_percent);
       if (session_->state() == SessionState::kStreaming) {
-        session_->set_flow_percent(wished_flow_percent_, now);
+        session_->set_flow_percent(requested_flow_percent_, now);
       }
-      reporter_.note("flow", fmt::format("flow {} %", wished_flow_percent_),
-                     {{"percent", std::int64_t{wished_flow_percent_}}});
+      reporter_.note("flow", fmt::format("flow {} %", requested_flow_percent_),
+                     {{"percent", std::int64_t{requested_flow_percent_}}});
       return;
   }
 }
@@ -184,7 +186,7 @@ void Monitor::tell_event(const firmware_link::SessionEvent& event) {
       return;
     case Kind::kCancelAsked:
       reporter_.note("action", "the print was cancelled at the printer");
-      stop_wished_ = true;
+      stop_requested_ = true;
       return;
     case Kind::kWarning:
       // It does not tell how far its axes go, and need not.

@@ -31,11 +31,11 @@ std::optional<Command> PauseControl::next() {
 }
 
 bool PauseControl::turn(double now_s, const MachineState& here) {
-  const bool wanted = user_wants_ || starved_;
+  const bool wanted = user_wants_ || underrun_;
   switch (phase_) {
     case Phase::kPrinting:
       if (!wanted) return false;
-      set_out(Phase::kLeaving, detour_.leave_part(here));
+      set_out(Phase::kLeaving, park_moves_.leave_part(here));
       return true;
     case Phase::kLeaving:
       phase_ = Phase::kAway;
@@ -44,7 +44,7 @@ bool PauseControl::turn(double now_s, const MachineState& here) {
       return true;
     case Phase::kAway:
       if (!wanted) {
-        set_out(Phase::kReturning, detour_.come_back(here, cooled_));
+        set_out(Phase::kReturning, park_moves_.come_back(here, cooled_));
         return true;
       }
       if (!cooled_ && now_s - away_since_s_ >= hot_s_) {

@@ -2,7 +2,7 @@
 // geometry has fallen behind and the nozzle must not stand on the part.
 //
 //     printing ──wanted──▶ leaving ──▶ away ──not wanted──▶ returning ──▶ printing
-//                   (detour.h)          │
+//                   (park_moves.h)          │
 //                                       └─ after hot_s: nozzle off; the bed stays warm, or the
 //                                          part would come loose
 //
@@ -15,9 +15,9 @@
 #include <optional>
 #include <vector>
 
-#include "firmware_link/command.h"        // Command
-#include "host/printing/detour.h"         // Detour
+#include "firmware_link/wire/command.h"   // Command
 #include "host/printing/machine_state.h"  // MachineState
+#include "host/printing/park_moves.h"     // ParkMoves
 
 namespace host {
 
@@ -26,16 +26,17 @@ class PauseControl {
   enum class Phase { kPrinting, kLeaving, kAway, kReturning };
 
   // `hot_s`: how long a paused nozzle stays hot.
-  PauseControl(const Detour& detour, double hot_s) : detour_(detour), hot_s_(hot_s) {}
+  PauseControl(const ParkMoves& park_moves, double hot_s)
+      : park_moves_(park_moves), hot_s_(hot_s) {}
 
-  // --- wishes; any order, any time ---
+  // --- requests; any order, any time ---
   void want_pause(bool wanted) { user_wants_ = wanted; }
-  void starve(bool starved) { starved_ = starved; }
+  void set_underrun(bool underrun) { underrun_ = underrun; }
   [[nodiscard]] bool pause_wanted() const { return user_wants_; }
-  [[nodiscard]] bool starved() const { return starved_; }
+  [[nodiscard]] bool underrun() const { return underrun_; }
 
   // The ways from now on.
-  void set_detour(const Detour& detour) { detour_ = detour; }
+  void set_park_moves(const ParkMoves& park_moves) { park_moves_ = park_moves; }
 
   // Goes a way that is not a pause's: `way` ends where the print goes on. `nozzle_z_um`: how high
   // the nozzle is.
@@ -51,7 +52,7 @@ class PauseControl {
 
   // Whether turn() would do anything. REQUIRES: next() gave nothing.
   [[nodiscard]] bool turn_due() const {
-    return phase_ != Phase::kPrinting || user_wants_ || starved_;
+    return phase_ != Phase::kPrinting || user_wants_ || underrun_;
   }
 
   // To be called whenever next() gives nothing; true when the phase has changed. `here`: how the
@@ -68,10 +69,10 @@ class PauseControl {
  private:
   void set_out(Phase phase, std::vector<firmware_link::Command> way);
 
-  Detour detour_;
+  ParkMoves park_moves_;
   double hot_s_;
   bool user_wants_ = false;
-  bool starved_ = false;
+  bool underrun_ = false;
   bool cooled_ = false;
   double away_since_s_ = 0;
   Phase phase_ = Phase::kPrinting;

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <thread>
 
-#include "host/pipeline/stage_clock.h"
+#include "host/system/stage_clock.h"
 
 namespace host {
 

@@ -1,8 +1,8 @@
 // The real time, as ports in firmware_link take it.
 #pragma once
 
-#include "firmware_link/instant.h"               // Instant
 #include "firmware_link/virtual/virtual_port.h"  // PortClock
+#include "firmware_link/wire/instant.h"          // Instant
 
 namespace host {
 

@@ -13,14 +13,14 @@
 #include <thread>
 #include <utility>
 
-#include "host/exit_codes.h"
-#include "host/limits.h"
-#include "host/part/input_file.h"
+#include "host/files/input_file.h"
 #include "host/pipeline/pipeline.h"
 #include "host/printing/monitor.h"
 #include "host/printing/queue_filler.h"
 #include "host/printing/slow_layer_note.h"
-#include "host/printing/stop_signals.h"
+#include "host/system/exit_codes.h"
+#include "host/system/limits.h"
+#include "host/system/stop_signals.h"
 
 namespace host {
 namespace {

@@ -12,11 +12,11 @@
 #include <optional>
 #include <string>
 
-#include "firmware_link/byte_port.h"   // BytePort
-#include "host/pipeline/pipeline.h"    // Job
-#include "host/pipeline/statistics.h"  // GeometryStatistics, LinkStatistics
-#include "host/printing/monitor.h"     // MonitorOptions
-#include "host/printing/progress.h"    // Reporter
+#include "firmware_link/ports/byte_port.h"  // BytePort
+#include "host/pipeline/pipeline.h"         // Job
+#include "host/pipeline/statistics.h"       // GeometryStatistics, LinkStatistics
+#include "host/printing/monitor.h"          // MonitorOptions
+#include "host/printing/progress.h"         // Reporter
 
 namespace host {
 
@@ -26,8 +26,8 @@ struct PrintRequest {
   Reporter& reporter;
   std::function<int()> stop_count;  // stop_urgency(); asked all the time
   double began_s = 0;               // steady_seconds() when the program began
-  // What else the link is to do: wishes, pauses, journal, lost ports, resumption. The rest of it is
-  // filled in here.
+  // What else the link is to do: requests, pauses, journal, lost ports, resumption. The
+  // rest of it is filled in here.
   MonitorOptions link = {};
   // How long the geometry may take to end when the link has; it can't be interrupted within a
   // layer. Nothing: as long as it takes. REQUIRES: when it is left behind (PrintOutcome), the

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "host/limits.h"
+#include "host/system/limits.h"
 
 namespace host {
 namespace {

@@ -11,9 +11,9 @@
 #include <variant>
 #include <vector>
 
-#include "core/units.h"                  // LayerIndex, Length
-#include "host/log_file.h"               // LogFile
-#include "host/printing/stop_signals.h"  // LastWords
+#include "core/units.h"                // LayerIndex, Length
+#include "host/files/log_file.h"       // LogFile
+#include "host/system/stop_signals.h"  // LastWords
 
 namespace host {
 

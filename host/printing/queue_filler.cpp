@@ -4,7 +4,7 @@
 #include <string_view>
 #include <variant>
 
-#include "firmware_link/line_codec.h"  // encode
+#include "firmware_link/wire/line_codec.h"  // encode
 
 namespace host {
 namespace {

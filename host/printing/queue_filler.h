@@ -10,8 +10,8 @@
 
 #include "core/motions/motion.h"           // Motion
 #include "core/settings.h"                 // Settings
-#include "firmware_link/command.h"         // Command
-#include "host/printing/checkpoint.h"      // Checkpoint
+#include "firmware_link/wire/command.h"    // Command
+#include "host/pipeline/checkpoint.h"      // Checkpoint
 #include "host/printing/journal_record.h"  // JournalRecord
 #include "host/printing/queued_command.h"  // CommandQueue
 

@@ -6,10 +6,10 @@
 #include <string>
 
 #include "core/units.h"                   // LayerIndex, Length
-#include "firmware_link/command.h"        // Command
-#include "host/part/content_hash.h"       // kHashBegin
+#include "firmware_link/wire/command.h"   // Command
+#include "host/files/content_hash.h"      // kHashBegin
+#include "host/pipeline/checkpoint.h"     // Checkpoint
 #include "host/printing/bounded_queue.h"  // BoundedQueue
-#include "host/printing/checkpoint.h"     // Checkpoint
 #include "host/printing/machine_state.h"  // MachineState
 
 namespace host {

@@ -18,7 +18,7 @@
 #include <cstdint>
 #include <functional>
 
-#include "firmware_link/reply.h"         // Position
+#include "firmware_link/wire/reply.h"    // Position
 #include "host/printing/resume_point.h"  // ResumePoint
 
 namespace host {

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <thread>
 
-#include "host/limits.h"            // kJobsDefaultMax
 #include "host/settings/options.h"  // jobs_by_default
+#include "host/system/limits.h"     // kJobsDefaultMax
 
 namespace host {
 

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "host/exit_codes.h"
 #include "host/settings/section_words.h"
 #include "host/settings/setting_options.h"
-#include "host/version.h"
+#include "host/system/exit_codes.h"
+#include "host/system/version.h"
 
 namespace host {
 namespace {

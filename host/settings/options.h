@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "core/units.h"                   // LayerIndex
-#include "host/limits.h"                  // kSortBytesDefault
 #include "host/output/output_format.h"    // OutputFormat
 #include "host/part/bad_layers.h"         // OnBadLayer
 #include "host/settings/section_words.h"  // SectionPlace, SectionZoom
+#include "host/system/limits.h"           // kSortBytesDefault
 
 namespace host {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 
-#include "firmware_link/gcode_words.h"    // commands_in
-#include "host/settings/settings_text.h"  // read_number, unescaped_lines, trimmed
+#include "firmware_link/wire/gcode_words.h"  // commands_in
+#include "host/settings/settings_text.h"     // read_number, unescaped_lines, trimmed
 
 namespace host {
 namespace {

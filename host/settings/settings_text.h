@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/result.h"           // Result
-#include "firmware_link/limits.h"  // kTextBytesMax
+#include "core/result.h"                // Result
+#include "firmware_link/wire/limits.h"  // kTextBytesMax
 
 namespace host {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/offsets/mountain_foot.h"
+#include "core/offsets/polygon_offset.h"
 #include "tests/support/boolean_case.h"
 #include "tests/support/grid_regions.h"
 #include "tests/support/offset_checks.h"
@@ -36,7 +36,7 @@ std::vector<std::uint8_t> random_bytes(Random& random) {
 }  // namespace
 
 TEST_CASE("offsets are those of the whole diagram") {
-  core::MountainFoot foot;
+  core::PolygonOffsetter offsetter;
   test::OffsetComparison comparison;
   for (std::uint64_t seed = kFirst; seed < kEnd; ++seed) {
     Random random(seed);
@@ -45,16 +45,16 @@ TEST_CASE("offsets are those of the whole diagram") {
     const Region region = test::random_grid_region(random, scale);
     const Length depth = test::random_grid_depth(random, scale);
     const std::string wrong =
-        test::check_against_diagram(foot, region, std::span(&depth, 1), comparison);
+        test::check_against_diagram(offsetter, region, std::span(&depth, 1), comparison);
     if (wrong.empty()) continue;
     CAPTURE(seed);
     CAPTURE(depth.units());
     FAIL_CHECK(wrong);
   }
-  CHECK_EQ(foot.fallbacks(), 0);
+  CHECK_EQ(offsetter.fallbacks(), 0);
   MESSAGE(comparison.compared << " offsets from seed " << kFirst << ": farthest "
                               << comparison.farthest << " units, " << comparison.critical
-                              << " at critical depths, " << foot.retries() << " retries");
+                              << " at critical depths, " << offsetter.retries() << " retries");
 }
 
 TEST_CASE("offsets of any rings are right by measured distances") {

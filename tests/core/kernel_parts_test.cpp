@@ -13,14 +13,14 @@
 #include <vector>
 
 #include "core/booleans/boolean.h"
-#include "core/booleans/reference_boolean.h"
-#include "core/offsets/mountain_foot.h"
 #include "core/offsets/offset_contours.h"
+#include "core/offsets/polygon_offset.h"
 #include "core/regions/contact_check.h"
 #include "core/units.h"
 #include "tests/support/offset_checks.h"
 #include "tests/support/part_folder.h"
 #include "tests/support/region_checks.h"
+#include "tools/oracles/reference_boolean.h"
 #include "tools/parts/part_maker.h"
 #include "tools/samples/slice_samples.h"
 
@@ -73,7 +73,7 @@ class PartCheck {
     if (slice.empty()) return;
     ++totals_.slices;
     CAPTURE(totals_.slices);
-    CHECK_EQ(test::check_against_diagram(foot_, slice, kDepths, totals_.offsets), "");
+    CHECK_EQ(test::check_against_diagram(offsetter_, slice, kDepths, totals_.offsets), "");
     const Region inner = inner_of(slice);
     check_shifted(slice, inner);
     if (!inner.empty() && !last_inner_.empty() && !(inner == last_inner_)) {
@@ -82,11 +82,11 @@ class PartCheck {
     last_inner_ = inner;
   }
 
-  [[nodiscard]] std::int64_t fallbacks() const { return foot_.fallbacks(); }
+  [[nodiscard]] std::int64_t fallbacks() const { return offsetter_.fallbacks(); }
 
  private:
   Region inner_of(const Region& slice) {
-    return core::flatten(foot_.offset(slice, kDepths[0]), test::kArcTolerance);
+    return core::flatten(offsetter_.offset(slice, kDepths[0]), test::kArcTolerance);
   }
 
   // Nothing depends on where things are, to the last unit.
@@ -123,7 +123,7 @@ class PartCheck {
   }
 
   Totals& totals_;
-  core::MountainFoot foot_;
+  core::PolygonOffsetter offsetter_;
   Region last_inner_;
   Random random_{1};
 };

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "firmware_link/line_codec.h"
 #include "firmware_link/virtual/virtual_controller.h"
+#include "firmware_link/wire/line_codec.h"
 
 namespace link_test {
 

@@ -14,9 +14,9 @@
 #include <vector>
 
 #include "firmware_link/dialects/marlin_dialect.h"
-#include "firmware_link/line_codec.h"
-#include "firmware_link/session.h"
+#include "firmware_link/session/session.h"
 #include "firmware_link/virtual/virtual_controller.h"
+#include "firmware_link/wire/line_codec.h"
 #include "tests/support/own_lines.h"
 
 namespace link_test {

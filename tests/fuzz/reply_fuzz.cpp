@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "firmware_link/capabilities.h"
 #include "firmware_link/dialects/dialects.h"
-#include "firmware_link/reply.h"
+#include "firmware_link/wire/capabilities.h"
+#include "firmware_link/wire/reply.h"
 
 namespace {
 

@@ -11,7 +11,7 @@
 #include <string>
 
 #include "firmware_link/dialects/marlin_dialect.h"
-#include "firmware_link/session.h"
+#include "firmware_link/session/session.h"
 
 using namespace firmware_link;
 

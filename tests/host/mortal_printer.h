@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "firmware_link/byte_port.h"
+#include "firmware_link/ports/byte_port.h"
 #include "firmware_link/virtual/virtual_controller.h"
 #include "host/printing/port_clock.h"
 #include "tests/support/laid_roads.h"

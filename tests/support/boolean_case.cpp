@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <functional>
 
-#include "core/booleans/reference_boolean.h"
 #include "core/units.h"
 #include "tests/support/region_checks.h"
+#include "tools/oracles/reference_boolean.h"
 
 namespace test {
 namespace {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "core/regions/region.h"     // Region
-#include "core/slices/slice.h"       // Layer
-#include "tools/parts/part_maker.h"  // Part
+#include "core/offsets/layer_offsets.h"  // Layer
+#include "core/regions/region.h"         // Region
+#include "tools/parts/part_maker.h"      // Part
 
 namespace test {
 

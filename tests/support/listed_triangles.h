@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/geometry.h"              // Triangle
-#include "host/part/mesh_layers.h"      // MeshInput
-#include "host/part/triangle_source.h"  // TriangleSource
+#include "core/geometry.h"                 // Triangle
+#include "host/formats/triangle_source.h"  // TriangleSource
+#include "host/part/mesh_layers.h"         // MeshInput
 
 namespace test {
 

@@ -17,11 +17,11 @@ namespace test {
 namespace {
 
 using core::Length;
-using core::MountainFoot;
 using core::OffsetContour;
 using core::OffsetContours;
 using core::OffsetPiece;
 using core::Point;
+using core::PolygonOffsetter;
 using core::Region;
 using core::Ring;
 
@@ -150,11 +150,11 @@ Length random_grid_depth(Random& random, int scale) {
   return Length::from_units(sign * std::max(1L, std::lround(depth)));
 }
 
-std::string check_against_diagram(MountainFoot& foot, const Region& region,
+std::string check_against_diagram(PolygonOffsetter& offsetter, const Region& region,
                                   std::span<const Length> depths, OffsetComparison& comparison) {
   const core::VoronoiMountain diagram(region);
   std::vector<OffsetContours> out(depths.size());
-  foot.offset(region, depths, out);
+  offsetter.offset(region, depths, out);
   for (std::size_t i = 0; i < depths.size(); ++i) {
     const Region ours = core::flatten(out[i], kArcTolerance);
     const std::string wrong = check_one(ours, diagram, depths[i], comparison);
@@ -174,9 +174,9 @@ std::string check_offset_case(std::span<const std::uint8_t> bytes) {
   const Length depth =
       Length::from_units((bytes[0] & 0x80 ? -1 : 1) * std::clamp<std::int64_t>(whole, 1, limit));
   const Length depths[] = {depth, Length::from_units(depth.units() / 2), depth * 2};
-  MountainFoot foot;
+  PolygonOffsetter offsetter;
   OffsetContours out[3];
-  foot.offset(region, depths, out);
+  offsetter.offset(region, depths, out);
   Random random(1);
   for (std::size_t i = 0; i < 3; ++i) {
     const std::string at = " at " + std::to_string(depths[i].units());
@@ -191,12 +191,12 @@ std::string check_offset_case(std::span<const std::uint8_t> bytes) {
     if (!region.empty() && misjudged_points(region, depths[i], result, random, 30, tolerance) > 0) {
       return "the offset misjudges a point" + at;
     }
-    const Region alone = core::flatten(MountainFoot().offset(region, depths[i]), tolerance);
+    const Region alone = core::flatten(PolygonOffsetter().offset(region, depths[i]), tolerance);
     if (widest_difference(alone, result) > kOffsetRoundingUnits) {
       return "three depths together give something else" + at;
     }
   }
-  return foot.fallbacks() > 0 ? "the whole diagram had to be asked" : "";
+  return offsetter.fallbacks() > 0 ? "the whole diagram had to be asked" : "";
 }
 
 }  // namespace test

@@ -5,8 +5,8 @@
 #include <span>
 #include <string>
 
-#include "core/offsets/mountain_foot.h"    // MountainFoot
 #include "core/offsets/offset_contours.h"  // OffsetContours
+#include "core/offsets/polygon_offset.h"   // PolygonOffsetter
 #include "core/regions/region.h"           // Region
 #include "core/units.h"                    // Length
 #include "tests/support/random_regions.h"  // Random
@@ -42,7 +42,7 @@ struct OffsetComparison {
 // deeper than the depth, and lie within what is that much less deep: at critical depths parts that
 // are nowhere wider than that are in the one and not in the other. Ours must be clean.
 // Returns what was wrong, or nothing.
-std::string check_against_diagram(core::MountainFoot& foot, const core::Region& region,
+std::string check_against_diagram(core::PolygonOffsetter& offsetter, const core::Region& region,
                                   std::span<const core::Length> depths,
                                   OffsetComparison& comparison);
 

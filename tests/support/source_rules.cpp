@@ -4,7 +4,9 @@
 #include <array>
 #include <cctype>
 #include <cstddef>
+#include <optional>
 #include <set>
+#include <span>
 
 #include "tests/support/source_text.h"
 
@@ -32,9 +34,10 @@ struct Library {
 
 // A library's name occurs in one source, or in few; never in a header. Tests may use any.
 constexpr std::array kLibraries = {
-    Library{"boost/polygon/polygon.hpp", {"core/booleans/reference_boolean.cpp"}},
+    Library{"boost/polygon/polygon.hpp", {"tools/oracles/"}},
     Library{"boost/polygon/voronoi", {"core/offsets/voronoi_diagram.cpp"}},
-    Library{"libserialport.h", {"firmware_link/serial_port.cpp", "firmware_link/ports.cpp"}},
+    Library{"libserialport.h",
+            {"firmware_link/ports/serial_port.cpp", "firmware_link/ports/ports.cpp"}},
     Library{"ini.h", {"host/settings/settings_file.cpp"}},
     Library{"CLI/", {"host/settings/options.cpp", "host/settings/setting_options.cpp", "tools/"}},
     Library{"fast_float/", {"host/formats/"}},
@@ -84,6 +87,35 @@ bool arrow_exists(const std::string& path, std::string_view included) {
   if (within(path, "host/")) return inner;
   if (within(path, "tools/")) return inner || from("tools/");
   return inner || from("tools/") || from("tests/");
+}
+
+// The folders of each library from the ground up: a folder may include those before it and itself.
+// "" is the library's own folder.
+constexpr std::array<std::string_view, 9> kCoreFloors = {
+    "", "regions", "booleans", "slices", "offsets", "walls", "roads", "motions", "sections"};
+constexpr std::array<std::string_view, 5> kFirmwareLinkFloors = {"wire", "dialects", "ports",
+                                                                 "session", "virtual"};
+constexpr std::array<std::string_view, 10> kHostFloors = {
+    "system",   "files",    "formats",  "output",   "part",
+    "pipeline", "printing", "settings", "commands", ""};
+
+struct Floors {
+  std::string_view library;
+  std::span<const std::string_view> from_the_ground;
+};
+constexpr std::array kFloors = {Floors{"core/", kCoreFloors},
+                                Floors{"firmware_link/", kFirmwareLinkFloors},
+                                Floors{"host/", kHostFloors}};
+
+// The number of the floor of `path`, a file of that library; nullopt: its folder is not listed.
+std::optional<std::size_t> floor_of(std::string_view path, const Floors& floors) {
+  path.remove_prefix(floors.library.size());
+  const std::size_t end = path.find('/');
+  const std::string_view folder = end == std::string_view::npos ? "" : path.substr(0, end);
+  const auto found =
+      std::find(floors.from_the_ground.begin(), floors.from_the_ground.end(), folder);
+  if (found == floors.from_the_ground.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - floors.from_the_ground.begin());
 }
 
 void check_library(const Source& source, const Include& include, Complaints& complaints) {
@@ -184,6 +216,24 @@ Complaints check_includes(const Source& source) {
     } else if (!arrow_exists(source.path, include.name)) {
       complaints.push_back(
           at(source, include.line, "\"" + include.name + "\" is against the arrows"));
+    }
+  }
+  return complaints;
+}
+
+Complaints check_floors(const Source& source) {
+  Complaints complaints;
+  if (!is_code(source.path)) return complaints;
+  for (const Floors& floors : kFloors) {
+    if (!within(source.path, floors.library)) continue;
+    const std::optional<std::size_t> own = floor_of(source.path, floors);
+    if (!own) complaints.push_back(at(source, 1, "its folder is not in the list of floors"));
+    for (const Include& include : includes_of(source.text)) {
+      if (!own || !include.quoted || !within(include.name, floors.library)) continue;
+      const std::optional<std::size_t> other = floor_of(include.name, floors);
+      if (other && *other <= *own) continue;
+      complaints.push_back(
+          at(source, include.line, "\"" + include.name + "\" is on a higher floor"));
     }
   }
   return complaints;

@@ -34,6 +34,10 @@ Complaints check_guard(const Source& source);
 // without: files, threads.
 Complaints check_includes(const Source& source);
 
+// Inside a library a folder includes only folders below it, in the order that stands in
+// source_rules.cpp and in the library's README.
+Complaints check_floors(const Source& source);
+
 // Nobody in core or firmware_link asks what time it is, for they are told, nor prints.
 Complaints check_calls(const Source& source);
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/booleans/boolean.h"
-#include "core/offsets/mountain_foot.h"
 #include "core/offsets/offset_contours.h"
+#include "core/offsets/polygon_offset.h"
 #include "tests/support/random_regions.h"
 
 namespace {
@@ -69,14 +69,14 @@ TEST_CASE("booleans of slices like those before allocate their results and nothi
 
 TEST_CASE("flattening offsets allocates the regions and nothing else") {
   test::Random random(2);
-  core::MountainFoot foot;
+  core::PolygonOffsetter offsetter;
   std::vector<core::OffsetContours> out(1);
   std::vector<Region> slices;
   for (int i = 0; i < 6; ++i) slices.push_back(test::random_region(random, 600, 30));
   const Length depth = Length::from_mm(0.5);
   for (int round = 0; round < 40; ++round) {
     for (const Region& slice : slices) {
-      foot.offset(slice, std::span(&depth, 1), out);
+      offsetter.offset(slice, std::span(&depth, 1), out);
       const long before = allocations;
       const Region flat = core::flatten(out[0], Length::from_mm(0.0025));
       const long used = allocations - before;

@@ -8,13 +8,13 @@
 #include <thread>
 
 #include "core/booleans/boolean.h"
-#include "core/booleans/reference_boolean.h"
 #include "core/limits.h"
 #include "core/offsets/voronoi_mountain.h"
 #include "core/units.h"
 #include "tests/support/random_regions.h"
 #include "tests/support/region_checks.h"
 #include "tests/support/region_text.h"
+#include "tools/oracles/reference_boolean.h"
 
 using core::Point;
 using core::Region;

@@ -90,7 +90,7 @@ TEST_CASE("an island is done before the next; perimeters, outer perimeter, wall,
     add(RoadKind::kLoose, x, y);
     add(RoadKind::kSolid, x, y + 0.1);
     add(RoadKind::kOuterPerimeter, x, y + 0.2);
-    add(RoadKind::kRest, x, y + 0.3);
+    add(RoadKind::kGapFill, x, y + 0.3);
     add(RoadKind::kPerimeter, x, y + 0.4);
   }
   const auto ordered = printing_order(roads, slice, {0, 0});

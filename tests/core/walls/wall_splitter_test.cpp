@@ -12,8 +12,9 @@
 
 #include "core/booleans/boolean.h"
 #include "core/limits.h"
+#include "core/offsets/layer_offsets.h"  // Layer
 #include "core/regions/region.h"
-#include "core/slices/slice.h"
+#include "core/walls/split_layer.h"  // SplitLayer
 #include "tests/support/layer_stacks.h"
 #include "tests/support/paper_formula.h"
 #include "tests/support/region_checks.h"

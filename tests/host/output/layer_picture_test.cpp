@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/booleans/boolean.h"
+#include "core/sections/layer_window.h"
 #include "core/settings.h"
-#include "core/walls/layer_window.h"
 #include "tests/support/svg_text.h"
 
 using core::Length;

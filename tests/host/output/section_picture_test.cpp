@@ -12,7 +12,7 @@
 
 #include "core/booleans/boolean.h"
 #include "core/offsets/slice_offsets.h"
-#include "core/walls/layer_window.h"
+#include "core/sections/layer_window.h"
 #include "core/walls/wall_splitter.h"
 #include "tests/support/region_text.h"
 #include "tests/support/svg_text.h"

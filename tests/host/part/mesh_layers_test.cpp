@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "host/limits.h"
 #include "host/part/mesh_survey.h"
+#include "host/system/limits.h"
 #include "tests/support/listed_triangles.h"
 #include "tests/support/mesh.h"
 #include "tests/support/random_regions.h"

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "host/limits.h"
 #include "host/part/triangle_record.h"
+#include "host/system/limits.h"
 #include "tests/support/mesh.h"
 #include "tests/support/temporary_folder.h"
 

@@ -6,7 +6,7 @@
 #include <random>
 #include <string>
 
-#include "firmware_link/line_codec.h"
+#include "firmware_link/wire/line_codec.h"
 
 using core::Length;
 using firmware_link::Command;

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "firmware_link/line_codec.h"
+#include "firmware_link/wire/line_codec.h"
 #include "host/pipeline/pipeline.h"
 #include "tests/host/print_rig.h"
 #include "tests/support/part_folder.h"

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "host/limits.h"
+#include "host/system/limits.h"
 
 using core::Length;
 using nlohmann::json;
@@ -61,12 +61,27 @@ TEST_CASE("the statistics file has every key that was promised") {
   host::LinkStatistics link;
   link.first_road_s = 1.5;
   const json with_link = json::parse(host::statistics_json(geometry, &link));
-  for (const char* key :
-       {"layers", "peak_layers_held", "peak_regions_held", "peak_triangles_held", "peak_rss_bytes",
-        "cpu_seconds", "worst_layer_ms", "first_command_s", "first_road_s",
-        "slices_cut_at_first_road", "spilled_bytes", "bad_layers", "filament_mm", "time_s",
-        "allocations_per_layer", "boolean_retries", "stalls", "resends", "defects",
-        "slow_layers", "geometry_ended"}) {
+  for (const char* key : {"layers",
+                          "peak_layers_held",
+                          "peak_regions_held",
+                          "peak_triangles_held",
+                          "peak_rss_bytes",
+                          "cpu_seconds",
+                          "worst_layer_ms",
+                          "first_command_s",
+                          "first_road_s",
+                          "slices_cut_at_first_road",
+                          "spilled_bytes",
+                          "bad_layers",
+                          "filament_mm",
+                          "time_s",
+                          "allocations_per_layer",
+                          "boolean_retries",
+                          "stalls",
+                          "resends",
+                          "defects",
+                          "slow_layers",
+                          "geometry_ended"}) {
     CAPTURE(key);
     CHECK(with_link.contains(key));
   }

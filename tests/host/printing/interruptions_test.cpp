@@ -17,9 +17,9 @@
 #include <string>
 #include <vector>
 
-#include "host/exit_codes.h"
-#include "host/printing/command_trail.h"  // kBlockLengthUm
+#include "host/printing/command_history.h"  // kBlockLengthUm
 #include "host/printing/journal.h"
+#include "host/system/exit_codes.h"
 #include "tests/host/mortal_printer.h"
 #include "tests/host/print_rig.h"
 #include "tests/support/temporary_folder.h"
@@ -252,7 +252,7 @@ class Fate {
   std::vector<std::size_t> twice_max_;
 };
 
-// Shorter moves may have none (command_trail.h).
+// Shorter moves may have none (command_history.h).
 bool takes_a_block(const LaidPiece& piece) {
   const double farthest =
       std::max(std::abs(piece.to[0] - piece.from[0]), std::abs(piece.to[1] - piece.from[1]));

@@ -11,7 +11,7 @@
 #include <random>
 #include <string>
 
-#include "host/part/content_hash.h"
+#include "host/files/content_hash.h"
 #include "tests/support/temporary_folder.h"
 
 namespace {

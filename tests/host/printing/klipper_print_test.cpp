@@ -9,15 +9,15 @@
 #include <string>
 #include <vector>
 
-#include "host/exit_codes.h"
 #include "host/printing/journal.h"
 #include "host/printing/told_place.h"
+#include "host/system/exit_codes.h"
 #include "tests/host/print_rig.h"
 #include "tests/support/laid_roads.h"
 #include "tests/support/temporary_folder.h"
 
 using core::Length;
-using host::Wish;
+using host::UserRequest;
 using print_test::BreakablePort;
 using print_test::Rig;
 using test::laid_by;

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <string>
 
-#include "host/exit_codes.h"
+#include "host/system/exit_codes.h"
 #include "tests/host/print_rig.h"
 
 using core::Length;
@@ -40,10 +40,10 @@ Outcome printed_on(double side_mm, double part_mm, bool tells) {
   controller.tells_travel = tells;
   Rig rig(with_bed(side_mm), print_test::open(with_bed(300), part), controller);
   bool paused = false;
-  rig.link.wish = [&]() -> std::optional<host::Wish> {
+  rig.link.request = [&]() -> std::optional<host::UserRequest> {
     if (paused || rig.executed.size() < 60) return std::nullopt;
     paused = true;
-    return host::Wish::kPause;
+    return host::UserRequest::kPause;
   };
   rig.link.banner_wait_s = 0.05;
   Outcome outcome;

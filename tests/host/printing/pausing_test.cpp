@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "firmware_link/line_codec.h"
-#include "host/printing/command_trail.h"
+#include "firmware_link/wire/line_codec.h"
+#include "host/printing/command_history.h"
 #include "host/printing/controls.h"
-#include "host/printing/detour.h"
-#include "host/printing/feed_governor.h"
+#include "host/printing/feed_throttle.h"
+#include "host/printing/park_moves.h"
 #include "host/printing/pause_control.h"
 #include "host/printing/resume_point.h"
 
@@ -55,26 +55,26 @@ using Texts = std::vector<std::string>;
 
 TEST_CASE("the nozzle leaves drawn back and lifted, and comes back primed") {
   const core::Settings settings;
-  const host::Detour detour(settings, {5'000, 295'000});
+  const host::ParkMoves park_moves(settings, {5'000, 295'000});
   const host::MachineState here = in_a_road();
-  CHECK(texts_of(detour.leave_part(here)) ==
+  CHECK(texts_of(park_moves.leave_part(here)) ==
         Texts{"G1 E-1 F2400", "G0 Z12.4 F600", "G0 X5 Y295 F7800"});
-  CHECK(texts_of(detour.come_back(here, false)) ==
+  CHECK(texts_of(park_moves.come_back(here, false)) ==
         Texts{"G1 E1 F2400", "G1 E4 F240", "G1 E-1 F2400", "G0 X50 Y60.5 F7800", "G0 Z2.4 F600",
               "G1 E1 F2400", "M106 S255", "G0 F3600"});
-  CHECK(texts_of(detour.come_back(here, true)).front() == "M140 S60");
-  CHECK(texts_of(detour.come_back(here, true))[1] == "M109 S210");
+  CHECK(texts_of(park_moves.come_back(here, true)).front() == "M140 S60");
+  CHECK(texts_of(park_moves.come_back(here, true))[1] == "M109 S210");
 }
 
 TEST_CASE("filament that is drawn back already stays as it was") {
   const core::Settings settings;
-  const host::Detour detour(settings, {0, 0});
+  const host::ParkMoves park_moves(settings, {0, 0});
   host::MachineState here = in_a_road();
   here.drawn_back_10nm = 100'000;
-  CHECK(texts_of(detour.leave_part(here)).front() == "G0 Z12.4 F600");
+  CHECK(texts_of(park_moves.leave_part(here)).front() == "G0 Z12.4 F600");
   host::MachineState after = here;
-  for (const Command& command : detour.leave_part(here)) after.apply(command);
-  for (const Command& command : detour.come_back(here, false)) after.apply(command);
+  for (const Command& command : park_moves.leave_part(here)) after.apply(command);
+  for (const Command& command : park_moves.come_back(here, false)) after.apply(command);
   CHECK_EQ(after.drawn_back_10nm, here.drawn_back_10nm);
   CHECK_EQ(after.x_um, here.x_um);
   CHECK_EQ(after.z_um, here.z_um);
@@ -84,13 +84,13 @@ TEST_CASE("filament that is drawn back already stays as it was") {
 TEST_CASE("after a reset X and Y are homed, hot and lifted, and Z never") {
   core::Settings settings;
   settings.start_gcode = {"G21", "G28", "M420 S1", "M104 S200", "M92 E400 ; steps", "G1 X5 E9"};
-  const host::Detour detour(settings, {5'000, 5'000});
-  const Texts way = texts_of(detour.begin_anew(in_a_road(), 2'400, true, false));
+  const host::ParkMoves park_moves(settings, {5'000, 5'000});
+  const Texts way = texts_of(park_moves.begin_anew(in_a_road(), 2'400, true, false));
   CHECK(way == Texts{"G21", "G90", "M83", "M420 S1", "M92 E400", "G92 Z2.400", "M104 S210",
                      "M190 S60", "M109 S210", "G1 E-1 F2400", "G0 Z12.4 F600", "G28 X Y",
                      "G0 X5 Y5 F7800"});
   // Lifted from where the nozzle is, not from where it should be.
-  const Texts higher = texts_of(detour.begin_anew(in_a_road(), 30'000, true, true));
+  const Texts higher = texts_of(park_moves.begin_anew(in_a_road(), 30'000, true, true));
   CHECK_EQ(higher[5], "SET_KINEMATIC_POSITION Z=30.000");
   CHECK_EQ(higher[10], "G0 Z40 F600");
   settings.axis_z = Length::from_mm(5);
@@ -113,9 +113,9 @@ TEST_CASE("the parking place is the bed's corner farthest from the part") {
 
 TEST_CASE("a pause leaves, waits, lets the nozzle cool, and comes back when nobody wants it") {
   const core::Settings settings;
-  const host::Detour detour(settings, {5'000, 5'000});
+  const host::ParkMoves park_moves(settings, {5'000, 5'000});
   const host::MachineState here = in_a_road();
-  PauseControl pauses(detour, 100);
+  PauseControl pauses(park_moves, 100);
   CHECK_FALSE(pauses.turn_due());
   const auto drain = [&pauses] {
     std::vector<Command> way;
@@ -123,9 +123,9 @@ TEST_CASE("a pause leaves, waits, lets the nozzle cool, and comes back when nobo
     return texts_of(way);
   };
   pauses.want_pause(true);
-  pauses.starve(true);
+  pauses.set_underrun(true);
   REQUIRE(pauses.turn(0, here));
-  CHECK(drain() == texts_of(detour.leave_part(here)));
+  CHECK(drain() == texts_of(park_moves.leave_part(here)));
   CHECK_EQ(pauses.nozzle_z_um(), 12'400);
   REQUIRE(pauses.turn(1, here));
   CHECK(pauses.phase() == PauseControl::Phase::kAway);
@@ -136,17 +136,17 @@ TEST_CASE("a pause leaves, waits, lets the nozzle cool, and comes back when nobo
   CHECK(drain() == Texts{"M104 S0"});
   CHECK_FALSE(pauses.turn(300, here));
   CHECK(drain().empty());
-  pauses.starve(false);
+  pauses.set_underrun(false);
   REQUIRE(pauses.turn(301, here));
-  CHECK(drain() == texts_of(detour.come_back(here, true)));
+  CHECK(drain() == texts_of(park_moves.come_back(here, true)));
   REQUIRE(pauses.turn(302, here));
   CHECK(pauses.printing());
   CHECK_FALSE(pauses.nozzle_z_um().has_value());
 }
 
 TEST_CASE("before the first road a pause only waits") {
-  const host::Detour detour(core::Settings(), {5'000, 5'000});
-  PauseControl pauses(detour, 100);
+  const host::ParkMoves park_moves(core::Settings(), {5'000, 5'000});
+  PauseControl pauses(park_moves, 100);
   pauses.want_pause(true);
   CHECK(pauses.turn(0, {}));
   CHECK_FALSE(pauses.next().has_value());
@@ -159,17 +159,17 @@ TEST_CASE("before the first road a pause only waits") {
 }
 
 TEST_CASE("the feed sinks with what is ahead, and rises by steps") {
-  host::FeedGovernor governor;
-  CHECK_EQ(governor.percent(0, 0.5, true), 100);  // the queue has not been filled yet
-  CHECK_EQ(governor.percent(1, 10, true), 100);
-  CHECK_EQ(governor.percent(2, 3, true), 75);
-  CHECK_EQ(governor.percent(2.5, 1, true), 75);  // not yet
-  CHECK_EQ(governor.percent(3.1, 2, true), 50);
-  CHECK_EQ(governor.percent(4.2, 0, true), host::FeedGovernor::kSlowest_percent);
-  CHECK_EQ(governor.percent(5.3, 9, true), 55);
-  CHECK_EQ(governor.percent(6.4, 9, true), 85);
-  CHECK_EQ(governor.percent(7.5, 9, true), 100);
-  CHECK_EQ(governor.percent(8.6, 0.1, false), 100);  // the end is no famine
+  host::FeedThrottle throttle;
+  CHECK_EQ(throttle.percent(0, 0.5, true), 100);  // the queue has not been filled yet
+  CHECK_EQ(throttle.percent(1, 10, true), 100);
+  CHECK_EQ(throttle.percent(2, 3, true), 75);
+  CHECK_EQ(throttle.percent(2.5, 1, true), 75);  // not yet
+  CHECK_EQ(throttle.percent(3.1, 2, true), 50);
+  CHECK_EQ(throttle.percent(4.2, 0, true), host::FeedThrottle::kSlowest_percent);
+  CHECK_EQ(throttle.percent(5.3, 9, true), 55);
+  CHECK_EQ(throttle.percent(6.4, 9, true), 85);
+  CHECK_EQ(throttle.percent(7.5, 9, true), 100);
+  CHECK_EQ(throttle.percent(8.6, 0.1, false), 100);  // the end is no famine
 }
 
 TEST_CASE("where a print goes on") {
@@ -211,10 +211,10 @@ TEST_CASE("where a print goes on") {
   CHECK_EQ(at(PrintState::kPortLost, {{}, false, true}).command, 103);
 }
 
-TEST_CASE("a trail knows its last commands and the machine before each") {
-  host::CommandTrail trail;
+TEST_CASE("a history knows its last commands and the machine before each") {
+  host::CommandHistory history;
   host::MachineState machine = in_a_road();
-  trail.begin_at(1'000, machine, {});
+  history.begin_at(1'000, machine, {});
   std::vector<host::MachineState> before;
   for (int i = 0; i < 600; ++i) {
     host::QueuedCommand queued;
@@ -225,32 +225,32 @@ TEST_CASE("a trail knows its last commands and the machine before each") {
     if (i % 5 == 4) queued.command = firmware_link::SetFan{static_cast<std::uint8_t>(i % 256)};
     before.push_back(machine);
     machine.apply(queued.command);
-    trail.push(queued);
+    history.push(queued);
   }
-  CHECK_EQ(trail.end(), 1'600);
-  CHECK_EQ(trail.begin(), 1'600 - static_cast<std::int64_t>(host::kTrailCommandsMax));
-  for (std::int64_t i = trail.begin(); i < trail.end(); ++i) {
+  CHECK_EQ(history.end(), 1'600);
+  CHECK_EQ(history.begin(), 1'600 - static_cast<std::int64_t>(host::kHistoryCommandsMax));
+  for (std::int64_t i = history.begin(); i < history.end(); ++i) {
     CAPTURE(i);
     const host::MachineState& wanted = before[static_cast<std::size_t>(i - 1'000)];
-    const host::MachineState state = trail.state_before(i);
+    const host::MachineState state = history.state_before(i);
     CHECK_EQ(state.x_um, wanted.x_um);
     CHECK_EQ(state.f_mm_min, wanted.f_mm_min);
     CHECK_EQ(state.fan, wanted.fan);
   }
   // Numbers 1599 and 1594 blow, all others move.
-  CHECK_EQ(trail.executed_before(1'600, std::size_t{0}), 1'600);
-  CHECK_EQ(trail.executed_before(1'600, std::size_t{1}), 1'598);
-  CHECK_EQ(trail.executed_before(1'600, std::size_t{5}), 1'593);
-  CHECK_EQ(trail.executed_before(1'600, std::size_t{10'000}), std::nullopt);
+  CHECK_EQ(history.executed_before(1'600, std::size_t{0}), 1'600);
+  CHECK_EQ(history.executed_before(1'600, std::size_t{1}), 1'598);
+  CHECK_EQ(history.executed_before(1'600, std::size_t{5}), 1'593);
+  CHECK_EQ(history.executed_before(1'600, std::size_t{10'000}), std::nullopt);
 }
 
 TEST_CASE("short moves may have no block of their own, and some commands empty the planner") {
-  host::CommandTrail trail;
-  trail.begin_at(0, in_a_road(), {std::make_shared<host::Checkpoint>(), 7});
-  const auto push = [&trail](const firmware_link::Command& command) {
+  host::CommandHistory history;
+  history.begin_at(0, in_a_road(), {std::make_shared<host::Checkpoint>(), 7});
+  const auto push = [&history](const firmware_link::Command& command) {
     host::QueuedCommand queued;
     queued.command = command;
-    trail.push(queued);
+    history.push(queued);
   };
   const auto words = [](const char* line) {
     return std::get<firmware_link::Verbatim>(firmware_link::verbatim_from(line));
@@ -264,26 +264,26 @@ TEST_CASE("short moves may have no block of their own, and some commands empty t
     move.x_um = 9'000 + i * 20;
     push(move);
   }
-  CHECK_EQ(trail.executed_before(20, std::size_t{2}), 8);
+  CHECK_EQ(history.executed_before(20, std::size_t{2}), 8);
   push(words("M109 S200"));  // does not wait for moves
-  CHECK_EQ(trail.executed_before(21, std::size_t{2}), 8);
+  CHECK_EQ(history.executed_before(21, std::size_t{2}), 8);
   push(words("M400"));
-  CHECK_EQ(trail.executed_before(22, std::size_t{16}), 22);
+  CHECK_EQ(history.executed_before(22, std::size_t{16}), 22);
   move.x_um = 20'000;
   push(move);
-  CHECK_EQ(trail.executed_before(23, std::size_t{16}), 22);
-  CHECK_EQ(trail.executed_before(23, std::size_t{1}), 22);
+  CHECK_EQ(history.executed_before(23, std::size_t{16}), 22);
+  CHECK_EQ(history.executed_before(23, std::size_t{1}), 22);
   firmware_link::Move filament;
   filament.e_10nm = -100'000;
   push(filament);
-  CHECK_EQ(trail.executed_before(24, std::size_t{1}), 23);
-  CHECK_EQ(trail.mark_before(0).hash, 7);
+  CHECK_EQ(history.executed_before(24, std::size_t{1}), 23);
+  CHECK_EQ(history.mark_before(0).hash, 7);
 }
 
 TEST_CASE("keys") {
-  CHECK(host::wish_of_key('p') == host::Wish::kPause);
-  CHECK(host::wish_of_key('r') == host::Wish::kGoOn);
-  CHECK(host::wish_of_key('s') == host::Wish::kStop);
-  CHECK(host::wish_of_key('+') == host::Wish::kFeedUp);
-  CHECK_FALSE(host::wish_of_key('x').has_value());
+  CHECK(host::request_of_key('p') == host::UserRequest::kPause);
+  CHECK(host::request_of_key('r') == host::UserRequest::kResume);
+  CHECK(host::request_of_key('s') == host::UserRequest::kStop);
+  CHECK(host::request_of_key('+') == host::UserRequest::kFeedUp);
+  CHECK_FALSE(host::request_of_key('x').has_value());
 }

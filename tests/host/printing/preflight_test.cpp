@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "host/exit_codes.h"
 #include "host/part/bad_layers.h"
 #include "host/part/mesh_layers.h"
+#include "host/system/exit_codes.h"
 #include "tests/host/print_rig.h"
 #include "tests/support/laid_roads.h"
 #include "tests/support/listed_triangles.h"
@@ -240,14 +240,14 @@ TEST_CASE("a bad layer in mid-print waits for its user off the part, and goes on
     rig.job.on_bad_layer = action;
     int waited = 0;
     bool away = false;
-    rig.link.wish = [&]() -> std::optional<host::Wish> {
+    rig.link.request = [&]() -> std::optional<host::UserRequest> {
       const auto state = rig.controller();
       const bool off_part = state.z_mm > 10 && state.x_mm == 5 && state.y_mm == 5;
       const bool waits = off_part && !away;
       away = off_part;
       if (!waits) return std::nullopt;
       ++waited;
-      return host::Wish::kGoOn;
+      return host::UserRequest::kResume;
     };
     const host::PrintOutcome outcome = rig.print();
     CAPTURE(outcome.message);

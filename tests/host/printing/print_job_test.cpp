@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "host/exit_codes.h"
-#include "host/limits.h"
+#include "host/system/exit_codes.h"
+#include "host/system/limits.h"
 #include "tests/host/print_rig.h"
 #include "tests/support/laid_roads.h"
 #include "tests/support/road_path.h"

@@ -12,15 +12,15 @@
 #include <string>
 #include <vector>
 
-#include "host/exit_codes.h"
-#include "host/printing/detour.h"
 #include "host/printing/journal.h"
+#include "host/printing/park_moves.h"
+#include "host/system/exit_codes.h"
 #include "tests/host/print_rig.h"
 #include "tests/support/laid_roads.h"
 #include "tests/support/temporary_folder.h"
 
 using core::Length;
-using host::Wish;
+using host::UserRequest;
 using print_test::BreakablePort;
 using print_test::Rig;
 using test::laid_by;
@@ -92,10 +92,10 @@ TEST_CASE("a print that is paused lays the same roads, and the nozzle waits off 
     bool paused = false;
     bool away = false;
     bool gone_on = false;
-    rig.link.wish = [&]() -> std::optional<Wish> {
+    rig.link.request = [&]() -> std::optional<UserRequest> {
       if (!paused && rig.executed.size() >= at) {
         paused = true;
-        return i == 5 ? Wish::kToggle : Wish::kPause;
+        return i == 5 ? UserRequest::kToggle : UserRequest::kPause;
       }
       if (!paused || gone_on) return std::nullopt;
       const auto state = rig.controller();
@@ -104,7 +104,7 @@ TEST_CASE("a print that is paused lays the same roads, and the nozzle waits off 
       if (!away || !cooled) return std::nullopt;
       CHECK_EQ(state.bed_target_celsius, 60);
       gone_on = true;
-      return i == 5 ? Wish::kToggle : Wish::kGoOn;
+      return i == 5 ? UserRequest::kToggle : UserRequest::kResume;
     };
     const host::PrintOutcome outcome = rig.print();
     CAPTURE(outcome.message);
@@ -145,14 +145,15 @@ TEST_CASE("pause, going on and cancelling at the printer are obeyed") {
 TEST_CASE("feed and flow go to the controller; a stop by key is a safe one") {
   const PartFolder folder;
   Rig rig(coarse(), small_part(folder));
-  std::vector<Wish> wishes = {Wish::kStop, Wish::kFlowDown, Wish::kFeedUp, Wish::kFeedUp};
+  std::vector<UserRequest> requests = {UserRequest::kStop, UserRequest::kFlowDown,
+                                       UserRequest::kFeedUp, UserRequest::kFeedUp};
   std::size_t next_at = 50;
-  rig.link.wish = [&]() -> std::optional<Wish> {
-    if (wishes.empty() || rig.executed.size() < next_at) return std::nullopt;
-    const Wish wish = wishes.back();
-    wishes.pop_back();
+  rig.link.request = [&]() -> std::optional<UserRequest> {
+    if (requests.empty() || rig.executed.size() < next_at) return std::nullopt;
+    const UserRequest request = requests.back();
+    requests.pop_back();
     next_at = rig.executed.size() + 20;
-    return wish;
+    return request;
   };
   const host::PrintOutcome outcome = rig.print();
   CHECK_EQ(outcome.exit_code, host::kExitStopped);

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "host/exit_codes.h"
 #include "host/pipeline/user_gcode.h"
 #include "host/settings/whole_settings.h"
+#include "host/system/exit_codes.h"
 #include "tests/host/print_rig.h"
 #include "tests/support/gcode_machine.h"
 

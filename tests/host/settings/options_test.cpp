@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "host/exit_codes.h"
+#include "host/system/exit_codes.h"
 
 using host::Options;
 using host::OptionsExit;

@@ -1,0 +1,83 @@
+// Which edges can reach which offset elements: the one neighbour search that all depths share.
+//
+// Consecutive edges are gathered in chunks of up to 8 with a box. The elements that a chunk raises
+// up to the deepest depth D lie in its raised box; a site can trim them only from within D of it. A
+// uniform grid over the chunks' boxes finds, for every chunk, all chunks that are so near and not
+// of the same run: a superset of what is needed, never less, so the grid decides nothing.
+//
+//       raised box  ┌───────────┐   D
+//                   │  ‾‾‾‾‾‾   │◄─────► box of another chunk: a neighbour
+//       edges       └─╱──────╲──┘
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/offsets/offset_input.h"  // OffsetInput
+
+namespace core {
+
+struct OffsetBox {
+  double min_x, min_y, max_x, max_y;
+
+  void add(double x, double y) {
+    min_x = x < min_x ? x : min_x;
+    max_x = x > max_x ? x : max_x;
+    min_y = y < min_y ? y : min_y;
+    max_y = y > max_y ? y : max_y;
+  }
+  // Squared distance between the boxes; 0 when they meet.
+  [[nodiscard]] double distance_squared(const OffsetBox& other) const {
+    const double left = other.min_x - max_x, right = min_x - other.max_x;
+    const double down = other.min_y - max_y, up = min_y - other.max_y;
+    const double dx = left > right ? left : right, dy = down > up ? down : up;
+    const double gap_x = dx > 0 ? dx : 0, gap_y = dy > 0 ? dy : 0;
+    return gap_x * gap_x + gap_y * gap_y;
+  }
+};
+
+struct OffsetChunk {
+  OffsetBox box;
+  std::int32_t first, last;  // its edges, half open
+  std::int32_t run;          // the run that all its edges belong to, or -1
+  bool open;                 // a corner's arc belongs to no run: its own run matters to it
+};
+
+class OffsetSearch {
+ public:
+  // COSTS: O(n) and what the long edges cross on the grid, O(n^1.5) at worst.
+  void prepare(const OffsetInput& contours, double deepest);
+
+  [[nodiscard]] const std::vector<OffsetChunk>& chunks() const { return chunks_; }
+  [[nodiscard]] double deepest() const { return deepest_; }
+  // The chunks near `chunk`, itself included if it matters.
+  [[nodiscard]] std::span<const std::int32_t> neighbours(std::size_t chunk) const {
+    return std::span(neighbours_)
+        .subspan(neighbours_first_[chunk], neighbours_first_[chunk + 1] - neighbours_first_[chunk]);
+  }
+
+ private:
+  void gather_chunks(const OffsetInput& contours);
+  void fill_grid(const OffsetInput& contours);
+  void find_neighbours(const OffsetInput& contours, std::size_t chunk);
+  void start_chunk(const OffsetInput& contours, std::int32_t index);
+  [[nodiscard]] OffsetBox raised_box(const OffsetInput& contours, const OffsetChunk& chunk) const;
+  template <typename Visit>
+  void visit_cells(const OffsetInput& contours, const OffsetChunk& chunk, const OffsetBox& box,
+                   double margin, Visit&& visit) const;
+
+  double deepest_ = 0;
+  std::vector<OffsetChunk> chunks_;
+  std::vector<std::int32_t> neighbours_;
+  std::vector<std::size_t> neighbours_first_;
+
+  // The grid, cells in rows; a cell's chunks are entries_[cell_first_[cell] … cell_first_[cell+1]).
+  OffsetBox box_{};
+  double cells_per_unit_ = 0;
+  std::int32_t columns_ = 0, rows_ = 0;
+  std::vector<std::int32_t> cell_first_, entries_;
+  std::vector<std::int32_t> seen_by_;  // per chunk: the last chunk that found it
+};
+
+}  // namespace core

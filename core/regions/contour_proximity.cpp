@@ -1,0 +1,139 @@
+#include "core/regions/contour_proximity.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+
+#include "core/geometry.h"              // Point, Ring
+#include "core/regions/polyline.h"      // between, distance_mm
+#include "core/regions/segment_grid.h"  // SegmentGrid
+
+namespace core {
+namespace {
+
+struct Place {
+  double x = 0;
+  double y = 0;
+};
+
+Place place(Point p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
+
+double squared(Place a, Place b) { return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y); }
+
+// Goes forward along a ring, from corner to corner or to a place before the next one.
+class Walker {
+ public:
+  Walker(const Ring& ring, std::size_t corner) : ring_(&ring), next_corner_(corner) {
+    next_ = place(ring[corner]);
+    pass();
+  }
+
+  [[nodiscard]] Place next() const { return next_; }
+
+  // Where along the edge that it is on the place nearest to p is: 0 its begin, 1 its end.
+  [[nodiscard]] double share_at(Place p) const {
+    return ((p.x - from_.x) * dx_ + (p.y - from_.y) * dy_) * per_length2_;
+  }
+
+  // The place there, but neither behind where it is nor beyond the edge.
+  [[nodiscard]] Place ahead(double share) const {
+    const double t = std::min(std::max(share, share_), 1.0);
+    return {from_.x + t * dx_, from_.y + t * dy_};
+  }
+
+  void go_to(double share) { share_ = std::min(std::max(share, share_), 1.0); }
+
+  // On to the next corner.
+  void pass() {
+    from_ = next_;
+    next_corner_ = next_corner_ + 1 < ring_->size() ? next_corner_ + 1 : 0;
+    next_ = place((*ring_)[next_corner_]);
+    dx_ = next_.x - from_.x;
+    dy_ = next_.y - from_.y;
+    const double length2 = dx_ * dx_ + dy_ * dy_;
+    per_length2_ = length2 > 0 ? 1 / length2 : 0;
+    share_ = 0;
+  }
+
+ private:
+  const Ring* ring_;
+  std::size_t next_corner_;
+  Place from_, next_;
+  double dx_ = 0;
+  double dy_ = 0;
+  double per_length2_ = 0;
+  double share_ = 0;
+};
+
+// Goes on to the next corner of `ahead`, and with `beside` as near to it as it may. False when the
+// leash is too short for that.
+bool go_on(Walker& ahead, Walker& beside, double share, double reach2) {
+  if (squared(ahead.next(), beside.ahead(share)) > reach2) return false;
+  beside.go_to(share);
+  ahead.pass();
+  return true;
+}
+
+// The corner before the ring's place that is nearest to p, as a rule: beside the nearest corner.
+std::size_t start_corner(const Ring& ring, Place p) {
+  std::size_t best = 0;
+  double least = std::numeric_limits<double>::max();
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const double away = squared(p, place(ring[i]));
+    if (away >= least) continue;
+    least = away;
+    best = i;
+  }
+  const std::size_t before = best > 0 ? best - 1 : ring.size() - 1;
+  const Walker last(ring, before);
+  return squared(p, last.ahead(last.share_at(p))) < least ? before : best;
+}
+
+bool frechet_within(const Ring& ring, const Ring& other, double reach2) {
+  const Place start = place(ring.front());
+  Walker a(ring, 0);
+  Walker b(other, start_corner(other, start));
+  b.go_to(b.share_at(start));
+  if (squared(start, b.ahead(0)) > reach2) return false;
+  const std::size_t steps_max = 2 * (ring.size() + other.size());
+  std::size_t passed = 0;
+  for (std::size_t i = 0; i < steps_max && passed < ring.size(); ++i) {
+    // Whoever's corner comes first goes there; the other one when the leash is too short.
+    const double b_share = b.share_at(a.next());
+    if (b_share < 1 && go_on(a, b, b_share, reach2)) {
+      ++passed;
+    } else if (!go_on(b, a, a.share_at(b.next()), reach2)) {
+      if (b_share < 1 || !go_on(a, b, b_share, reach2)) return false;
+      ++passed;
+    }
+  }
+  return passed == ring.size();
+}
+
+}  // namespace
+
+bool frechet_within(const Region& contours, const Region& others, Length reach) {
+  if (contours.rings().size() != others.rings().size()) return false;
+  const auto units = static_cast<double>(reach.units());
+  for (std::size_t i = 0; i < contours.rings().size(); ++i) {
+    if (!frechet_within(contours.rings()[i], others.rings()[i], units * units)) return false;
+  }
+  return true;
+}
+
+bool stays_near(const Region& contours, const Region& others, Length reach, Length step) {
+  if (frechet_within(contours, others, reach)) return true;
+  const SegmentGrid grid(reach, others);
+  for (const Ring& ring : contours.rings()) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Point a = ring[i], b = ring[i + 1 < ring.size() ? i + 1 : 0];
+      const int parts = 1 + static_cast<int>(distance_mm(a, b) / step.mm());
+      for (int part = 0; part < parts; ++part) {
+        if (!grid.any_within(between(a, b, part / static_cast<double>(parts)), reach)) return false;
+      }
+    }
+  }
+  return true;
+}
+
+}  // namespace core

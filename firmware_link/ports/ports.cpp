@@ -1,0 +1,56 @@
+#include "firmware_link/ports/ports.h"
+
+#include <sys/file.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+
+#include "firmware_link/ports/serial_port.h"  // SerialPort
+#include "firmware_link/ports/tcp_port.h"     // TcpPort
+#include "firmware_link/ports/tty_port.h"     // TtyPort
+#include "firmware_link/wire/check.h"
+
+namespace firmware_link {
+namespace {
+
+bool is_pseudo_terminal(const std::string& path) {
+  std::error_code error;
+  const std::filesystem::path real = std::filesystem::canonical(path, error);
+  return !error && real.parent_path() == "/dev/pts";
+}
+
+}  // namespace
+
+PortError open_error(const std::string& path, int system_error) {
+  const std::string cause = "cannot open " + path + ": " + std::strerror(system_error);
+  switch (system_error) {
+    case ENOENT:
+    case ENODEV:
+    case ENXIO:
+      return {cause, "is the printer plugged in and switched on? `rind ports` lists the ports"};
+    case EACCES:
+    case EPERM:
+      return {cause, "join the group that owns it: `sudo adduser $USER dialout`, then log in anew"};
+    case EBUSY:
+      return {cause, "another program holds it: close that one (OctoPrint, a serial monitor …)"};
+    default:
+      return {cause, "`rind ports` lists the ports"};
+  }
+}
+
+bool claim(int file) { return ::flock(file, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK; }
+
+OpenedPort open_port(const std::string& path, int baud) {
+  LINK_CHECK(baud > 0);
+  if (TcpPort::names_one(path)) return TcpPort::open(path);
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) return open_error(path, ENOENT);
+  if (is_pseudo_terminal(path)) return TtyPort::open(path);
+  return SerialPort::open(path, baud);
+}
+
+std::vector<PortDescription> list_ports() { return SerialPort::list(); }
+
+}  // namespace firmware_link

@@ -1,0 +1,27 @@
+// One turn of the loop between a session and a port, and the way to end all of it.
+#pragma once
+
+#include "firmware_link/ports/byte_port.h"  // BytePort
+#include "firmware_link/session/session.h"  // Session
+#include "firmware_link/wire/instant.h"     // Instant
+
+namespace firmware_link {
+
+// Writes what is to be written, waits up to timeout_ms for answers, lets the session's timers run.
+void step(Session& session, BytePort& port, Instant now, int timeout_ms);
+
+// What an emergency stop could do.
+enum class Halt {
+  kTold,     // M112 has left; a controller with EMERGENCY_PARSER has stopped by now
+  kReset,    // and the board was reset as well, because it may not have listened
+  kMaybe,    // M112 has left, and nothing more can be done: it acts when its turn comes
+  kNotSent,  // the port took nothing
+};
+
+// Stops the controller at once, past the session: M112 straight to the port, and where the
+// controller does not listen for it (no EMERGENCY_PARSER) a reset by DTR too. Never M410, which
+// kills a homing Marlin halfway. COSTS: at most `attempts` writes, each followed by a read of at
+// most wait_ms.
+[[nodiscard]] Halt halt(const Session& session, BytePort& port, int wait_ms, int attempts);
+
+}  // namespace firmware_link

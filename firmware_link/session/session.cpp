@@ -1,0 +1,346 @@
+#include "firmware_link/session/session.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstring>
+#include <utility>
+
+#include "firmware_link/wire/check.h"
+#include "firmware_link/wire/line_codec.h"  // encode, number_line
+
+namespace firmware_link {
+namespace {
+
+// So much motion in the planner is enough for the next line to come in time: far more than an
+// answer takes on its way (16 ms are found), and Marlin slows no segment down that leaves half of
+// its planner so long (8 blocks of 20 ms).
+constexpr Duration kPlannerFed = std::chrono::milliseconds(200);
+
+// What cannot come out of a damaged line, and stops at once any garbage before it.
+constexpr std::string_view kEmergencyStop = "\nM112\n";
+
+// Read before its turn, as M112 is: ends M109, M190, M0. Never M410, which kills a homing Marlin.
+constexpr std::string_view kWaitNoMore = "\nM108\n";
+
+}  // namespace
+
+Session::Session(std::unique_ptr<Dialect> dialect, const SessionOptions& options, Instant now)
+    : dialect_(std::move(dialect)),
+      options_(options),
+      rules_(dialect_->rules()),
+      phase_began_(now),
+      stop_began_(now),
+      last_heard_(now),
+      last_said_(now),
+      last_life_(now),
+      last_progress_(now),
+      quiet_since_(now),
+      last_polled_(now),
+      silence_(options_.wait_limit),
+      last_turn_(now) {
+  LINK_CHECK(rules_.numbered && rules_.window_lines >= 1 && rules_.window_lines <= kWindowLinesMax);
+  LINK_CHECK(rules_.window_bytes > kLineBytesMax && rules_.window_bytes <= kWindowBytesMax);
+  LINK_CHECK(options_.line_number_max >= 1 && options_.line_number_max <= kLineNumberMax);
+}
+
+bool Session::can_take() const {
+  return state_ == SessionState::kStreaming && window_.all_sent() && !own_line_due() &&
+         !confirming_ && !deferred_ && !is_still();
+}
+
+void Session::take(const Command& command, Instant now) { give(command, true, now); }
+
+void Session::insert(const Command& command, Instant now) { give(command, false, now); }
+
+std::int32_t Session::accepted_line() const {
+  return static_cast<std::int32_t>(
+      std::max<std::int64_t>(0, wire_number(window_.acknowledged()) - 1));
+}
+
+std::optional<std::int64_t> Session::commands_through_line(std::int32_t line) const {
+  const std::int64_t sequence = line + numbering_base_ + 1;
+  if (sequence < window_.oldest() || sequence > window_.end()) return std::nullopt;
+  return window_.commands_before(sequence);
+}
+
+void Session::finish(Instant now) {
+  LINK_CHECK(state_ == SessionState::kStreaming);
+  state_ = SessionState::kFinishing;
+  settle(now);
+}
+
+std::span<const std::byte> Session::output() const {
+  return std::span(output_).subspan(output_begin_, output_end_ - output_begin_);
+}
+
+void Session::written(std::size_t count, Instant now) {
+  LINK_CHECK(count <= output_end_ - output_begin_);
+  bridge_gap(now);
+  output_begin_ += count;
+  statistics_.bytes_sent += static_cast<std::int64_t>(count);
+  if (output_begin_ == output_end_) {
+    output_begin_ = output_end_ = 0;
+    // Quiet counts from when the last byte left, so that its answer can come.
+    if (count > 0) quiet_since_ = std::max(quiet_since_, now);
+  }
+}
+
+void Session::tick(Instant now) {
+  bridge_gap(now);
+  if (ended()) return;
+  if (is_still()) {
+    tick_shut_down(now);
+    return;
+  }
+  planner_.advance(now);
+  if (phase_ == Phase::kBanner || phase_ == Phase::kGreeting || phase_ == Phase::kSettling) {
+    tick_greeting(now);
+  } else if (phase_ == Phase::kReadying) {
+    tick_readying(now);
+  } else {
+    if (recovering_ && output().empty() && now - quiet_since_ >= rules_.quiet_after_resend) {
+      recovering_ = false;
+      if (may_unpack_) stop_packing();
+      last_life_ = last_progress_ = now;
+    }
+    tick_asking(now);
+    tick_packing(now);
+    tick_silence(now);
+    tick_watch(now);
+  }
+  if (state_ == SessionState::kStopping) tick_stop(now);
+  settle(now);
+  pump(now);
+}
+
+void Session::stop_now(std::span<const Command> safe_sequence, Instant now) {
+  LINK_CHECK(safe_sequence.size() <= kSafeSequenceMax);
+  if (state_ == SessionState::kStopping || state_ == SessionState::kStopped) return;
+  safe_count_ = safe_sequence.size();
+  safe_next_ = 0;
+  for (std::size_t i = 0; i < safe_count_; ++i) {
+    safe_sizes_[i] = static_cast<std::uint8_t>(encode(safe_sequence[i], safe_texts_[i]).size());
+  }
+  own_requests_ = {};
+  deferred_.reset();
+  question_.reset();
+  end_confirming();
+  if (state_ == SessionState::kConnecting || state_ == SessionState::kFaulted) {
+    if (controller_may_live_) put_safe_sequence();
+    listens_ = controller_may_live_;
+    if (state_ == SessionState::kConnecting) state_ = SessionState::kStopped;
+    return;
+  }
+  state_ = SessionState::kStopping;
+  stop_began_ = now;
+  note_stop_behind(now);
+  window_.drop_never_sent();
+  // What waits for heat or for a user waits no longer; its own `ok` is met by the forced mismatch.
+  if (rules_.numbered && waiting_line_in_flight()) put_wait_no_more();
+  // Which of the sent lines are accepted decides where the safe sequence begins: a line with a
+  // number that the controller already has would be dropped in silence.
+  if (rules_.numbered) {
+    if (phase_ == Phase::kOpen) resynchronise(now);
+  } else {
+    end_of_commands_ = window_.end();
+  }
+  pump(now);
+}
+
+void Session::answer_user(Instant now) {
+  if (!waits_for_user_ || !rules_.numbered || phase_ != Phase::kOpen) return;
+  put_wait_no_more();
+  waits_for_user_ = false;
+  last_life_ = now;
+}
+
+void Session::port_lost(const std::string& reason) {
+  if (!ended()) fault(FaultKind::kPortLost, reason, false);
+}
+
+SessionStatistics Session::statistics() const {
+  SessionStatistics now = statistics_;
+  now.commands_sent = window_.commands_before(window_.sent_end());
+  now.commands_acknowledged = accepted();
+  now.events_dropped = events_.dropped();
+  now.planner_low_s = std::chrono::duration<double>(planner_.low()).count();
+  now.lines_in_flight = window_.lines_in_flight();
+  now.bytes_in_flight = window_.bytes_in_flight();
+  now.replies_cut = splitter_.lines_cut();
+  return now;
+}
+
+bool Session::ended() const {
+  return state_ == SessionState::kFaulted || state_ == SessionState::kFinished ||
+         state_ == SessionState::kStopped;
+}
+
+void Session::fault(FaultKind kind, const std::string& why, bool controller_may_live) {
+  fault_kind_ = kind;
+  state_ = SessionState::kFaulted;
+  reason_ = why;
+  controller_may_live_ = controller_may_live;
+  output_begin_ = output_end_ = 0;
+}
+
+void Session::put(std::string_view bytes) {
+  if (output_end_ + bytes.size() > output_.size()) {
+    std::memmove(output_.data(), output_.data() + output_begin_, output_end_ - output_begin_);
+    output_end_ -= output_begin_;
+    output_begin_ = 0;
+  }
+  LINK_CHECK(output_end_ + bytes.size() <= output_.size());
+  std::memcpy(output_.data() + output_end_, bytes.data(), bytes.size());
+  output_end_ += bytes.size();
+}
+
+// In plain characters, as whatever acts before its turn.
+void Session::put_wait_no_more() {
+  if (may_unpack_) stop_packing();
+  put(kWaitNoMore);
+}
+
+void Session::put_safe_sequence() {
+  if (may_unpack_) put(kMeatPackReset);
+  put("\n");
+  std::size_t bytes = 1;
+  for (std::size_t i = 0; i < safe_count_; ++i) {
+    const std::string_view text(safe_texts_[i].data(), safe_sizes_[i]);
+    bytes += text.size() + 1;
+    if (bytes > kWindowBytesMax) break;
+    put(text);
+    put("\n");
+  }
+  // Its answer tells that all before it was obeyed.
+  put("M105\n");
+}
+
+// Moves to the next state when all that this one waits for is there.
+void Session::settle(Instant now) {
+  if (ended() || is_still() || (phase_ != Phase::kAsking && phase_ != Phase::kOpen)) return;
+  const bool idle = window_.all_sent() && window_.lines_in_flight() == 0 && !resync_pending_ &&
+                    !own_line_due() && !question_ && !deferred_;
+  if (phase_ == Phase::kAsking && idle) {
+    if (asks_name_again(now)) return;
+    speak_its_dialect();
+    if (settling_needed_) {
+      phase_ = Phase::kSettling;
+      phase_began_ = now;
+      return;
+    }
+    begin_readying(now);
+    if (phase_ != Phase::kOpen) return;
+  }
+  if (recovering_ || resync_pending_ || window_.lines_in_flight() > 0) return;
+
+  const bool out_of_numbers = rules_.numbered && !window_.all_sent() &&
+                              wire_number(window_.next_to_send()) > options_.line_number_max;
+  const bool finishing = state_ == SessionState::kFinishing && idle;
+  const bool stopping =
+      state_ == SessionState::kStopping && idle && end_of_commands_ && safe_next_ == safe_count_;
+  if (!out_of_numbers && !finishing && !stopping) return;
+  if (rules_.numbered && !confirmed_) {
+    resynchronise(now);
+  } else if (finishing || stopping) {
+    state_ = finishing ? SessionState::kFinished : SessionState::kStopped;
+  } else {
+    greetings_ = 0;
+    greet(now);
+  }
+}
+
+void Session::pump(Instant now) {
+  if (ended() || is_still() || !talks()) return;
+  if (state_ == SessionState::kStopping && !end_of_commands_) {
+    if (!resync_pending_ && phase_ == Phase::kOpen) resynchronise(now);
+    return;
+  }
+  while (!recovering_ && !resync_pending_ && send_next(now)) {
+  }
+}
+
+bool Session::send_next(Instant now) {
+  if (window_.all_sent() && !push_own_line(now)) {
+    if (own_line_due()) return false;
+    if (deferred_) {
+      push_command(deferred_->command, deferred_->is_command);
+      deferred_.reset();
+      return send_next(now);
+    }
+    if (state_ != SessionState::kStopping || safe_next_ == safe_count_) return false;
+    push_own({safe_texts_[safe_next_].data(), safe_sizes_[safe_next_]});
+    ++safe_next_;
+  }
+  const std::int64_t sequence = window_.next_to_send();
+  const std::int64_t number = wire_number(sequence);
+  if (rules_.numbered && number > options_.line_number_max) {
+    settle(now);
+    return false;
+  }
+  LineBuffer buffer;
+  // Where nothing is repeated, numbers only have to be some.
+  const auto shown = static_cast<std::int32_t>(
+      rules_.numbered ? number : std::max<std::int64_t>(0, number) % kLineNumberMax);
+  const std::string_view line = rules_.numbered || rules_.checksummed
+                                    ? number_line(shown, window_.next_text(), buffer)
+                                    : window_.next_text();
+  LINK_CHECK(line.size() <= kLineBytesMax);
+  const bool ahead = is_ahead(sequence);
+  if (!ahead && !goes_behind_others(sequence)) return false;
+  if (!ahead && (window_.lines_in_flight() >= window_lines(now) || waiting_line_in_flight())) {
+    return false;
+  }
+  if (output_end_ - output_begin_ + 2 * kLineBytesMax > output_.size()) return false;
+  if (!packing_settled(now)) return false;
+  PackedBuffer packed;
+  const std::string_view wire = on_the_wire(line, packed);
+  if (wire.empty()) return false;
+  const std::size_t bytes = wire.size();
+  if (!ahead && window_.bytes_in_flight() + bytes > rules_.window_bytes) return false;
+  if (window_.lines_in_flight() == 0) last_life_ = last_progress_ = now;
+  if (sequence < window_.sent_end()) ++statistics_.lines_repeated;
+  put(wire);
+  ++statistics_.lines_sent;
+  statistics_.lines_packed += packing_ == Packing::kOn ? 1 : 0;
+  window_.sent(bytes);
+  confirmed_ = false;
+  statistics_.lines_in_flight_max =
+      std::max(statistics_.lines_in_flight_max, window_.lines_in_flight());
+  statistics_.bytes_in_flight_max =
+      std::max(statistics_.bytes_in_flight_max, window_.bytes_in_flight());
+  return true;
+}
+
+// Nothing goes behind a command that takes its time: a controller with free slots reads an M112 at
+// once, one whose slots are full not before the command ends (11 s were measured).
+bool Session::waiting_line_in_flight() const {
+  for (std::int64_t i = window_.acknowledged(); i < window_.next_to_send(); ++i) {
+    if (nominal_[static_cast<std::size_t>(i) % nominal_.size()].count() < 0) return true;
+  }
+  return false;
+}
+
+// A command that waits goes when all before it have been answered, so that an answer behind its
+// signs of work is its own. Where no checksum shows that two lines have run together, only moves go
+// behind others: that one is gone shows in the place and the filament. Any other line begins behind
+// an `ok`, on a line of its own.
+bool Session::goes_behind_others(std::int64_t sequence) const {
+  if (window_.lines_in_flight() == 0 || state_ == SessionState::kStopping) return true;
+  if (nominal_[static_cast<std::size_t>(sequence) % nominal_.size()].count() < 0) return false;
+  if (rules_.numbered) return true;
+  const std::string_view word = word_of(window_.text(sequence));
+  return word == "G0" || word == "G1" || word == "M105";
+}
+
+// One line at a time where that is enough: what a flush cuts is then never a line of ours.
+std::size_t Session::window_lines(Instant now) const {
+  if (calm_lines_missing_ > 0) return 1;
+  if (rules_.numbered && planner_.end() - now >= kPlannerFed) return 1;
+  return rules_.window_lines;
+}
+
+std::span<const std::byte> emergency_stop_bytes() {
+  return std::as_bytes(std::span(kEmergencyStop.data(), kEmergencyStop.size()));
+}
+
+}  // namespace firmware_link

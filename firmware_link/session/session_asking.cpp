@@ -1,0 +1,235 @@
+// An answer is missing: what is asked, and what its answer means.
+//
+// Two questions. A forced mismatch runs nothing and is answered before its turn, with the last line
+// that was accepted: where lines are numbered, and a command that is answered at once is in flight.
+// An M105 behind all that is in flight is answered in its turn, and its answer can't be taken for
+// another's: where nothing is numbered, and behind a command that takes long, which has been
+// accepted long before it ends.
+#include <algorithm>
+#include <chrono>
+#include <string>
+
+#include "firmware_link/session/session.h"
+#include "firmware_link/wire/check.h"
+#include "firmware_link/wire/line_codec.h"  // number_line
+
+namespace firmware_link {
+namespace {
+
+constexpr std::string_view kQuestion = "M105";
+constexpr std::size_t kMismatchBytes = 19;
+
+// Forced mismatches in a row without the `Resend:` that answers them: so many don't get lost.
+constexpr int kMismatchesMax = 16;
+
+// Questions in flight, at most: behind a command that takes long they take up command slots.
+constexpr int kQuestionsBehindLong = 2;
+constexpr int kQuestionsMax = 4;
+
+}  // namespace
+
+void Session::tick_silence(Instant now) {
+  if (ended() || (window_.lines_in_flight() == 0 && !resync_pending_)) {
+    silence_.over();
+    return;
+  }
+  const SilenceWatch::Sight seen = sight(now);
+  const SilenceWatch::Step step = silence_.look(rules_, seen, now);
+  if (silence_.tells_wait(seen, now)) {
+    events_.push(SessionEvent::Kind::kWaits, SilenceWatch::what_of(seen));
+  }
+  switch (step) {
+    case SilenceWatch::Step::kWait:
+      return;
+    case SilenceWatch::Step::kAsk:
+      ask(seen, now);
+      return;
+    case SilenceWatch::Step::kResynchronise:
+      ++statistics_.resyncs;
+      resynchronise(now);
+      return;
+    case SilenceWatch::Step::kGiveUp: {
+      std::string why = silence_.reason();
+      if (!last_refusal_.empty()) why += "; its last complaint was \"" + last_refusal_ + "\"";
+      fault(FaultKind::kSilence, why, true);
+      return;
+    }
+  }
+}
+
+SilenceWatch::Sight Session::sight(Instant now) const {
+  SilenceWatch::Sight seen;
+  if (window_.lines_in_flight() > 0) {
+    seen.head = window_.acknowledged();
+    seen.text = window_.text(seen.head);
+  }
+  // What takes longest is what is waited for.
+  for (std::int64_t i = window_.acknowledged(); i < window_.next_to_send(); ++i) {
+    const CommandWait wait = wait_of(window_.text(i), rules_.macros);
+    if (wait.limit <= seen.command.limit) continue;
+    seen.command = wait;
+    seen.text = window_.text(i);
+  }
+  // Behind it the lines of a stop wait.
+  if (stop_behind_ && options_.long_stop_limit > seen.command.limit) {
+    seen.command = {"a command that a stop waits for", options_.long_stop_limit, true};
+    seen.text = *stop_behind_;
+  }
+  seen.last_life = last_life_;
+  seen.last_progress = last_progress_;
+  seen.planner_time = std::max(Duration(0), planner_.end() - now);
+  seen.questions = questions_in_flight();
+  seen.waits_for_user = waits_for_user_;
+  const std::size_t bytes = kMismatchBytes * static_cast<std::size_t>(silence_.asks() + 1);
+  const bool room = window_.bytes_in_flight() + bytes <= kWindowBytesMax;
+  const bool in_order = !rules_.numbered || seen.command.is_long();
+  seen.stands = phase_ == Phase::kOpen && planner_.blocks() == 0 && (in_order || room);
+  seen.may_ask = in_order ? may_ask_in_order(seen.command.is_long()) : true;
+  seen.may_resynchronise = rules_.numbered && resyncs_in_a_row_ < options_.resyncs_in_a_row_max;
+  return seen;
+}
+
+void Session::ask(const SilenceWatch::Sight& sight, Instant now) {
+  silence_.asked(now);
+  if (!rules_.numbered || sight.command.is_long()) {
+    push_question(now);
+  } else {
+    ++statistics_.resyncs;
+    put_forced_mismatch();
+  }
+}
+
+bool Session::may_ask_in_order(bool behind_long) const {
+  const int questions_max = rules_.numbered && behind_long ? kQuestionsBehindLong : kQuestionsMax;
+  return phase_ == Phase::kOpen && !recovering_ && !resync_pending_ &&
+         window_.next_to_send() == window_.sent_end() &&
+         window_.end() - window_.next_to_send() <= 1 && questions_in_flight() < questions_max;
+}
+
+// A line in its turn, before one that waits for room.
+void Session::push_question(Instant now) {
+  const std::int64_t at = window_.next_to_send();
+  const auto place = [this](std::int64_t sequence) {
+    return static_cast<std::size_t>(sequence) % nominal_.size();
+  };
+  nominal_[place(at + 1)] = nominal_[place(at)];
+  blocks_[place(at + 1)] = blocks_[place(at)];
+  if (question_ && question_->sequence == at) ++question_->sequence;
+  nominal_[place(at)] = Duration(0);
+  blocks_[place(at)] = 1;
+  window_.push_ahead(kQuestion);
+  ahead_ = at;
+  pump(now);
+}
+
+// Repeated questions too: what they wait behind has been accepted.
+bool Session::is_ahead(std::int64_t sequence) const {
+  return sequence <= ahead_ && window_.text(sequence) == kQuestion;
+}
+
+int Session::questions_in_flight() const {
+  int count = 0;
+  for (std::int64_t i = window_.acknowledged(); i < window_.next_to_send(); ++i) {
+    count += window_.text(i) == kQuestion ? 1 : 0;
+  }
+  return count;
+}
+
+// Before the print, where few lines are sent.
+void Session::ask_for_answer(Instant now) {
+  last_progress_ = now;
+  if (window_.all_sent() && questions_in_flight() < kQuestionsMax) push_question(now);
+}
+
+// Whether an `ok` can be told from others: to a question, or late to one.
+bool Session::names_a_line(const Reply& reply) const {
+  const bool warm = reply.temperatures.nozzle_celsius || reply.temperatures.bed_celsius;
+  return warm && (questions_in_flight() > 0 || !rules_.numbered);
+}
+
+// True when lines before that question were left without an answer. REQUIRES: names_a_line().
+bool Session::acknowledge_named(const Reply& reply) {
+  const std::optional<std::int64_t> through = named_by(reply);
+  if (!through) return false;
+  const bool missing = window_.text(window_.acknowledged()) != kQuestion;
+  window_.acknowledge_before(*through + 1);
+  return missing;
+}
+
+// The line that an `ok` with temperatures answers; nothing when it is late, to a question that was
+// taken to be lost. Where several questions stand together, the last of them: nothing lies between.
+std::optional<std::int64_t> Session::named_by(const Reply& reply) {
+  LINK_CHECK(reply.kind == Reply::Kind::kOk);
+  std::int64_t at = window_.acknowledged();
+  while (at < window_.next_to_send() && window_.text(at) != kQuestion) ++at;
+  if (at == window_.next_to_send()) return std::nullopt;
+  if (at > window_.acknowledged() && late_answers_ > 0) {
+    --late_answers_;
+    return std::nullopt;
+  }
+  while (at + 1 < window_.next_to_send() && window_.text(at + 1) == kQuestion) {
+    ++at;
+    ++late_answers_;
+  }
+  return at;
+}
+
+// All up to that line have been answered, whatever was heard of it.
+void Session::acknowledge_through(std::int64_t sequence) {
+  bool missing = false;
+  for (std::int64_t i = window_.acknowledged(); i <= sequence; ++i) {
+    missing = missing || window_.text(i) != kQuestion;
+  }
+  window_.acknowledge_before(sequence + 1);
+  if (missing && !rules_.numbered) answers_missing();
+}
+
+void Session::answers_missing() {
+  if (state_ != SessionState::kStreaming && state_ != SessionState::kFinishing) return;
+  if (rules_.checksummed) {
+    fault(FaultKind::kSilence,
+          "the controller left a line without an answer: nobody can know whether it ran", true);
+    return;
+  }
+  // The answer was lost, or the line itself; where the nozzle is, and how much filament it has
+  // pushed, tells which.
+  own_requests_.ask_position = true;
+}
+
+// Where nothing is checked on its way, a command that it does not know and that was never sent.
+bool Session::damaged_by(const Reply& reply) const {
+  if (phase_ != Phase::kOpen || !rules_.macros || rules_.numbered) return false;
+  const std::size_t begin = reply.text.find('"');
+  const std::size_t end = reply.text.rfind('"');
+  if (begin == std::string_view::npos || end <= begin) return false;
+  const std::string_view word = word_of(reply.text.substr(begin + 1, end - begin - 1));
+  for (std::int64_t i = window_.acknowledged(); i < window_.next_to_send(); ++i) {
+    if (word_of(window_.text(i)) == word) return false;
+  }
+  return true;
+}
+
+void Session::resynchronise(Instant now) {
+  last_life_ = last_progress_ = now;
+  ++resyncs_in_a_row_;
+  put_forced_mismatch();
+}
+
+void Session::put_forced_mismatch() {
+  if (++mismatches_ > kMismatchesMax) {
+    fault(FaultKind::kRefusals,
+          "the controller does not count lines as a " + std::string(dialect_->name()) +
+              " does; it calls itself \"" + firmware_name_ + "\"",
+          true);
+    return;
+  }
+  resync_pending_ = true;
+  if (output_end_ - output_begin_ + kLineBytesMax + 2 > output_.size()) return;
+  LineBuffer buffer;
+  stop_packing();
+  put("\n");
+  put(number_line(kResyncLineNumber, kQuestion, buffer));
+  put("\n");
+}
+
+}  // namespace firmware_link

@@ -1,0 +1,64 @@
+// What a session wants its host to know: things that came from the controller by themselves.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "firmware_link/wire/limits.h"  // kEventsMax
+
+namespace firmware_link {
+
+struct SessionEvent {
+  enum class Kind {
+    kDialect,          // found out how it speaks; text: the dialect's name
+    kPauseAsked,       // //action:pause: the printer's operator wants the host to pause
+    kResumeAsked,      // //action:resume
+    kCancelAsked,      // //action:cancel
+    kPaused,           // //action:paused: the controller itself has paused (filament out …)
+    kResumed,          // //action:resumed
+    kWaits,            // an answer takes a while; text: what is waited for, as "homing (G28)"
+    kWaitsForUser,     // busy: paused for user; a button at the printer, or M108
+    kAction,           // another //action:; text: its words
+    kWarning,          // an error that does not end the print, an unknown command; text: its words
+    kResendsFrequent,  // a tenth of the lines is asked for again: look at cable and baud
+    kNotReady,         // it answers, and is not ready to print: is waited for; text: its words
+    kStopWaits,        // a stop waits for the command at hand to end; text: the command
+    kFilamentCorrected,  // a line ran in part or twice: text says by how much, and it was put right
+  };
+  Kind kind = Kind::kWarning;
+  std::string text;
+};
+
+// The last kEventsMax events; older ones that nobody took are dropped and counted.
+class EventQueue {
+ public:
+  void push(SessionEvent::Kind kind, std::string text) {
+    if (count_ == events_.size()) {
+      (void)pop();
+      ++dropped_;
+    }
+    events_[(first_ + count_++) % events_.size()] = {kind, std::move(text)};
+  }
+
+  [[nodiscard]] std::optional<SessionEvent> pop() {
+    if (count_ == 0) return std::nullopt;
+    SessionEvent event = std::move(events_[first_]);
+    first_ = (first_ + 1) % events_.size();
+    --count_;
+    return event;
+  }
+
+  [[nodiscard]] std::int64_t dropped() const { return dropped_; }
+
+ private:
+  std::array<SessionEvent, kEventsMax> events_;
+  std::size_t first_ = 0;
+  std::size_t count_ = 0;
+  std::int64_t dropped_ = 0;
+};
+
+}  // namespace firmware_link

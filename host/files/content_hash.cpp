@@ -1,0 +1,24 @@
+#include "host/files/content_hash.h"
+
+#include <utility>
+
+#include "host/files/input_file.h"
+
+namespace host {
+
+core::Result<FileContent> content_of(const std::string& path) {
+  core::Result<InputFile> opened = InputFile::open(path);
+  if (!opened.ok()) return opened.error();
+  InputFile& file = opened.value();
+  FileContent content;
+  while (true) {
+    const core::Result<std::string_view> window = file.window(1);
+    if (!window.ok()) return window.error();
+    if (window.value().empty()) return content;
+    content.hash = hash_of(window.value(), content.hash);
+    content.bytes += static_cast<std::int64_t>(window.value().size());
+    file.skip(window.value().size());
+  }
+}
+
+}  // namespace host

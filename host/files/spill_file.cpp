@@ -1,0 +1,82 @@
+#include "host/files/spill_file.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+
+#include "core/check.h"  // RIND_CHECK
+
+namespace host {
+namespace {
+
+std::string temporary_folder() {
+  const char* folder = std::getenv("TMPDIR");
+  return folder != nullptr && *folder != '\0' ? folder : "/tmp";
+}
+
+}  // namespace
+
+core::Result<SpillFile> SpillFile::create(const std::string& folder) {
+  const std::string place = folder.empty() ? temporary_folder() : folder;
+  std::string path = place + "/rind-sort-XXXXXX";
+  const int descriptor = ::mkostemp(path.data(), O_CLOEXEC);
+  if (descriptor < 0) {
+    return core::Error{core::ErrorCode::kUnreadable,
+                       place + ": no temporary file for sorting can be made here: " +
+                           std::strerror(errno) + "; set TMPDIR, or more memory with --memory"};
+  }
+  ::unlink(path.c_str());
+  return SpillFile(place, descriptor);
+}
+
+SpillFile::~SpillFile() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+SpillFile::SpillFile(SpillFile&& other) noexcept
+    : folder_(std::move(other.folder_)),
+      descriptor_(std::exchange(other.descriptor_, -1)),
+      size_(other.size_) {}
+
+SpillFile& SpillFile::operator=(SpillFile&& other) noexcept {
+  std::swap(folder_, other.folder_);
+  std::swap(descriptor_, other.descriptor_);
+  std::swap(size_, other.size_);
+  return *this;
+}
+
+core::Error SpillFile::failed(const char* what, int cause) const {
+  return {core::ErrorCode::kUnreadable,
+          folder_ + ": " + what + " the temporary file for sorting failed after " +
+              std::to_string(size_) + " bytes: " + std::strerror(cause) +
+              "; make room there, or set TMPDIR to another folder"};
+}
+
+core::Status SpillFile::append(std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t count = ::write(descriptor_, bytes.data(), bytes.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return failed("writing", count < 0 ? errno : ENOSPC);
+    bytes.remove_prefix(static_cast<std::size_t>(count));
+    size_ += count;
+  }
+  return {};
+}
+
+core::Status SpillFile::read(std::int64_t offset, char* into, std::size_t size) const {
+  RIND_CHECK(offset >= 0 && offset + static_cast<std::int64_t>(size) <= size_);
+  while (size > 0) {
+    const ssize_t count = ::pread(descriptor_, into, size, offset);
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return failed("reading", count < 0 ? errno : EIO);
+    into += count;
+    offset += count;
+    size -= static_cast<std::size_t>(count);
+  }
+  return {};
+}
+
+}  // namespace host

@@ -1,0 +1,67 @@
+#include "host/printing/command_history.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <string_view>
+#include <variant>
+
+#include "firmware_link/session/planner_watch.h"  // planner_blocks_of
+
+namespace host {
+namespace {
+
+using firmware_link::Move;
+
+// Marlin's own code waits for the planner in these; in M109 and M190 it does not.
+bool empties_planner(std::string_view text) {
+  const std::string_view word = text.substr(0, text.find(' '));
+  return word == "G4" || word == "G28" || word == "M400";
+}
+
+// Nothing: not known from where.
+std::int64_t way(const std::optional<std::int64_t>& to, const std::optional<std::int64_t>& from) {
+  return to && from ? std::abs(*to - *from) : 0;
+}
+
+}  // namespace
+
+std::size_t blocks_at_least(const firmware_link::Command& command, const MachineState& before) {
+  if (const auto* move = std::get_if<Move>(&command)) {
+    if (move->arc) return planner_blocks_of(*move);
+    const std::int64_t farthest =
+        std::max({way(move->x_um, before.x_um), way(move->y_um, before.y_um),
+                  way(move->z_um, before.z_um), std::abs(move->e_10nm.value_or(0)) / 100});
+    return farthest >= kBlockLengthUm ? 1 : 0;
+  }
+  const auto* words = std::get_if<firmware_link::Verbatim>(&command);
+  return words != nullptr && empties_planner(words->text()) ? kAllBlocks : 0;
+}
+
+std::optional<std::int64_t> CommandHistory::executed_before(std::int64_t number,
+                                                            std::size_t blocks) const {
+  std::array<std::size_t, kHistoryCommandsMax> taken{};
+  MachineState state = before_;
+  for (std::int64_t i = begin_; i < number; ++i) {
+    taken[static_cast<std::size_t>(i) % kHistoryCommandsMax] =
+        blocks_at_least(at(i).command, state);
+    state.apply(at(i).command);
+  }
+  while (blocks > 0) {
+    if (number == begin_) return std::nullopt;
+    const std::size_t here = taken[static_cast<std::size_t>(number - 1) % kHistoryCommandsMax];
+    if (here == kAllBlocks) return number;
+    blocks -= std::min(blocks, here);
+    --number;
+  }
+  return number;
+}
+
+std::optional<std::int64_t> CommandHistory::executed_before(std::int64_t number,
+                                                            double seconds) const {
+  if (number == begin_) return std::nullopt;
+  const double until = at(number - 1).seconds - seconds;
+  while (number > begin_ && at(number - 1).seconds > until) --number;
+  return number > begin_ ? std::optional(number) : std::nullopt;
+}
+
+}  // namespace host

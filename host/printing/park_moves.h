@@ -1,0 +1,73 @@
+// Ways off the part and back to it, as commands between those of the print.
+//
+//     leave_part    draw back, lift by park_lift, travel to the parking place
+//     begin_anew    after a reset: heat, draw back, lift, home X and Y only, travel to the place
+//     come_back     push out what oozed and kPrime_mm more, draw back, travel to above the road's
+//                   next point, go down, return the filament, set fan and feed as they were
+//
+//        ┌──────── travel ────────┐
+//        │ lift                   │ down
+//     ▂▂▂│▂▂▂ layer ▂▂▂▂▂▂▂▂▂▂▂▂▂▂▼▂▂▂
+//
+// Z is never homed: the part is in the way. Nothing is laid while x or y moves.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/geometry.h"                // Box
+#include "core/settings.h"                // Settings
+#include "firmware_link/wire/command.h"   // Command
+#include "host/printing/machine_state.h"  // MachineState
+
+namespace host {
+
+// Filament pushed out at the parking place before the print goes on, and how fast: what is in a
+// nozzle that stood hot.
+inline constexpr double kPrime_mm = 4;
+inline constexpr double kPrimeSpeed_mm_s = 4;
+
+// In the printer's coordinates.
+struct ParkingPlace {
+  std::int64_t x_um = 0;
+  std::int64_t y_um = 0;
+};
+
+// The bed's corner that is farthest from the part, a little inside. `part` counts from the bed's
+// front left corner. An empty box: the first corner.
+[[nodiscard]] ParkingPlace parking_place(const core::Settings& settings, const core::Box& part);
+
+// How high the nozzle is lifted from there; never down, never over the axis.
+[[nodiscard]] std::int64_t lifted_um(std::int64_t z_um, const core::Settings& settings);
+
+// A line of G-code as a command. REQUIRES: it is one.
+[[nodiscard]] firmware_link::Command command_of(const std::string& line);
+
+class ParkMoves {
+ public:
+  ParkMoves(const core::Settings& settings, ParkingPlace place)
+      : settings_(settings), place_(place) {}
+
+  // `here` is how the machine is set by the print's commands so far. Nothing where its place is not
+  // known, that is before the first road and behind the last.
+  [[nodiscard]] std::vector<firmware_link::Command> leave_part(const MachineState& here) const;
+
+  // `reheat`: the nozzle was let cool.
+  [[nodiscard]] std::vector<firmware_link::Command> come_back(const MachineState& here,
+                                                              bool reheat) const;
+
+  // A controller that may have forgotten all. `nozzle_z_um`: how high the nozzle is; the
+  // controller is told, when `tell_height`. Lines of the start G-code that set the controller up
+  // and move nothing (M92, M220, M420 …) are sent again.
+  [[nodiscard]] std::vector<firmware_link::Command> begin_anew(const MachineState& here,
+                                                               std::int64_t nozzle_z_um,
+                                                               bool tell_height,
+                                                               bool is_klipper) const;
+
+ private:
+  core::Settings settings_;
+  ParkingPlace place_;
+};
+
+}  // namespace host
