@@ -24,8 +24,9 @@ const std::vector<Source>& sources() {
   static const std::vector<Source> all = [] {
     std::vector<Source> found;
     const fs::path root = RIND_SOURCE_DIR;
-    for (const char* place : {"core", "firmware_link", "host", "tests", "tools", "README.md",
-                              "CMakeLists.txt", "CMakePresets.json", ".ci"}) {
+    for (const char* place :
+         {"core", "firmware_link", "host", "tests", "tools", "README.md", "ARCHITECTURE.md",
+          "CONTRIBUTING.md", "CHANGELOG.md", "CMakeLists.txt", "CMakePresets.json", ".ci"}) {
       std::vector<fs::path> paths;
       if (fs::is_regular_file(root / place)) paths.push_back(root / place);
       if (fs::is_directory(root / place)) {

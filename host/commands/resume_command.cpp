@@ -55,16 +55,17 @@ Result<core::Settings> named_again(const Options& options, const JournalHead& he
     if (Status set = set_setting(told, key, value); !set.ok()) return set.error();
   }
   const std::vector<SettingRow> rows = describe_settings(told);
-  for (std::size_t i = 0; i < rows.size() && i < head.settings.size(); ++i) {
-    if (rows[i].value == head.settings[i].second || is_of_space(rows[i].key)) continue;
+  const std::vector<SettingRow> rows_of_print = describe_settings(of_print.value());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (rows[i].value == rows_of_print[i].value || is_of_space(rows[i].key)) continue;
     // The print's came from the port's baud.
-    const bool by_baud = rows[i].key == "segment_time_min_ms" && rows[i].value == "0";
+    const bool by_baud = rows[i].key == "segment_time_min_ms" && told.segment_time_min_ms == 0;
     if (by_baud) continue;
     return Error{
         ErrorCode::kBadSetting,
         fmt::format("{} was {} when the print began and is {} now: the print can't be gone "
                     "on with; leave the settings out, the journal has them",
-                    rows[i].key, head.settings[i].second, rows[i].value)};
+                    rows[i].key, rows_of_print[i].value, rows[i].value)};
   }
   return told;
 }

@@ -5,8 +5,11 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -19,21 +22,53 @@ namespace host {
 
 using SettingLines = std::vector<std::string>;
 
+// An enumeration's field, and the names of its values in the order of the enumeration.
+struct Choice {
+  std::size_t (*get)(const core::Settings& settings);
+  void (*set)(core::Settings& settings, std::size_t value);
+  std::array<std::string_view, 4> names;  // "" behind the last
+};
+
+template <auto kMember, typename... Names>
+constexpr Choice choice(Names... names) {
+  using Enumeration = std::remove_cvref_t<decltype(std::declval<core::Settings&>().*kMember)>;
+  return {[](const core::Settings& settings) -> std::size_t {
+            return static_cast<std::size_t>(settings.*kMember);
+          },
+          [](core::Settings& settings, std::size_t value) {
+            settings.*kMember = static_cast<Enumeration>(value);
+          },
+          {names...}};
+}
+
 // Which field, and with it how its values are written.
 using SettingMember =
     std::variant<core::Length core::Settings::*, double core::Settings::*, int core::Settings::*,
-                 bool core::Settings::*, core::WallShape core::Settings::*,
-                 core::BuildStyle core::Settings::*, core::ArcUse core::Settings::*,
-                 core::PackUse core::Settings::*, std::string core::Settings::*,
-                 SettingLines core::Settings::*>;
+                 bool core::Settings::*, std::string core::Settings::*,
+                 SettingLines core::Settings::*, Choice>;
+
+// A word that stands for a number that is not meant as one.
+struct NumberWord {
+  std::string_view word;
+  double number = 0;
+};
+using NumberWords = std::array<NumberWord, 2>;  // "" behind the last
+
+inline constexpr NumberWords kAutoIsZero = {NumberWord{"auto", 0}};
+inline constexpr NumberWords kOffIsZero = {NumberWord{"off", 0}};
+inline constexpr NumberWords kAutoOrOff = {NumberWord{"auto", 0}, NumberWord{"off", 0.001}};
 
 struct Setting {
   std::string_view key;
   SettingMember member;
   std::string_view unit;  // "%": a share, which may also be given in percent
-  double min = 0;         // both ends belong to the range
+  double min = 0;         // both ends belong to the range; a word's number may lie outside
   double max = 0;
   std::string_view help;
+  NumberWords words{};
+
+  [[nodiscard]] std::optional<double> number_of(std::string_view word) const;
+  [[nodiscard]] std::optional<std::string_view> word_for(double number) const;
 };
 
 // The part lies within.
@@ -43,13 +78,14 @@ inline constexpr std::array kSettings = {
     Setting{"layer_height", &core::Settings::layer_height, "mm", 0.01, 2, "height of every layer"},
     Setting{"wall_thickness", &core::Settings::wall_thickness, "mm", 0.05, 100,
             "thickness of the dense wall, sideways, up and down"},
-    Setting{"wall_shape", &core::Settings::wall_shape, "", 0, 0,
+    Setting{"wall_shape", choice<&core::Settings::wall_shape>("ball", "cylinder"), "", 0, 0,
             "shape of the wall's inner side: ball, as thick on any slope; cylinder, one depth for "
             "all layers"},
     Setting{"wall_layers", &core::Settings::wall_layers, "", 0, 64,
-            "number of layers that a cylinder-shaped wall reaches up and down; 0: as many as it is "
-            "thick"},
-    Setting{"style", &core::Settings::style, "", 0, 0,
+            "number of layers that a cylinder-shaped wall reaches up and down; auto: as many as it "
+            "is thick",
+            kAutoIsZero},
+    Setting{"style", choice<&core::Settings::style>("thin-wall", "regular", "fast"), "", 0, 0,
             "way of building the inside: thin-wall; to compare with: regular, dense everywhere; "
             "fast, loose in hidden layers"},
     Setting{"loose_width_min", &core::Settings::loose_width_min, "mm", 0, 20,
@@ -87,22 +123,26 @@ inline constexpr std::array kSettings = {
     Setting{
         "chain_gap_max", &core::Settings::chain_gap_max, "mm", 0, 100,
         "width of gaps of a broken mesh that are closed; wider ones only where one way is left"},
-    Setting{"arcs", &core::Settings::arcs, "", 0, 0,
+    Setting{"arcs", choice<&core::Settings::arcs>("auto", "on", "off"), "", 0, 0,
             "use of arcs (G2, G3) for round roads; auto: where the controller says that it draws "
             "them, and in files"},
     Setting{"arc_fit_tolerance", &core::Settings::arc_fit_tolerance, "mm", 0, 0.5,
-            "farthest that an arc is off the road that it stands for; 0: no arcs"},
-    Setting{"segment_time_min_ms", &core::Settings::segment_time_min_ms, "ms", 0, 1'000,
-            "least time of a segment; shorter ones are merged, else laid slower; 0: as the port's "
-            "baud says, none in files; 0.001: none anywhere"},
+            "farthest that an arc is off the road that it stands for; off: no arcs", kOffIsZero},
+    Setting{
+        "segment_time_min_ms", &core::Settings::segment_time_min_ms, "ms", 0, 1'000,
+        "least time of a segment; shorter ones are merged, else laid slower; auto: by the port's "
+        "baud rate, off in files; off: no least time",
+        kAutoOrOff},
     Setting{"segment_tolerance", &core::Settings::segment_tolerance, "mm", 0, 0.5,
             "farthest that a merged segment is off the road"},
-    Setting{"meatpack", &core::Settings::meatpack, "", 0, 0,
+    Setting{"meatpack", choice<&core::Settings::meatpack>("auto", "off"), "", 0, 0,
             "packing of lines; auto: where the controller offers MeatPack; only for a port that "
             "loses nothing"},
-    Setting{"wait_limit_s", &core::Settings::wait_limit_s, "s", 0, 604'800,
-            "least time that the controller may be silent over a command; 0: by the command, from "
-            "seconds to hours"},
+    Setting{
+        "wait_limit_s", &core::Settings::wait_limit_s, "s", 0, 604'800,
+        "least time that the controller may be silent over a command; auto: by the command, from "
+        "seconds to hours",
+        kAutoIsZero},
     Setting{"perimeter_speed_mm_s", &core::Settings::perimeter_speed_mm_s, "mm/s", 0.1, 2'000,
             "speed of inner perimeters"},
     Setting{"outer_perimeter_speed_mm_s", &core::Settings::outer_perimeter_speed_mm_s, "mm/s", 0.1,
@@ -145,7 +185,7 @@ inline constexpr std::array kSettings = {
     Setting{"bed_origin_y", &core::Settings::bed_origin_y, "mm", -kBedMaxMm, kBedMaxMm,
             "printer's y of the bed's front left corner"},
     Setting{"axis_z", &core::Settings::axis_z, "mm", 0, 1e9,
-            "height of the highest place that the nozzle can reach; 0: not limited"},
+            "height of the highest place that the nozzle can reach; off: not limited", kOffIsZero},
     Setting{"centre", &core::Settings::centre, "", 0, 1,
             "whether the part lies in the middle of the bed; 0: at part_x, part_y"},
     Setting{"part_x", &core::Settings::part_x, "mm", 0, kBedMaxMm,

@@ -72,7 +72,7 @@ Status part_has_a_place(const Settings& settings) {
                            settings.bed_x.mm(), settings.bed_y.mm()));
   }
   if (settings.axis_z != core::Length() && settings.axis_z < settings.layer_height) {
-    return bad(fmt::format("axis_z = {} mm is less than one layer of {} mm (0: not limited)",
+    return bad(fmt::format("axis_z = {} mm is less than one layer of {} mm; off: not limited",
                            settings.axis_z.mm(), settings.layer_height.mm()));
   }
   return {};

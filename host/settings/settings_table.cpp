@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <utility>
 #include <variant>
 
@@ -28,14 +29,6 @@ using Lines = SettingLines;
 
 using S = Settings;
 
-// Names of an enumeration's values, in its order.
-constexpr std::array<std::string_view, 2> names_of(core::WallShape) { return {"ball", "cylinder"}; }
-constexpr std::array<std::string_view, 3> names_of(core::BuildStyle) {
-  return {"thin-wall", "regular", "fast"};
-}
-constexpr std::array<std::string_view, 3> names_of(core::ArcUse) { return {"auto", "on", "off"}; }
-constexpr std::array<std::string_view, 2> names_of(core::PackUse) { return {"auto", "off"}; }
-
 template <typename... Readers>
 struct Overloaded : Readers... {
   using Readers::operator()...;
@@ -52,18 +45,26 @@ const Setting* find(std::string_view key) {
   return found == kSettings.end() ? nullptr : found;
 }
 
+// As far as they are named.
+std::span<const std::string_view> names_of(const Choice& choice) {
+  const auto* end = std::find(choice.names.begin(), choice.names.end(), std::string_view());
+  return {choice.names.begin(), end};
+}
+
+std::string number_range_text(const Setting& setting) {
+  if (setting.unit == "%") return "0 … 1 (or 0% … 100%)";
+  const std::string_view space = setting.unit.empty() ? "" : " ";
+  std::string text = fmt::format("{} … {}{}{}", write_number(setting.min),
+                                 write_number(setting.max), space, setting.unit);
+  for (const NumberWord& word : setting.words) {
+    if (!word.word.empty()) text += fmt::format(", {}", word.word);
+  }
+  return text;
+}
+
 std::string range_text(const Setting& setting) {
-  if (std::holds_alternative<core::WallShape S::*>(setting.member)) {
-    return fmt::format("{}", fmt::join(names_of(core::WallShape{}), ", "));
-  }
-  if (std::holds_alternative<core::BuildStyle S::*>(setting.member)) {
-    return fmt::format("{}", fmt::join(names_of(core::BuildStyle{}), ", "));
-  }
-  if (std::holds_alternative<core::ArcUse S::*>(setting.member)) {
-    return fmt::format("{}", fmt::join(names_of(core::ArcUse{}), ", "));
-  }
-  if (std::holds_alternative<core::PackUse S::*>(setting.member)) {
-    return fmt::format("{}", fmt::join(names_of(core::PackUse{}), ", "));
+  if (const auto* choice = std::get_if<Choice>(&setting.member)) {
+    return fmt::format("{}", fmt::join(names_of(*choice), ", "));
   }
   if (std::holds_alternative<bool S::*>(setting.member)) return "0 or 1";
   if (std::holds_alternative<std::string S::*>(setting.member)) {
@@ -72,15 +73,12 @@ std::string range_text(const Setting& setting) {
   if (std::holds_alternative<Lines S::*>(setting.member)) {
     return fmt::format("up to {} lines of {} bytes", kVerbatimLinesMax, kVerbatimBytesMax);
   }
-  if (setting.unit == "%") return "0 … 1 (or 0% … 100%)";
-  const std::string_view space = setting.unit.empty() ? "" : " ";
-  return fmt::format("{} … {}{}{}", write_number(setting.min), write_number(setting.max), space,
-                     setting.unit);
+  return number_range_text(setting);
 }
 
 Status in_range(const Setting& setting, double value) {
   // Written so that NaN, which compares false, is out of range too.
-  if (value >= setting.min && value <= setting.max) return {};
+  if ((value >= setting.min && value <= setting.max) || setting.word_for(value)) return {};
   if (setting.unit == "%" && value > 1 && value <= 100) {
     return bad(fmt::format("{0} = {1} is out of range: {2}; for {1} per cent write {1}%",
                            setting.key, write_number(value), range_text(setting)));
@@ -94,28 +92,37 @@ core::Error explain(const Setting& setting, const core::Error& error) {
   return bad(fmt::format("{}: {}; expected {}", setting.key, error.message, range_text(setting)));
 }
 
-template <typename Enumeration>
-Status choose(Enumeration& field, const Setting& setting, std::string_view text) {
-  constexpr auto kNames = names_of(Enumeration{});
-  const auto found = std::find(kNames.begin(), kNames.end(), trimmed(text));
-  if (found == kNames.end()) {
+Status choose(Settings& settings, const Choice& choice, const Setting& setting,
+              std::string_view text) {
+  const std::span<const std::string_view> names = names_of(choice);
+  const auto found = std::find(names.begin(), names.end(), trimmed(text));
+  if (found == names.end()) {
     return bad(fmt::format("{}: \"{}\" is not one of: {}", setting.key, trimmed(text),
                            range_text(setting)));
   }
-  field = static_cast<Enumeration>(found - kNames.begin());
+  choice.set(settings, static_cast<std::size_t>(found - names.begin()));
   return {};
 }
 
-template <typename Enumeration>
-std::string name_of(Enumeration value) {
-  return std::string(names_of(value)[static_cast<std::size_t>(value)]);
+enum class WordUse { kWords, kNumbers };
+
+std::string number_text(const Setting& setting, double number, WordUse use) {
+  const std::optional<std::string_view> word =
+      use == WordUse::kWords ? setting.word_for(number) : std::nullopt;
+  return word ? std::string(*word) : write_number(number);
 }
 
 Status assign(Settings& settings, const Setting& setting, std::string_view text) {
+  const std::optional<double> word = setting.number_of(trimmed(text));
   const auto assign_to = [&](auto& field, const auto& read) -> Status {
+    using Field = std::decay_t<decltype(field)>;
+    if (word) {
+      field = static_cast<Field>(*word);
+      return {};
+    }
     if (!read.ok()) return explain(setting, read.error());
     Status checked = in_range(setting, static_cast<double>(read.value()));
-    if (checked.ok()) field = static_cast<std::decay_t<decltype(field)>>(read.value());
+    if (checked.ok()) field = static_cast<Field>(read.value());
     return checked;
   };
   return std::visit(
@@ -130,10 +137,7 @@ Status assign(Settings& settings, const Setting& setting, std::string_view text)
                    if (status.ok()) settings.*field = Length::from_mm(mm);
                    return status;
                  },
-                 [&](core::WallShape S::*field) { return choose(settings.*field, setting, text); },
-                 [&](core::BuildStyle S::*field) { return choose(settings.*field, setting, text); },
-                 [&](core::ArcUse S::*field) { return choose(settings.*field, setting, text); },
-                 [&](core::PackUse S::*field) { return choose(settings.*field, setting, text); },
+                 [&](const Choice& c) { return choose(settings, c, setting, text); },
                  [&](std::string S::*field) -> Status {
                    const std::string_view words = trimmed(text);
                    if (!is_printable(words) || words.size() > kWordsBytesMax) {
@@ -152,21 +156,34 @@ Status assign(Settings& settings, const Setting& setting, std::string_view text)
       setting.member);
 }
 
-std::string value_text(const Settings& settings, const Setting& setting) {
-  return std::visit(Overloaded{[&](double S::*f) { return write_number(settings.*f); },
-                               [&](int S::*f) { return write_number(settings.*f); },
-                               [&](bool S::*f) { return std::string(settings.*f ? "1" : "0"); },
-                               [&](Length S::*f) { return write_number((settings.*f).mm()); },
-                               [&](core::WallShape S::*f) { return name_of(settings.*f); },
-                               [&](core::BuildStyle S::*f) { return name_of(settings.*f); },
-                               [&](core::ArcUse S::*f) { return name_of(settings.*f); },
-                               [&](core::PackUse S::*f) { return name_of(settings.*f); },
-                               [&](std::string S::*f) { return settings.*f; },
-                               [&](Lines S::*f) { return write_lines(settings.*f); }},
-                    setting.member);
+std::string value_text(const Settings& settings, const Setting& setting,
+                       WordUse use = WordUse::kWords) {
+  return std::visit(
+      Overloaded{[&](double S::*f) { return number_text(setting, settings.*f, use); },
+                 [&](int S::*f) { return number_text(setting, settings.*f, use); },
+                 [&](bool S::*f) { return std::string(settings.*f ? "1" : "0"); },
+                 [&](Length S::*f) { return number_text(setting, (settings.*f).mm(), use); },
+                 [&](const Choice& c) { return std::string(c.names[c.get(settings)]); },
+                 [&](std::string S::*f) { return settings.*f; },
+                 [&](Lines S::*f) { return write_lines(settings.*f); }},
+      setting.member);
 }
 
 }  // namespace
+
+std::optional<double> Setting::number_of(std::string_view word) const {
+  for (const NumberWord& known : words) {
+    if (!known.word.empty() && known.word == word) return known.number;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string_view> Setting::word_for(double number) const {
+  for (const NumberWord& known : words) {
+    if (!known.word.empty() && known.number == number) return known.word;
+  }
+  return std::nullopt;
+}
 
 Status set_setting(Settings& settings, std::string_view key, std::string_view text) {
   std::string name(trimmed(key));
@@ -198,6 +215,7 @@ std::vector<SettingRow> describe_settings(const Settings& settings) {
   rows.reserve(kSettings.size());
   for (const Setting& setting : kSettings) {
     rows.push_back({std::string(setting.key), value_text(settings, setting),
+                    value_text(settings, setting, WordUse::kNumbers),
                     std::string(setting.unit == "%" ? "share" : setting.unit),
                     value_text(defaults, setting), range_text(setting), std::string(setting.help)});
   }

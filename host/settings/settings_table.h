@@ -18,8 +18,9 @@ namespace host {
 // One row of `rind settings`.
 struct SettingRow {
   std::string key;
-  std::string value;  // ENSURES: set_setting() reads it back to the same setting
-  std::string unit;   // "" where there is none
+  std::string value;        // ENSURES: set_setting() reads it back to the same setting
+  std::string plain_value;  // the same, a number where the value has a word for it ("auto": "0")
+  std::string unit;         // "" where there is none
   std::string default_value;
   std::string range;
   std::string help;

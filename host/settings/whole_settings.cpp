@@ -78,7 +78,7 @@ class Known {
  public:
   Known(const Settings& settings, const ProfileValues& values)
       : settings_(settings), values_(values) {
-    for (const SettingRow& row : describe_settings(settings)) rows_[row.key] = row.value;
+    for (const SettingRow& row : describe_settings(settings)) rows_[row.key] = row.plain_value;
   }
 
   [[nodiscard]] std::optional<std::string> value(std::string_view name, std::size_t index) const {

@@ -1,5 +1,5 @@
-// What a host may request while it prints, what the controller says by itself, and what a journal is
-// told.
+// What a host may request while it prints, what the controller says by itself, and what a journal
+// is told.
 #include <doctest/doctest.h>
 
 #include <array>

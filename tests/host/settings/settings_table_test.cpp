@@ -68,8 +68,7 @@ TEST_CASE("every field of core::Settings has its row, in the same order") {
   std::vector<std::string> fields;
   const std::regex field(
       "^  "
-      "(?:Length|double|int|bool|WallShape|BuildStyle|ArcUse|PackUse|std::string|std::vector<std::"
-      "string>) "
+      "(?:double|int|bool|[A-Z][A-Za-z]+|std::string|std::vector<std::string>) "
       "([a-z0-9_]+)(?: = .*)?(?:;.*)?$");
   for (std::string line; std::getline(header, line);) {
     std::smatch match;
@@ -125,6 +124,28 @@ TEST_CASE("what describe_settings writes, set_setting reads back") {
   for (std::size_t i = 0; i < first.size(); ++i) CHECK_EQ(first[i].value, second[i].value);
   CHECK_EQ(settings.start_gcode, again.start_gcode);
   CHECK_EQ(settings.bed_x, again.bed_x);
+}
+
+TEST_CASE("a word stands for a number that is not meant as one, and is written instead of it") {
+  const auto row_of = [](const Settings& settings, const std::string& key) {
+    for (const SettingRow& row : host::describe_settings(settings)) {
+      if (row.key == key) return row;
+    }
+    FAIL(key);
+    return SettingRow();
+  };
+  CHECK_EQ(set_to("segment_time_min_ms", "auto").segment_time_min_ms, 0);
+  CHECK_EQ(set_to("segment_time_min_ms", " off ").segment_time_min_ms, 0.001);
+  CHECK_EQ(set_to("wall_layers", "auto").wall_layers, 0);
+  CHECK_EQ(set_to("axis_z", "off").axis_z, core::Length());
+  CHECK(contains(error_of("axis_z", "auto"), "0 … 1000000000 mm, off"));
+  for (const char* text : {"off", "0.001"}) {
+    const SettingRow row = row_of(set_to("segment_time_min_ms", text), "segment_time_min_ms");
+    CHECK_EQ(row.value, "off");
+    CHECK_EQ(row.plain_value, "0.001");
+    CHECK_EQ(row.default_value, "auto");
+  }
+  CHECK_EQ(row_of(set_to("segment_time_min_ms", "2"), "segment_time_min_ms").value, "2");
 }
 
 TEST_CASE(
