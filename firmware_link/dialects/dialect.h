@@ -46,6 +46,15 @@ struct LinkRules {
   // Words that are not a letter and a number are its user's macros, and may take their time.
   bool macros = false;
 
+  // Asks how far its axes go; empty: it cannot be asked.
+  std::string_view travel_question = {};
+
+  // Tells it how high its nozzle is: the height follows, in mm, with three decimals.
+  std::string_view height_command = "G92 Z";
+
+  // How much motion its planner holds at most, where it plans by time. 0: it counts blocks.
+  Duration planned_time_max{};
+
   std::size_t window_lines = kWindowLinesMax;
   std::size_t window_bytes = kWindowBytesMax;
 
@@ -93,6 +102,13 @@ class Dialect {
   }
   // What a person does about a controller that has halted, as the end of a sentence; may be empty.
   [[nodiscard]] virtual std::string_view remedy() const { return {}; }
+
+  // Why a controller that has lost its position cannot be told its height, and what its user does
+  // about that; empty: it can (LinkRules::height_command).
+  [[nodiscard]] virtual std::string_view no_height_command(const Capabilities& capabilities) const {
+    (void)capabilities;
+    return {};
+  }
 
   // Asks which commands it knows, for note_command(); empty: nothing is to be asked.
   [[nodiscard]] virtual std::string_view commands_question() const { return {}; }

@@ -20,6 +20,9 @@ LinkRules KlipperDialect::rules() const {
   rules.tells_position = true;
   rules.height_may_shift = true;
   rules.macros = true;
+  rules.height_command = "SET_KINEMATIC_POSITION Z=";
+  // A second, and what it looks ahead for junctions.
+  rules.planned_time_max = std::chrono::milliseconds(2'500);
   // One slow move behind a full planner.
   rules.silence_max = std::chrono::minutes(15);
   rules.idle_talk_max = std::chrono::minutes(60);
@@ -79,6 +82,13 @@ bool KlipperDialect::lost_its_place(std::string_view alarm) const {
 
 std::string_view KlipperDialect::remedy() const {
   return "mend the cause, then give Klipper a FIRMWARE_RESTART (in its web page or console)";
+}
+
+std::string_view KlipperDialect::no_height_command(const Capabilities& capabilities) const {
+  if (capabilities.sets_position) return {};
+  return "Klipper does not know any more how high the nozzle is (it was restarted, or stood idle), "
+         "and has no command to be told: write [force_move] with enable_force_move: True into its "
+         "configuration, give it a RESTART, then run rind resume";
 }
 
 // "SET_KINEMATIC_POSITION: Force a low-level kinematic position": there with [force_move]

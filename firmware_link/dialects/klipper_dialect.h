@@ -25,6 +25,7 @@ class KlipperDialect final : public Dialect {
   [[nodiscard]] bool becomes_ready(std::string_view reason) const override;
   [[nodiscard]] bool lost_its_place(std::string_view alarm) const override;
   [[nodiscard]] std::string_view remedy() const override;
+  [[nodiscard]] std::string_view no_height_command(const Capabilities& capabilities) const override;
   [[nodiscard]] std::string_view commands_question() const override { return "HELP"; }
   void note_command(std::string_view line, Capabilities& capabilities) const override;
   void amend(Capabilities& capabilities) const override;

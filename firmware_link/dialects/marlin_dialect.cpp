@@ -8,6 +8,7 @@ LinkRules MarlinDialect::rules() const {
   LinkRules rules;
   rules.numbered = true;
   rules.tells_position = true;
+  rules.travel_question = "M211";
   // Three busy lines missing in a row.
   rules.silence_max = std::chrono::seconds(6);
   // Builds without busy lines still report temperatures each second while they heat.

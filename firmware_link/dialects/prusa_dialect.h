@@ -10,6 +10,7 @@ namespace firmware_link {
 class PrusaDialect final : public MarlinDialect {
  public:
   [[nodiscard]] std::string_view name() const override { return "Prusa"; }
+  [[nodiscard]] LinkRules rules() const override;
   [[nodiscard]] Meaning meaning_of(const Reply& reply) const override;
   void amend(Capabilities& capabilities) const override;
 };

@@ -62,6 +62,8 @@ class Session {
   // What the controller calls itself (M115's FIRMWARE_NAME); empty before it has said.
   [[nodiscard]] const std::string& firmware_name() const { return firmware_name_; }
   [[nodiscard]] std::string_view dialect_name() const { return dialect_->name(); }
+  [[nodiscard]] const Dialect& dialect() const { return *dialect_; }
+  [[nodiscard]] const LinkRules& rules() const { return rules_; }
   // Whether lines can be asked for again; if not, all that leaves is taken to be executed.
   [[nodiscard]] bool numbers_lines() const { return rules_.numbered; }
   [[nodiscard]] const Capabilities& capabilities() const { return capabilities_; }

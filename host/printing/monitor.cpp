@@ -79,11 +79,12 @@ LinkOutcome Monitor::run() {
 }
 
 // Whether the controller has had its chance to tell how far its axes go. Twice, because an answer
-// may be damaged; only a Marlin, because others have no such command, or mean something else by it.
+// may be damaged.
 bool Monitor::travel_asked(Instant now) {
-  if (session_->dialect_name() != "Marlin") return true;
+  const std::string question(session_->rules().travel_question);
+  if (question.empty()) return true;
   while (travel_asks_ < kTravelAsks && session_->can_take()) {
-    session_->insert(command_of("M211"), now);
+    session_->insert(command_of(question), now);
     ++travel_asks_;
   }
   return travel_asks_ == kTravelAsks && session_->can_take() &&

@@ -160,7 +160,7 @@ class Monitor {
   // monitor_place.cpp: where a controller that numbers nothing was found.
   [[nodiscard]] bool history_reaches(std::int64_t command);
   [[nodiscard]] ResumePoint point_of(const JournalRecord& left, bool same_boot) const;
-  [[nodiscard]] bool cannot_be_placed(const ResumePoint& point) const;
+  [[nodiscard]] std::string height_unknown(const ResumePoint& point) const;
   [[nodiscard]] LinkOutcome unplaced() const;
 
   // monitor_ends.cpp: how it ends.

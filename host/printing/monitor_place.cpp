@@ -27,10 +27,11 @@ ResumePoint Monitor::point_of(const JournalRecord& left, bool same_boot) const {
                          [this](std::int64_t command) { return history_.state_before(command); });
 }
 
-// Klipper that has lost its place is told its height by a command that it may not have.
-bool Monitor::cannot_be_placed(const ResumePoint& point) const {
-  return !point.lives && session_->dialect_name() == "Klipper" &&
-         !session_->capabilities().sets_position;
+// Why a controller that has lost its position cannot be told its height; empty: it can, or need
+// not be told.
+std::string Monitor::height_unknown(const ResumePoint& point) const {
+  if (point.lives) return {};
+  return std::string(session_->dialect().no_height_command(session_->capabilities()));
 }
 
 LinkOutcome Monitor::unplaced() const {

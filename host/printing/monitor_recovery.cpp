@@ -25,10 +25,6 @@ constexpr auto kReopenPause = std::chrono::milliseconds(200);
 // A controller that was alone for longer may have let its motors go.
 constexpr double kMotorsHold_s = 60;
 
-bool is_klipper(const firmware_link::Session& session) {
-  return session.dialect_name() == "Klipper";
-}
-
 // Stands for a port that has gone, so that the one who owns it may close it.
 class GonePort final : public firmware_link::BytePort {
  public:
@@ -38,14 +34,6 @@ class GonePort final : public firmware_link::BytePort {
     return firmware_link::PortState::kLost;
   }
 };
-
-constexpr const char* kUnplaced =
-    "Klipper does not know any more how high the nozzle is (it was restarted, or stood idle), and "
-    "has no command to be told: write [force_move] with enable_force_move: True into its "
-    "configuration, give it a RESTART, then run rind resume";
-
-// How far ahead Klipper plans: a second, and what it looks ahead for junctions.
-constexpr double kKlipperPlans_s = 2.5;
 
 // No line of a controller is behind this one.
 constexpr std::int32_t kNoLine = std::numeric_limits<std::int32_t>::max() - kJournalLinesMax;
@@ -61,8 +49,9 @@ std::optional<std::int64_t> Monitor::sure_before(std::int64_t accepted) const {
                                         firmware_link::kPlannerBlocks, kPlannerBlocksMax);
   // A command that was accepted behind the way back: that way has emptied the planner.
   std::int64_t sure = session_->accepted() > 0 ? session_base_ : sure_base_;
-  if (is_klipper(*session_)) {
-    const double seconds = kKlipperPlans_s * std::max(1.0, feed_percent_ / 100.0);
+  const std::chrono::duration<double> planned_max = session_->rules().planned_time_max;
+  if (planned_max.count() > 0) {
+    const double seconds = planned_max.count() * std::max(1.0, feed_percent_ / 100.0);
     sure = std::max(sure, history_.executed_before(accepted, seconds).value_or(history_.begin()));
   } else {
     sure = std::max(sure, history_.executed_before(accepted, blocks).value_or(sure));
@@ -169,10 +158,8 @@ bool Monitor::start_resumed() {
   }
   if (session_->found_place() && !history_reaches(commands_sent(left))) return false;
   const ResumePoint point = point_of(left, resumption.same_boot);
-  if (cannot_be_placed(point)) {
-    unplaced_ = kUnplaced;
-    return false;
-  }
+  unplaced_ = height_unknown(point);
+  if (!unplaced_.empty()) return false;
   index_ = left.sure;
   go_on_at_ = point;
   skip_until_ = session_base_ = point.command;
@@ -195,7 +182,9 @@ std::vector<Command> Monitor::way_back(const ResumePoint& point, std::int64_t no
   const bool in_place = at_once && point.lives;
   std::vector<Command> way =
       in_place ? park_moves_.leave_part(here)
-               : park_moves_.begin_anew(here, nozzle_z_um, !point.lives, is_klipper(*session_));
+               : park_moves_.begin_anew(
+                     here, nozzle_z_um,
+                     point.lives ? std::string_view() : session_->rules().height_command);
   // What is accepted behind it tells that all before it was executed (sure_before()).
   if (in_place) way.push_back(command_of("M400"));
   const std::vector<Command> back = park_moves_.come_back(here, false);
@@ -233,9 +222,9 @@ std::optional<LinkOutcome> Monitor::recover() {
     return end;
   }
   ResumePoint point = point_of(*left, true);
-  if (cannot_be_placed(point)) {
+  if (const std::string unknown = height_unknown(point); !unknown.empty()) {
     LinkOutcome end = at_fault;
-    end.reason = reason + "; " + kUnplaced;
+    end.reason = reason + "; " + unknown;
     end.measures = "nothing was heated or moved any more";
     return end;
   }

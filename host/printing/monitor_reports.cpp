@@ -190,7 +190,10 @@ void Monitor::tell_event(const firmware_link::SessionEvent& event) {
       return;
     case Kind::kWarning:
       // It does not tell how far its axes go, and need not.
-      if (!begun_ && event.text.find("M211") != std::string::npos) return;
+      if (const std::string_view question = session_->rules().travel_question;
+          !begun_ && !question.empty() && event.text.find(question) != std::string::npos) {
+        return;
+      }
       reporter_.note("warning", "the controller says: " + event.text);
       return;
     case Kind::kWaits:

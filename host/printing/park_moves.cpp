@@ -145,17 +145,16 @@ std::vector<Command> ParkMoves::come_back(const MachineState& here, bool reheat)
 }
 
 std::vector<Command> ParkMoves::begin_anew(const MachineState& here, std::int64_t nozzle_z_um,
-                                           bool tell_height, bool is_klipper) const {
+                                           std::string_view height_command) const {
   std::vector<std::string> set_up;
   std::copy_if(settings_.start_gcode.begin(), settings_.start_gcode.end(),
                std::back_inserter(set_up), sets_up);
   std::vector<Command> way = {command_of("G21"), command_of("G90"), command_of("M83")};
   for (const std::string& line : set_up) way.push_back(command_of(line));
   for (const std::string& line : restored_after(set_up)) way.push_back(command_of(line));
-  if (tell_height) {
+  if (!height_command.empty()) {
     const double z_mm = static_cast<double>(nozzle_z_um) / 1'000;
-    way.push_back(command_of(is_klipper ? fmt::format("SET_KINEMATIC_POSITION Z={:.3f}", z_mm)
-                                        : fmt::format("G92 Z{:.3f}", z_mm)));
+    way.push_back(command_of(fmt::format("{}{:.3f}", height_command, z_mm)));
   }
   // Both warm up together. The nozzle may stand in what it laid: it is hot before it moves.
   way.emplace_back(firmware_link::SetTemperature{Heater::kNozzle, here.nozzle_tenths, false});

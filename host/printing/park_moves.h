@@ -14,6 +14,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/geometry.h"                // Box
@@ -58,12 +59,11 @@ class ParkMoves {
                                                               bool reheat) const;
 
   // A controller that may have forgotten all. `nozzle_z_um`: how high the nozzle is; the
-  // controller is told, when `tell_height`. Lines of the start G-code that set the controller up
-  // and move nothing (M92, M220, M420 …) are sent again.
-  [[nodiscard]] std::vector<firmware_link::Command> begin_anew(const MachineState& here,
-                                                               std::int64_t nozzle_z_um,
-                                                               bool tell_height,
-                                                               bool is_klipper) const;
+  // controller is told by `height_command` (LinkRules::height_command), unless that is empty. Lines
+  // of the start G-code that set the controller up and move nothing (M92, M220, M420 …) are sent
+  // again.
+  [[nodiscard]] std::vector<firmware_link::Command> begin_anew(
+      const MachineState& here, std::int64_t nozzle_z_um, std::string_view height_command) const;
 
  private:
   core::Settings settings_;

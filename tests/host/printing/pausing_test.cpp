@@ -85,12 +85,13 @@ TEST_CASE("after a reset X and Y are homed, hot and lifted, and Z never") {
   core::Settings settings;
   settings.start_gcode = {"G21", "G28", "M420 S1", "M104 S200", "M92 E400 ; steps", "G1 X5 E9"};
   const host::ParkMoves park_moves(settings, {5'000, 5'000});
-  const Texts way = texts_of(park_moves.begin_anew(in_a_road(), 2'400, true, false));
+  const Texts way = texts_of(park_moves.begin_anew(in_a_road(), 2'400, "G92 Z"));
   CHECK(way == Texts{"G21", "G90", "M83", "M420 S1", "M92 E400", "G92 Z2.400", "M104 S210",
                      "M190 S60", "M109 S210", "G1 E-1 F2400", "G0 Z12.4 F600", "G28 X Y",
                      "G0 X5 Y5 F7800"});
   // Lifted from where the nozzle is, not from where it should be.
-  const Texts higher = texts_of(park_moves.begin_anew(in_a_road(), 30'000, true, true));
+  const Texts higher =
+      texts_of(park_moves.begin_anew(in_a_road(), 30'000, "SET_KINEMATIC_POSITION Z="));
   CHECK_EQ(higher[5], "SET_KINEMATIC_POSITION Z=30.000");
   CHECK_EQ(higher[10], "G0 Z40 F600");
   settings.axis_z = Length::from_mm(5);
