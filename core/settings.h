@@ -1,5 +1,5 @@
-// Everything a user can set about a print. Defaults are here; units, ranges and help texts are in
-// host/settings_table, which also reads and checks what users type.
+// Everything that a user can set about a part and the way it is built. Defaults are here. The host
+// adds settings of the link, and has the units, the ranges and the help texts.
 #pragma once
 
 #include <string>
@@ -27,12 +27,6 @@ enum class BuildStyle {
 enum class ArcUse {
   kAuto,  // in print, where the controller says that it draws them; in a file
   kOn,
-  kOff,
-};
-
-// Whether lines are packed (MeatPack) on their way.
-enum class PackUse {
-  kAuto,  // where the controller offers it
   kOff,
 };
 
@@ -72,10 +66,6 @@ struct Settings {
   // (segment_merger.h).
   double segment_time_min_ms = 0;                     // 0: as the port's baud says; in a file: none
   Length segment_tolerance = Length::from_units(70);  // 7 µm, between a road and merged segments
-
-  // The link.
-  PackUse meatpack = PackUse::kOff;
-  double wait_limit_s = 0;  // for an answer, at least; 0: by the command
 
   // Speeds, mm/s.
   double perimeter_speed_mm_s = 60;

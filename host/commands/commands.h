@@ -4,9 +4,9 @@
 
 #include <string>
 
-#include "core/result.h"             // Result
-#include "core/settings.h"           // Settings
-#include "host/pipeline/pipeline.h"  // Job
+#include "core/result.h"                   // Result
+#include "host/pipeline/pipeline.h"        // Job
+#include "host/pipeline/print_settings.h"  // PrintSettings
 #include "host/pipeline/statistics.h"
 #include "host/printing/progress.h"  // Reporter
 #include "host/settings/options.h"   // Options
@@ -23,8 +23,8 @@ int settings_command(const Options& options, Reporter& reporter);
 int formats_command(const Options& options, Reporter& reporter);
 
 // Profile, then the command line's assignments, then the check that all fit together.
-[[nodiscard]] core::Result<core::Settings> load_settings_of(const Options& options,
-                                                            Reporter& reporter);
+[[nodiscard]] core::Result<PrintSettings> load_settings_of(const Options& options,
+                                                           Reporter& reporter);
 
 // Settings and part, both checked; but a print may have the rest of its part still to read
 // (OpenedPart::read_rest).

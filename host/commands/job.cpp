@@ -12,11 +12,11 @@
 
 namespace host {
 
-core::Result<core::Settings> load_settings_of(const Options& options, Reporter& reporter) {
+core::Result<PrintSettings> load_settings_of(const Options& options, Reporter& reporter) {
   core::Result<WholeSettings> whole =
       whole_settings({options.profile, options.profile_lax, options.assignments});
   if (!whole.ok()) return whole.error();
-  const core::Settings& settings = whole.value().settings;
+  const PrintSettings& settings = whole.value().settings;
   if (core::Status status = check_user_gcode(settings); !status.ok()) return status.error();
   for (const std::string& note : whole.value().notes) reporter.note("profile", note);
   for (const std::string& note : user_gcode_notes(settings)) reporter.note("warning", note);
@@ -24,7 +24,7 @@ core::Result<core::Settings> load_settings_of(const Options& options, Reporter& 
 }
 
 core::Result<Job> open_job(const Options& options, Reporter& reporter) {
-  core::Result<core::Settings> settings = load_settings_of(options, reporter);
+  core::Result<PrintSettings> settings = load_settings_of(options, reporter);
   if (!settings.ok()) return settings.error();
   const bool prints =
       options.subcommand == Subcommand::kPrint || options.subcommand == Subcommand::kResume;

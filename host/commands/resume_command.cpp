@@ -26,8 +26,8 @@ using core::Status;
 constexpr const char* kBegin = "; print the part from the begin";
 
 // What the journal's settings mean, if this program still knows them all.
-Result<core::Settings> settings_in(const JournalHead& head) {
-  core::Settings settings;
+Result<PrintSettings> settings_in(const JournalHead& head) {
+  PrintSettings settings;
   for (const auto& [key, value] : head.settings) {
     if (Status set = set_setting(settings, key, value); !set.ok()) return set.error();
   }
@@ -42,10 +42,10 @@ bool is_of_space(const std::string& key) {
 
 // The print's settings, with what is named once more over them: that must be the same, but for the
 // machine's space.
-Result<core::Settings> named_again(const Options& options, const JournalHead& head) {
-  Result<core::Settings> of_print = settings_in(head);
+Result<PrintSettings> named_again(const Options& options, const JournalHead& head) {
+  Result<PrintSettings> of_print = settings_in(head);
   if (!of_print.ok()) return of_print.error();
-  core::Settings told = of_print.value();
+  PrintSettings told = of_print.value();
   if (!options.profile.empty()) {
     const Result<LoadedSettings> loaded = load_settings(options.profile, told);
     if (!loaded.ok()) return loaded.error();
@@ -127,7 +127,7 @@ Result<Job> job_of(Options& options, const JournalHead& head, Reporter& reporter
   }
   if (options.part.empty()) options.part = head.part;
   if (Status same = check_part(options.part, head); !same.ok()) return same.error();
-  const Result<core::Settings> settings = settings_in(head);
+  const Result<PrintSettings> settings = settings_in(head);
   if (!settings.ok()) return settings.error();
   options.profile.clear();
   options.assignments = head.settings;
@@ -157,7 +157,7 @@ int resume_command(const Options& told, Reporter& reporter) {
   if (options.port.empty()) options.port = head.port;
   if (!options.baud_told) options.baud = head.baud;
 
-  const Result<core::Settings> named = named_again(options, head);
+  const Result<PrintSettings> named = named_again(options, head);
   if (!named.ok()) return fail(named.error(), reporter);
   const MachineSpace space = told_space(named.value(), options);
   Result<Job> job = job_of(options, head, reporter);

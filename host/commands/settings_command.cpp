@@ -39,7 +39,7 @@ std::string table_of(const std::vector<SettingRow>& rows) {
 }  // namespace
 
 int settings_command(const Options& options, Reporter& reporter) {
-  const core::Result<core::Settings> settings = load_settings_of(options, reporter);
+  const core::Result<PrintSettings> settings = load_settings_of(options, reporter);
   if (!settings.ok()) return fail(settings.error(), reporter);
   const std::vector<SettingRow> rows = describe_settings(settings.value());
   return show_result(options.json ? json_of(rows) : table_of(rows), reporter);

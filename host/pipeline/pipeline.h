@@ -18,26 +18,26 @@
 #include <string>
 #include <vector>
 
-#include "core/motions/motion.h"         // Motion
-#include "core/result.h"                 // Result
-#include "core/roads/road.h"             // Road
-#include "core/settings.h"               // Settings
-#include "core/walls/split_layer.h"      // SplitLayer
-#include "firmware_link/wire/command.h"  // Command
-#include "host/part/bad_layers.h"        // OnBadLayer
-#include "host/part/part_file.h"         // OpenedPart
-#include "host/pipeline/checkpoint.h"    // Checkpoint
-#include "host/pipeline/layer_watch.h"   // SlowLayer
-#include "host/pipeline/statistics.h"    // GeometryStatistics
-#include "host/system/warning_box.h"     // WarningBox
+#include "core/motions/motion.h"           // Motion
+#include "core/result.h"                   // Result
+#include "core/roads/road.h"               // Road
+#include "core/walls/split_layer.h"        // SplitLayer
+#include "firmware_link/wire/command.h"    // Command
+#include "host/part/bad_layers.h"          // OnBadLayer
+#include "host/part/part_file.h"           // OpenedPart
+#include "host/pipeline/checkpoint.h"      // Checkpoint
+#include "host/pipeline/layer_watch.h"     // SlowLayer
+#include "host/pipeline/print_settings.h"  // PrintSettings
+#include "host/pipeline/statistics.h"      // GeometryStatistics
+#include "host/system/warning_box.h"       // WarningBox
 
 namespace host {
 
 // A part and how it is to be printed.
 struct Job {
-  core::Settings settings;  // REQUIRES: validated, check_user_gcode() fine
-  OpenedPart part;          // used up by the run
-  std::string part_path;    // for messages
+  PrintSettings settings;  // REQUIRES: validated, check_user_gcode() fine
+  OpenedPart part;         // used up by the run
+  std::string part_path;   // for messages
   OnBadLayer on_bad_layer = OnBadLayer::kRepair;
   int jobs = 1;  // processors that the geometry may use; REQUIRES: 1 … kJobsMax
 

@@ -27,7 +27,7 @@ constexpr int kFeedPercentMax = 500;
 
 }  // namespace
 
-Monitor::Monitor(const core::Settings& settings, MonitorOptions options,
+Monitor::Monitor(const PrintSettings& settings, MonitorOptions options,
                  firmware_link::BytePort& port, CommandQueue& queue, Reporter& reporter)
     : settings_(settings),
       options_(std::move(options)),
@@ -48,7 +48,7 @@ Monitor::Monitor(const core::Settings& settings, MonitorOptions options,
 void Monitor::begin_session(bool ask_found_line) {
   firmware_link::SessionOptions options;
   options.ask_found_line = ask_found_line;
-  options.pack = settings_.meatpack == core::PackUse::kAuto;
+  options.pack = settings_.meatpack == PackUse::kAuto;
   options.wait_limit = firmware_link::Duration(std::llround(settings_.wait_limit_s * 1e6));
   options.banner_wait = firmware_link::Duration(std::llround(options_.banner_wait_s * 1e6));
   session_ = std::make_unique<firmware_link::Session>(

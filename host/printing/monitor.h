@@ -20,11 +20,11 @@
 #include <vector>
 
 #include "core/result.h"                    // Status
-#include "core/settings.h"                  // Settings
 #include "core/units.h"                     // LayerIndex, Length
 #include "firmware_link/ports/byte_port.h"  // BytePort
 #include "firmware_link/session/session.h"  // Session
 #include "firmware_link/wire/command.h"     // Command
+#include "host/pipeline/print_settings.h"   // PrintSettings
 #include "host/pipeline/statistics.h"       // LinkStatistics
 #include "host/printing/command_history.h"  // CommandHistory
 #include "host/printing/controls.h"         // UserRequest
@@ -102,7 +102,7 @@ struct MonitorOptions {
 class Monitor {
  public:
   // REQUIRES: all outlive the monitor; functions set but for those that may be empty.
-  Monitor(const core::Settings& settings, MonitorOptions options, firmware_link::BytePort& port,
+  Monitor(const PrintSettings& settings, MonitorOptions options, firmware_link::BytePort& port,
           CommandQueue& queue, Reporter& reporter);
 
   // To the end, whichever it is. Waits for the port a few milliseconds at a time.
@@ -176,7 +176,7 @@ class Monitor {
   void flush_output(double limit_s);
   [[nodiscard]] bool moves_end();
 
-  const core::Settings& settings_;
+  const PrintSettings& settings_;
   MonitorOptions options_;
   firmware_link::BytePort* port_;
   std::unique_ptr<firmware_link::BytePort> reopened_;

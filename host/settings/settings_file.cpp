@@ -207,7 +207,7 @@ core::Status end_prusa(const std::string& name, LoadedSettings& loaded) {
 }  // namespace
 
 Result<LoadedSettings> read_settings(std::string_view text, const std::string& name,
-                                     const core::Settings& base) {
+                                     const PrintSettings& base) {
   if (text.size() > kSettingsBytesMax) {
     return Error{ErrorCode::kBadSetting, fmt::format("{}: more than {} bytes: not a settings file",
                                                      name, kSettingsBytesMax)};
@@ -237,7 +237,7 @@ Result<LoadedSettings> read_settings(std::string_view text, const std::string& n
   return loaded;
 }
 
-Result<LoadedSettings> load_settings(const std::string& path, const core::Settings& base) {
+Result<LoadedSettings> load_settings(const std::string& path, const PrintSettings& base) {
   const auto unreadable = [&](std::string_view cause) {
     return Error{ErrorCode::kUnreadable, fmt::format("{}: {}", path, cause)};
   };

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "core/result.h"                   // Result
-#include "core/settings.h"                 // Settings
+#include "host/pipeline/print_settings.h"  // PrintSettings
 #include "host/settings/prusa_left_out.h"  // ProfileValues
 #include "host/settings/settings_prusa.h"  // SettingText
 
@@ -40,7 +40,7 @@ struct RawGcode {
 };
 
 struct LoadedSettings {
-  core::Settings settings;           // but for the G-code of a PrusaSlicer file
+  PrintSettings settings;            // but for the G-code of a PrusaSlicer file
   int set_count = 0;                 // lines that were used
   bool from_prusa = false;           // a PrusaSlicer or Slic3r file
   std::vector<std::string> ignored;  // "key" or "key = value" of what has no counterpart here
@@ -56,11 +56,11 @@ struct LoadedSettings {
 // by one, not yet together: that is validate_settings(), after --set.
 // One call at a time: inih keeps its options in global variables.
 [[nodiscard]] core::Result<LoadedSettings> load_settings(const std::string& path,
-                                                         const core::Settings& base);
+                                                         const PrintSettings& base);
 
 // The same for text; `name` stands in the errors.
 [[nodiscard]] core::Result<LoadedSettings> read_settings(std::string_view text,
                                                          const std::string& name,
-                                                         const core::Settings& base);
+                                                         const PrintSettings& base);
 
 }  // namespace host

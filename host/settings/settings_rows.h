@@ -13,10 +13,10 @@
 #include <variant>
 #include <vector>
 
-#include "core/limits.h"                  // kCoordinateMax
-#include "core/settings.h"                // Settings
-#include "core/units.h"                   // Length, kUnitsPerMm
-#include "host/settings/settings_text.h"  // kVerbatimLinesMax
+#include "core/limits.h"                   // kCoordinateMax
+#include "core/units.h"                    // Length, kUnitsPerMm
+#include "host/pipeline/print_settings.h"  // PrintSettings
+#include "host/settings/settings_text.h"   // kVerbatimLinesMax
 
 namespace host {
 
@@ -24,18 +24,18 @@ using SettingLines = std::vector<std::string>;
 
 // An enumeration's field, and the names of its values in the order of the enumeration.
 struct Choice {
-  std::size_t (*get)(const core::Settings& settings);
-  void (*set)(core::Settings& settings, std::size_t value);
+  std::size_t (*get)(const PrintSettings& settings);
+  void (*set)(PrintSettings& settings, std::size_t value);
   std::array<std::string_view, 4> names;  // "" behind the last
 };
 
 template <auto kMember, typename... Names>
 constexpr Choice choice(Names... names) {
-  using Enumeration = std::remove_cvref_t<decltype(std::declval<core::Settings&>().*kMember)>;
-  return {[](const core::Settings& settings) -> std::size_t {
+  using Enumeration = std::remove_cvref_t<decltype(std::declval<PrintSettings&>().*kMember)>;
+  return {[](const PrintSettings& settings) -> std::size_t {
             return static_cast<std::size_t>(settings.*kMember);
           },
-          [](core::Settings& settings, std::size_t value) {
+          [](PrintSettings& settings, std::size_t value) {
             settings.*kMember = static_cast<Enumeration>(value);
           },
           {names...}};
@@ -43,9 +43,9 @@ constexpr Choice choice(Names... names) {
 
 // Which field, and with it how its values are written.
 using SettingMember =
-    std::variant<core::Length core::Settings::*, double core::Settings::*, int core::Settings::*,
-                 bool core::Settings::*, std::string core::Settings::*,
-                 SettingLines core::Settings::*, Choice>;
+    std::variant<core::Length PrintSettings::*, double PrintSettings::*, int PrintSettings::*,
+                 bool PrintSettings::*, std::string PrintSettings::*, SettingLines PrintSettings::*,
+                 Choice>;
 
 // A word that stands for a number that is not meant as one.
 struct NumberWord {
@@ -75,152 +75,152 @@ struct Setting {
 inline constexpr double kBedMaxMm = core::kCoordinateMax / core::kUnitsPerMm / 2;
 
 inline constexpr std::array kSettings = {
-    Setting{"layer_height", &core::Settings::layer_height, "mm", 0.01, 2, "height of every layer"},
-    Setting{"wall_thickness", &core::Settings::wall_thickness, "mm", 0.05, 100,
+    Setting{"layer_height", &PrintSettings::layer_height, "mm", 0.01, 2, "height of every layer"},
+    Setting{"wall_thickness", &PrintSettings::wall_thickness, "mm", 0.05, 100,
             "thickness of the dense wall, sideways, up and down"},
-    Setting{"wall_shape", choice<&core::Settings::wall_shape>("ball", "cylinder"), "", 0, 0,
+    Setting{"wall_shape", choice<&PrintSettings::wall_shape>("ball", "cylinder"), "", 0, 0,
             "shape of the wall's inner side: ball, as thick on any slope; cylinder, one depth for "
             "all layers"},
-    Setting{"wall_layers", &core::Settings::wall_layers, "", 0, 64,
+    Setting{"wall_layers", &PrintSettings::wall_layers, "", 0, 64,
             "number of layers that a cylinder-shaped wall reaches up and down; auto: as many as it "
             "is thick",
             kAutoIsZero},
-    Setting{"style", choice<&core::Settings::style>("thin-wall", "regular", "fast"), "", 0, 0,
+    Setting{"style", choice<&PrintSettings::style>("thin-wall", "regular", "fast"), "", 0, 0,
             "way of building the inside: thin-wall; to compare with: regular, dense everywhere; "
             "fast, loose in hidden layers"},
-    Setting{"loose_width_min", &core::Settings::loose_width_min, "mm", 0, 20,
+    Setting{"loose_width_min", &PrintSettings::loose_width_min, "mm", 0, 20,
             "least width of the loose inside; narrower parts of it are made solid"},
-    Setting{"loose_area_min_mm2", &core::Settings::loose_area_min_mm2, "mm²", 0, 10'000,
+    Setting{"loose_area_min_mm2", &PrintSettings::loose_area_min_mm2, "mm²", 0, 10'000,
             "least area of an island of the loose inside; smaller ones are made solid"},
-    Setting{"nozzle_diameter", &core::Settings::nozzle_diameter, "mm", 0.05, 5,
+    Setting{"nozzle_diameter", &PrintSettings::nozzle_diameter, "mm", 0.05, 5,
             "bore of the nozzle"},
-    Setting{"filament_diameter", &core::Settings::filament_diameter, "mm", 0.5, 10,
+    Setting{"filament_diameter", &PrintSettings::filament_diameter, "mm", 0.5, 10,
             "diameter of the filament as bought"},
-    Setting{"extrusion_multiplier", &core::Settings::extrusion_multiplier, "×", 0.1, 10,
+    Setting{"extrusion_multiplier", &PrintSettings::extrusion_multiplier, "×", 0.1, 10,
             "factor of the filament that every road takes"},
-    Setting{"road_width", &core::Settings::road_width, "mm", 0.05, 10,
+    Setting{"road_width", &PrintSettings::road_width, "mm", 0.05, 10,
             "width of every road that fits whole"},
-    Setting{"road_width_min", &core::Settings::road_width_min, "mm", 0.01, 10,
+    Setting{"road_width_min", &PrintSettings::road_width_min, "mm", 0.01, 10,
             "width of the narrowest road in a rest; narrower rests are left out"},
-    Setting{"perimeters", &core::Settings::perimeters, "", 0, 50,
+    Setting{"perimeters", &PrintSettings::perimeters, "", 0, 50,
             "number of closed roads along every contour"},
-    Setting{"road_overlap", &core::Settings::road_overlap, "%", 0, 1,
+    Setting{"road_overlap", &PrintSettings::road_overlap, "%", 0, 1,
             "overlap of neighbouring roads; 1: the layer has no voids, 0: roads just touch"},
-    Setting{"loose_density", &core::Settings::loose_density, "%", 0, 1,
+    Setting{"loose_density", &PrintSettings::loose_density, "%", 0, 1,
             "share of the inside that is filled; 0: empty, 1: dense"},
-    Setting{"fill_angle_degrees", &core::Settings::fill_angle_degrees, "°", -360, 360,
+    Setting{"fill_angle_degrees", &PrintSettings::fill_angle_degrees, "°", -360, 360,
             "direction of fill on even layers; odd ones are turned by 90°"},
-    Setting{"loose_anchor", &core::Settings::loose_anchor, "mm", 0, 20,
+    Setting{"loose_anchor", &PrintSettings::loose_anchor, "mm", 0, 20,
             "reach of loose roads into the wall"},
-    Setting{"skirt_loops", &core::Settings::skirt_loops, "", 0, 50,
+    Setting{"skirt_loops", &PrintSettings::skirt_loops, "", 0, 50,
             "number of loops around the first layer; 0: none"},
-    Setting{"skirt_distance", &core::Settings::skirt_distance, "mm", 0, 200,
+    Setting{"skirt_distance", &PrintSettings::skirt_distance, "mm", 0, 200,
             "distance from the part to the skirt"},
-    Setting{"simplify_tolerance", &core::Settings::simplify_tolerance, "mm", 0, 0.5,
+    Setting{"simplify_tolerance", &PrintSettings::simplify_tolerance, "mm", 0, 0.5,
             "farthest that a slice's contours are moved to save points"},
-    Setting{"arc_tolerance", &core::Settings::arc_tolerance, "mm", 0.0005, 0.5,
+    Setting{"arc_tolerance", &PrintSettings::arc_tolerance, "mm", 0.0005, 0.5,
             "farthest that chords stay off the arcs of an offset"},
     Setting{
-        "chain_gap_max", &core::Settings::chain_gap_max, "mm", 0, 100,
+        "chain_gap_max", &PrintSettings::chain_gap_max, "mm", 0, 100,
         "width of gaps of a broken mesh that are closed; wider ones only where one way is left"},
-    Setting{"arcs", choice<&core::Settings::arcs>("auto", "on", "off"), "", 0, 0,
+    Setting{"arcs", choice<&PrintSettings::arcs>("auto", "on", "off"), "", 0, 0,
             "use of arcs (G2, G3) for round roads; auto: where the controller says that it draws "
             "them, and in files"},
-    Setting{"arc_fit_tolerance", &core::Settings::arc_fit_tolerance, "mm", 0, 0.5,
+    Setting{"arc_fit_tolerance", &PrintSettings::arc_fit_tolerance, "mm", 0, 0.5,
             "farthest that an arc is off the road that it stands for; off: no arcs", kOffIsZero},
     Setting{
-        "segment_time_min_ms", &core::Settings::segment_time_min_ms, "ms", 0, 1'000,
+        "segment_time_min_ms", &PrintSettings::segment_time_min_ms, "ms", 0, 1'000,
         "least time of a segment; shorter ones are merged, else laid slower; auto: by the port's "
         "baud rate, off in files; off: no least time",
         kAutoOrOff},
-    Setting{"segment_tolerance", &core::Settings::segment_tolerance, "mm", 0, 0.5,
+    Setting{"segment_tolerance", &PrintSettings::segment_tolerance, "mm", 0, 0.5,
             "farthest that a merged segment is off the road"},
-    Setting{"meatpack", choice<&core::Settings::meatpack>("auto", "off"), "", 0, 0,
+    Setting{"meatpack", choice<&PrintSettings::meatpack>("auto", "off"), "", 0, 0,
             "packing of lines; auto: where the controller offers MeatPack; only for a port that "
             "loses nothing"},
     Setting{
-        "wait_limit_s", &core::Settings::wait_limit_s, "s", 0, 604'800,
+        "wait_limit_s", &PrintSettings::wait_limit_s, "s", 0, 604'800,
         "least time that the controller may be silent over a command; auto: by the command, from "
         "seconds to hours",
         kAutoIsZero},
-    Setting{"perimeter_speed_mm_s", &core::Settings::perimeter_speed_mm_s, "mm/s", 0.1, 2'000,
+    Setting{"perimeter_speed_mm_s", &PrintSettings::perimeter_speed_mm_s, "mm/s", 0.1, 2'000,
             "speed of inner perimeters"},
-    Setting{"outer_perimeter_speed_mm_s", &core::Settings::outer_perimeter_speed_mm_s, "mm/s", 0.1,
+    Setting{"outer_perimeter_speed_mm_s", &PrintSettings::outer_perimeter_speed_mm_s, "mm/s", 0.1,
             2'000, "speed of the part's visible surface"},
-    Setting{"solid_speed_mm_s", &core::Settings::solid_speed_mm_s, "mm/s", 0.1, 2'000,
+    Setting{"solid_speed_mm_s", &PrintSettings::solid_speed_mm_s, "mm/s", 0.1, 2'000,
             "speed of the wall's dense fill"},
-    Setting{"loose_speed_mm_s", &core::Settings::loose_speed_mm_s, "mm/s", 0.1, 2'000,
+    Setting{"loose_speed_mm_s", &PrintSettings::loose_speed_mm_s, "mm/s", 0.1, 2'000,
             "speed of the inside's fill"},
-    Setting{"rest_speed_mm_s", &core::Settings::rest_speed_mm_s, "mm/s", 0.1, 2'000,
+    Setting{"rest_speed_mm_s", &PrintSettings::rest_speed_mm_s, "mm/s", 0.1, 2'000,
             "speed of roads in narrow rests, which have a width of their own"},
-    Setting{"first_layer_speed_mm_s", &core::Settings::first_layer_speed_mm_s, "mm/s", 0.1, 2'000,
+    Setting{"first_layer_speed_mm_s", &PrintSettings::first_layer_speed_mm_s, "mm/s", 0.1, 2'000,
             "speed of the fastest road of the first layer"},
-    Setting{"travel_speed_mm_s", &core::Settings::travel_speed_mm_s, "mm/s", 0.1, 5'000,
+    Setting{"travel_speed_mm_s", &PrintSettings::travel_speed_mm_s, "mm/s", 0.1, 5'000,
             "speed of travel without material"},
-    Setting{"lift_speed_mm_s", &core::Settings::lift_speed_mm_s, "mm/s", 0.1, 1'000,
+    Setting{"lift_speed_mm_s", &PrintSettings::lift_speed_mm_s, "mm/s", 0.1, 1'000,
             "speed of the nozzle up and down"},
-    Setting{"layer_time_min_s", &core::Settings::layer_time_min_s, "s", 0, 3'600,
+    Setting{"layer_time_min_s", &PrintSettings::layer_time_min_s, "s", 0, 3'600,
             "least time of a layer; one that would be done sooner is slowed down, where "
             "cool_short_layers is set"},
-    Setting{"slowed_speed_min_mm_s", &core::Settings::slowed_speed_min_mm_s, "mm/s", 0.1, 2'000,
+    Setting{"slowed_speed_min_mm_s", &PrintSettings::slowed_speed_min_mm_s, "mm/s", 0.1, 2'000,
             "slowest speed that a layer is slowed down to"},
-    Setting{"acceleration_mm_s2", &core::Settings::acceleration_mm_s2, "mm/s2", 1, 100'000,
+    Setting{"acceleration_mm_s2", &PrintSettings::acceleration_mm_s2, "mm/s2", 1, 100'000,
             "acceleration of the machine, for the estimate of time only"},
-    Setting{"filament_acceleration_mm_s2", &core::Settings::filament_acceleration_mm_s2, "mm/s2", 1,
+    Setting{"filament_acceleration_mm_s2", &PrintSettings::filament_acceleration_mm_s2, "mm/s2", 1,
             100'000, "acceleration of retractions, for the estimate of time only"},
-    Setting{"junction_deviation_mm", &core::Settings::junction_deviation_mm, "mm", 0, 1,
+    Setting{"junction_deviation_mm", &PrintSettings::junction_deviation_mm, "mm", 0, 1,
             "deviation that the machine allows itself at corners, for the estimate of time only"},
-    Setting{"retraction_mm", &core::Settings::retraction_mm, "mm", 0, 100,
+    Setting{"retraction_mm", &PrintSettings::retraction_mm, "mm", 0, 100,
             "length of filament that is drawn back before travel"},
-    Setting{"retraction_speed_mm_s", &core::Settings::retraction_speed_mm_s, "mm/s", 0.1, 500,
+    Setting{"retraction_speed_mm_s", &PrintSettings::retraction_speed_mm_s, "mm/s", 0.1, 500,
             "speed of the filament when it is drawn back and returned"},
-    Setting{"retraction_travel_min", &core::Settings::retraction_travel_min, "mm", 0, 1'000,
+    Setting{"retraction_travel_min", &PrintSettings::retraction_travel_min, "mm", 0, 1'000,
             "length of the shortest travel inside the part that has a retraction"},
-    Setting{"retraction_lift", &core::Settings::retraction_lift, "mm", 0, 50,
+    Setting{"retraction_lift", &PrintSettings::retraction_lift, "mm", 0, 50,
             "height of the nozzle over the layer in travel with retraction"},
-    Setting{"bed_x", &core::Settings::bed_x, "mm", 1, kBedMaxMm, "width of the bed"},
-    Setting{"bed_y", &core::Settings::bed_y, "mm", 1, kBedMaxMm, "depth of the bed"},
-    Setting{"bed_origin_x", &core::Settings::bed_origin_x, "mm", -kBedMaxMm, kBedMaxMm,
+    Setting{"bed_x", &PrintSettings::bed_x, "mm", 1, kBedMaxMm, "width of the bed"},
+    Setting{"bed_y", &PrintSettings::bed_y, "mm", 1, kBedMaxMm, "depth of the bed"},
+    Setting{"bed_origin_x", &PrintSettings::bed_origin_x, "mm", -kBedMaxMm, kBedMaxMm,
             "printer's x of the bed's front left corner"},
-    Setting{"bed_origin_y", &core::Settings::bed_origin_y, "mm", -kBedMaxMm, kBedMaxMm,
+    Setting{"bed_origin_y", &PrintSettings::bed_origin_y, "mm", -kBedMaxMm, kBedMaxMm,
             "printer's y of the bed's front left corner"},
-    Setting{"axis_z", &core::Settings::axis_z, "mm", 0, 1e9,
+    Setting{"axis_z", &PrintSettings::axis_z, "mm", 0, 1e9,
             "height of the highest place that the nozzle can reach; off: not limited", kOffIsZero},
-    Setting{"centre", &core::Settings::centre, "", 0, 1,
+    Setting{"centre", &PrintSettings::centre, "", 0, 1,
             "whether the part lies in the middle of the bed; 0: at part_x, part_y"},
-    Setting{"part_x", &core::Settings::part_x, "mm", 0, kBedMaxMm,
+    Setting{"part_x", &PrintSettings::part_x, "mm", 0, kBedMaxMm,
             "distance of the part's left side from the bed's"},
-    Setting{"part_y", &core::Settings::part_y, "mm", 0, kBedMaxMm,
+    Setting{"part_y", &PrintSettings::part_y, "mm", 0, kBedMaxMm,
             "distance of the part's front from the bed's"},
-    Setting{"nozzle_celsius", &core::Settings::nozzle_celsius, "°C", 0, 500,
+    Setting{"nozzle_celsius", &PrintSettings::nozzle_celsius, "°C", 0, 500,
             "temperature of the nozzle; 0: not heated"},
-    Setting{"nozzle_first_layer_celsius", &core::Settings::nozzle_first_layer_celsius, "°C", 0, 500,
+    Setting{"nozzle_first_layer_celsius", &PrintSettings::nozzle_first_layer_celsius, "°C", 0, 500,
             "temperature of the nozzle on the first layer; 0: not heated"},
-    Setting{"bed_celsius", &core::Settings::bed_celsius, "°C", 0, 200,
+    Setting{"bed_celsius", &PrintSettings::bed_celsius, "°C", 0, 200,
             "temperature of the bed; 0: not heated"},
-    Setting{"cool_short_layers", &core::Settings::cool_short_layers, "", 0, 1,
+    Setting{"cool_short_layers", &PrintSettings::cool_short_layers, "", 0, 1,
             "whether layers that take little time are slowed down and get more of the fan"},
-    Setting{"fan_share", &core::Settings::fan_share, "%", 0, 1,
+    Setting{"fan_share", &PrintSettings::fan_share, "%", 0, 1,
             "speed of the part's fan on layers that take less than layer_time_min_s"},
-    Setting{"fan_share_min", &core::Settings::fan_share_min, "%", 0, 1,
+    Setting{"fan_share_min", &PrintSettings::fan_share_min, "%", 0, 1,
             "speed of the part's fan on layers that take fan_below_layer_time_s or more, if it is "
             "not above fan_share"},
-    Setting{"fan_always_on", &core::Settings::fan_always_on, "", 0, 1,
+    Setting{"fan_always_on", &PrintSettings::fan_always_on, "", 0, 1,
             "whether the fan runs on layers that take long, too"},
-    Setting{"fan_below_layer_time_s", &core::Settings::fan_below_layer_time_s, "s", 0, 3'600,
+    Setting{"fan_below_layer_time_s", &PrintSettings::fan_below_layer_time_s, "s", 0, 3'600,
             "time of a layer below which the fan is more than fan_share_min"},
-    Setting{"fan_from_layer", &core::Settings::fan_from_layer, "", 1, 1e6,
+    Setting{"fan_from_layer", &PrintSettings::fan_from_layer, "", 1, 1e6,
             "number of the first layer with the fan on, counted from 1"},
-    Setting{"fan_full_layer", &core::Settings::fan_full_layer, "", 0, 1e6,
+    Setting{"fan_full_layer", &PrintSettings::fan_full_layer, "", 0, 1e6,
             "number of the layer up to which the fan's speed grows; 0: at once"},
-    Setting{"start_gcode", &core::Settings::start_gcode, "", 0, kVerbatimLinesMax,
+    Setting{"start_gcode", &PrintSettings::start_gcode, "", 0, kVerbatimLinesMax,
             "lines of G-code that are sent first, with \\n between them; ';' starts a comment"},
-    Setting{"end_gcode", &core::Settings::end_gcode, "", 0, kVerbatimLinesMax,
+    Setting{"end_gcode", &PrintSettings::end_gcode, "", 0, kVerbatimLinesMax,
             "lines of G-code that are sent last"},
-    Setting{"allow_gcode", &core::Settings::allow_gcode, "", 0, 0,
+    Setting{"allow_gcode", &PrintSettings::allow_gcode, "", 0, 0,
             "commands that start_gcode and end_gcode may hold though they are refused otherwise, "
             "as M500,M501; on the command line only"},
-    Setting{"park_lift", &core::Settings::park_lift, "mm", 0, 1'000,
+    Setting{"park_lift", &PrintSettings::park_lift, "mm", 0, 1'000,
             "height that the nozzle goes up by at the end and at a stop"},
 };
 

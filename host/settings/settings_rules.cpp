@@ -5,13 +5,12 @@
 #include <utility>
 
 #include "core/limits.h"
-#include "core/settings.h"
+#include "core/settings.h"  // wall_layers
 #include "host/settings/settings_table.h"
 
 namespace host {
 namespace {
 
-using core::Settings;
 using core::Status;
 
 // Wider roads than this don't stick: the nozzle's flat face ends about there.
@@ -20,8 +19,8 @@ constexpr double kRoadPerNozzleMax = 2.5;
 core::Error bad(std::string message) { return {core::ErrorCode::kBadSetting, std::move(message)}; }
 
 // Whoever filled in the struct by hand gets the same answers as who typed.
-Status every_value_in_range(const Settings& settings) {
-  Settings copy = settings;
+Status every_value_in_range(const PrintSettings& settings) {
+  PrintSettings copy = settings;
   for (const SettingRow& row : describe_settings(settings)) {
     Status status = set_setting(copy, row.key, row.value);
     if (!status.ok()) return status;
@@ -29,7 +28,7 @@ Status every_value_in_range(const Settings& settings) {
   return {};
 }
 
-Status wall_fits_window(const Settings& settings) {
+Status wall_fits_window(const PrintSettings& settings) {
   const int layers = core::wall_layers(settings);
   if (layers <= core::kWallLayersMax) return {};
   return bad(fmt::format(
@@ -38,7 +37,7 @@ Status wall_fits_window(const Settings& settings) {
       settings.wall_thickness.mm(), layers, settings.layer_height.mm(), core::kWallLayersMax));
 }
 
-Status road_fits_nozzle(const Settings& settings) {
+Status road_fits_nozzle(const PrintSettings& settings) {
   const double height = settings.layer_height.mm();
   const double nozzle = settings.nozzle_diameter.mm();
   const double width = settings.road_width.mm();
@@ -61,7 +60,7 @@ Status road_fits_nozzle(const Settings& settings) {
   return {};
 }
 
-Status part_has_a_place(const Settings& settings) {
+Status part_has_a_place(const PrintSettings& settings) {
   const double x = settings.part_x.mm(), y = settings.part_y.mm();
   if (settings.centre && (x != 0 || y != 0)) {
     return bad(fmt::format(
@@ -80,7 +79,7 @@ Status part_has_a_place(const Settings& settings) {
 
 }  // namespace
 
-Status validate_settings(const Settings& settings) {
+Status validate_settings(const PrintSettings& settings) {
   for (const auto rule :
        {every_value_in_range, wall_fits_window, road_fits_nozzle, part_has_a_place}) {
     Status status = rule(settings);

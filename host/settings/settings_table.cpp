@@ -23,11 +23,10 @@ namespace host {
 namespace {
 
 using core::Length;
-using core::Settings;
 using core::Status;
 using Lines = SettingLines;
 
-using S = Settings;
+using S = PrintSettings;
 
 template <typename... Readers>
 struct Overloaded : Readers... {
@@ -92,7 +91,7 @@ core::Error explain(const Setting& setting, const core::Error& error) {
   return bad(fmt::format("{}: {}; expected {}", setting.key, error.message, range_text(setting)));
 }
 
-Status choose(Settings& settings, const Choice& choice, const Setting& setting,
+Status choose(PrintSettings& settings, const Choice& choice, const Setting& setting,
               std::string_view text) {
   const std::span<const std::string_view> names = names_of(choice);
   const auto found = std::find(names.begin(), names.end(), trimmed(text));
@@ -112,7 +111,7 @@ std::string number_text(const Setting& setting, double number, WordUse use) {
   return word ? std::string(*word) : write_number(number);
 }
 
-Status assign(Settings& settings, const Setting& setting, std::string_view text) {
+Status assign(PrintSettings& settings, const Setting& setting, std::string_view text) {
   const std::optional<double> word = setting.number_of(trimmed(text));
   const auto assign_to = [&](auto& field, const auto& read) -> Status {
     using Field = std::decay_t<decltype(field)>;
@@ -156,7 +155,7 @@ Status assign(Settings& settings, const Setting& setting, std::string_view text)
       setting.member);
 }
 
-std::string value_text(const Settings& settings, const Setting& setting,
+std::string value_text(const PrintSettings& settings, const Setting& setting,
                        WordUse use = WordUse::kWords) {
   return std::visit(
       Overloaded{[&](double S::*f) { return number_text(setting, settings.*f, use); },
@@ -185,7 +184,7 @@ std::optional<std::string_view> Setting::word_for(double number) const {
   return std::nullopt;
 }
 
-Status set_setting(Settings& settings, std::string_view key, std::string_view text) {
+Status set_setting(PrintSettings& settings, std::string_view key, std::string_view text) {
   std::string name(trimmed(key));
   std::replace(name.begin(), name.end(), '-', '_');
   if (const Setting* setting = find(name)) return assign(settings, *setting, text);
@@ -196,7 +195,7 @@ Status set_setting(Settings& settings, std::string_view key, std::string_view te
   if (translated->empty()) {
     return bad(fmt::format("{} = {} is PrusaSlicer's and has no counterpart here", name, text));
   }
-  Settings changed = settings;
+  PrintSettings changed = settings;
   for (const SettingText& ours : *translated) {
     const Setting* setting = find(ours.key);
     RIND_CHECK(setting != nullptr);
@@ -209,8 +208,8 @@ Status set_setting(Settings& settings, std::string_view key, std::string_view te
   return {};
 }
 
-std::vector<SettingRow> describe_settings(const Settings& settings) {
-  const Settings defaults;
+std::vector<SettingRow> describe_settings(const PrintSettings& settings) {
+  const PrintSettings defaults;
   std::vector<SettingRow> rows;
   rows.reserve(kSettings.size());
   for (const Setting& setting : kSettings) {

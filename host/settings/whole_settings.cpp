@@ -20,7 +20,6 @@ namespace {
 using core::Error;
 using core::ErrorCode;
 using core::Result;
-using core::Settings;
 using core::Status;
 using Lines = std::vector<std::string>;
 
@@ -33,7 +32,7 @@ std::string with_underscores(std::string key) {
 
 // Names that stand for something that is neither in the profile nor a setting.
 std::optional<std::string> known_besides(std::string_view name, std::size_t index,
-                                         const Settings& settings) {
+                                         const PrintSettings& settings) {
   const double x = settings.bed_origin_x.mm(), y = settings.bed_origin_y.mm();
   const double width = settings.bed_x.mm(), depth = settings.bed_y.mm();
   const auto pair = [index](double first, double second) -> std::optional<std::string> {
@@ -76,7 +75,7 @@ std::optional<std::string> element(std::string_view list, std::size_t index) {
 // besides.
 class Known {
  public:
-  Known(const Settings& settings, const ProfileValues& values)
+  Known(const PrintSettings& settings, const ProfileValues& values)
       : settings_(settings), values_(values) {
     for (const SettingRow& row : describe_settings(settings)) rows_[row.key] = row.plain_value;
   }
@@ -96,12 +95,12 @@ class Known {
   }
 
  private:
-  const Settings& settings_;
+  const PrintSettings& settings_;
   const ProfileValues& values_;
   ProfileValues rows_;
 };
 
-Lines& lines_of(Settings& settings, std::string_view key) {
+Lines& lines_of(PrintSettings& settings, std::string_view key) {
   return key == "start_gcode" ? settings.start_gcode : settings.end_gcode;
 }
 
@@ -113,7 +112,7 @@ class Assembly {
 
   Result<WholeSettings> assemble() {
     if (!request_.profile.empty()) {
-      Result<LoadedSettings> loaded = load_settings(request_.profile, Settings());
+      Result<LoadedSettings> loaded = load_settings(request_.profile, PrintSettings());
       if (!loaded.ok()) return loaded.error();
       loaded_ = std::move(loaded).value();
       whole_.settings = loaded_.settings;

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/result.h"    // Result
-#include "core/settings.h"  // Settings
+#include "core/result.h"                   // Result
+#include "host/pipeline/print_settings.h"  // PrintSettings
 
 namespace host {
 
@@ -21,7 +21,7 @@ struct SettingsRequest {
 };
 
 struct WholeSettings {
-  core::Settings settings;         // ENSURES: validate_settings() is fine
+  PrintSettings settings;          // ENSURES: validate_settings() is fine
   std::vector<std::string> notes;  // what the profile's print has and this one has not
 };
 

@@ -11,7 +11,7 @@
 #include "host/settings/settings_table.h"
 
 using core::Length;
-using core::Settings;
+using Settings = host::PrintSettings;
 using host::LoadedSettings;
 
 namespace {

@@ -1,0 +1,27 @@
+// Everything that a user can set about a print: what decides the G-code (core::Settings), and how
+// the G-code is sent. Units, ranges and help texts are in host/settings/settings_rows.h.
+#pragma once
+
+#include <utility>
+
+#include "core/settings.h"  // Settings
+
+namespace host {
+
+// Whether lines are packed (MeatPack) before they are sent.
+enum class PackUse {
+  kAuto,  // where the controller offers it
+  kOff,
+};
+
+struct PrintSettings : core::Settings {
+  PrintSettings() = default;
+  // The defaults of the link. NOLINTNEXTLINE(google-explicit-constructor)
+  PrintSettings(core::Settings settings) : core::Settings(std::move(settings)) {}
+
+  // The link.
+  PackUse meatpack = PackUse::kOff;
+  double wait_limit_s = 0;  // least time to wait for an answer; 0: by the command
+};
+
+}  // namespace host
