@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/name_rules.h"
 #include "tests/support/source_rules.h"
 #include "tests/support/source_text.h"
 
@@ -252,4 +253,21 @@ TEST_CASE("no header is dead") {
   CHECK_EQ(test::check_dead_headers({used, own, user}).size(), 1);
   CHECK_EQ(test::check_dead_headers({used}).size(), 1);
   for (const std::string& complaint : test::check_dead_headers(sources())) FAIL_CHECK(complaint);
+}
+
+TEST_CASE("what comments name exists") {
+  const auto found = [](const std::string& comment) {
+    const Source one{"core/regions/a.h", "int f();\nconstexpr int kOne = 1;\n// " + comment + "\n"};
+    return test::check_named_in_comments({one, Source{"core/b.cpp", "// \n"}}).size();
+  };
+  CHECK_EQ(found("see a.h, regions/a.h and core/b.cpp."), 0);
+  CHECK_EQ(found("see c.h"), 1);
+  CHECK_EQ(found("see walls/a.h"), 1);
+  CHECK_EQ(found("f() does, up to kOne"), 0);
+  CHECK_EQ(found("g() does"), 1);
+  CHECK_EQ(found("up to kTwo"), 1);
+  CHECK_EQ(found("5 km, K2, k"), 0);
+  for (const std::string& complaint : test::check_named_in_comments(sources())) {
+    FAIL_CHECK(complaint);
+  }
 }

@@ -5,8 +5,8 @@
 // when the contours are loaded, which brings the outside to the left; nothing else differs.
 //
 // What is exact: coordinates are integers relative to the region's box, so differences are exact in
-// a double, and products() forms crosses and dots of differences rounded once at most: their sign,
-// and whether they are 0, is always right.
+// a double. exact_cross() and exact_dot() of them are rounded once at most: their sign, and whether
+// they are 0, is always right.
 //   corner of e -> g     cross(e, g) < 0: reflex, it raises an arc; > 0: convex, it raises nothing
 //   collinear run        cross = 0: the corner is dropped, one edge stands for the run
 //   equal points         contours that touch at a corner are linked anew by mend_touching() so that

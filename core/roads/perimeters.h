@@ -36,7 +36,7 @@ struct Perimeters {
 };
 
 // COSTS: O(points), and a few booleans on a layer that has narrow places.
-// REQUIRES: offsets made by slice_offsets() with the same settings.
+// REQUIRES: offsets made by an OffsetCutter with the same settings.
 [[nodiscard]] Perimeters perimeters(const Slice& slice, const SliceOffsets& offsets,
                                     const Settings& settings);
 

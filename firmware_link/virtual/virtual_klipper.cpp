@@ -1,6 +1,6 @@
 // What is Klipper's own: it answers before it is ready and after it has shut down, refuses moves
 // that it cannot make, and lets heaters and motors go when nothing moves for long. As klippy's
-// gcode.py, webhooks, force_move.py and idle_timeout.py do (2026).
+// modules gcode, webhooks, force_move and idle_timeout do (2026).
 #include <algorithm>
 #include <chrono>
 #include <string>

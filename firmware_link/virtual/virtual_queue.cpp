@@ -1,4 +1,4 @@
-// Bytes become lines become command slots, in the order of Marlin's queue.cpp (bugfix-2.1.x).
+// Bytes become lines become command slots, in the order of Marlin's GCodeQueue (bugfix-2.1.x).
 #include <algorithm>
 #include <charconv>
 #include <string>

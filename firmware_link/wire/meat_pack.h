@@ -8,7 +8,7 @@
 //                                           one behind an end of line is filled with zeros
 //
 // Two bytes FF and a third command the unpacker itself; it answers each with a line of its own,
-// "[MP] PV01 ON ESP". (Marlin 2.1: feature/meatpack.cpp; measured.)
+// "[MP] PV01 ON ESP". (Marlin 2.1, its class MeatPack; measured.)
 #pragma once
 
 #include <array>

@@ -119,7 +119,7 @@ class SectionPicture {
   std::optional<core::WallPlace> thinnest_;
   core::Length highest_loose_;            // the middle of that layer
   std::int64_t highest_loose_along_ = 0;  // the middle of its widest interval
-  std::vector<Ball> balls_;               // at most kBallsMax
+  std::vector<Ball> balls_;               // two at each of kBallHeights heights, and the highest
   std::size_t next_ball_ = 0;
   double solid_mm2_ = 0, loose_mm2_ = 0;
   std::array<bool, kTints> tint_seen_{};

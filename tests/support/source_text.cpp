@@ -79,7 +79,7 @@ bool opens_scope(const std::string& head) {
   return std::regex_search(head, kScope) && head.find('(') == std::string::npos;
 }
 
-// "constexpr std::array kTable = {", but not "bool operator==(…) {" nor "f(int a = 1) {".
+// "constexpr std::array table = {", but not "bool operator==(…) {" nor "f(int a = 1) {".
 bool opens_initialiser(const std::string& head) {
   if (head.find("operator") != std::string::npos) return false;
   int depth = 0;
