@@ -7,6 +7,7 @@
 
 #include "core/check.h"                   // RIND_CHECK
 #include "core/motions/cooling.h"         // layer_cooling
+#include "core/motions/park_height.h"     // park_height
 #include "core/motions/segment_merger.h"  // merge_short_pieces, sendable_speed
 #include "core/regions/polyline.h"        // distance_mm
 #include "core/regions/segment_grid.h"    // SegmentGrid
@@ -195,10 +196,7 @@ void MotionBuilder::leave(const Sink& sink) {
   ended_ = true;
   retract(sink);
   const Length here = state_.nozzle_z.value_or(top_);
-  Length away = top_ + settings_.park_lift;
-  if (settings_.axis_z > Length()) away = std::min(away, settings_.axis_z);
-  away = std::max(away, here);
-  lift(away, sink);
+  lift(std::max(park_height(top_, settings_), here), sink);
   sink(SetNozzleTemperature{0, false});
   sink(SetBedTemperature{0, false});
   sink(SetFan{0});

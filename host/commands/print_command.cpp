@@ -9,7 +9,7 @@
 #include "firmware_link/ports/ports.h"
 #include "host/commands/commands.h"
 #include "host/commands/print_run.h"
-#include "host/printing/journal_places.h"  // choose_journal
+#include "host/printing/journal_directory.h"  // choose_journal
 #include "host/settings/settings_table.h"
 #include "host/settings/settings_text.h"  // trimmed
 #include "host/system/exit_codes.h"
@@ -162,7 +162,7 @@ void plan_journal(const Options& options, const JournalChoice& choice, const std
 }  // namespace
 
 int print_command(const Options& options, Reporter& reporter) {
-  const double began_s = steady_seconds();
+  const double started_s = steady_seconds();
   if (options.port.empty()) {
     reporter.error(no_port_message(), kExitUsage);
     return kExitUsage;
@@ -187,7 +187,7 @@ int print_command(const Options& options, Reporter& reporter) {
   }
   JournalKeeper keeper;
   plan_journal(options, choice.value(), usb, job, keeper);
-  return run_print(options, job, keeper, {usb, told_space(job.settings, options), {}}, began_s,
+  return run_print(options, job, keeper, {usb, told_space(job.settings, options), {}}, started_s,
                    reporter);
 }
 

@@ -4,8 +4,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <utility>
@@ -14,19 +12,17 @@
 #include "firmware_link/ports/ports.h"
 #include "firmware_link/virtual/virtual_port.h"
 #include "host/commands/commands.h"
+#include "host/commands/program_control.h"
 #include "host/printing/port_clock.h"
 #include "host/printing/print_job.h"
-#include "host/settings/settings_text.h"  // read_number, trimmed
 #include "host/system/exit_codes.h"
+#include "host/system/limits.h"
 #include "host/system/stop_signals.h"
 
 namespace host {
 namespace {
 
 using firmware_link::BytePort;
-
-// With nothing to lay and the planner empty for so long, the nozzle leaves the part.
-constexpr double kUnderrun_s = 0.3;
 
 // How long the geometry's last layer is waited for when the link has ended.
 constexpr double kGeometryGrace_s = 0.1;
@@ -42,40 +38,6 @@ std::unique_ptr<BytePort> open_virtual_port(const Options& options,
   controller.bed_origin_y_mm = settings.bed_origin_y.mm();
   return std::make_unique<firmware_link::VirtualPort>(controller, steady_port_clock(),
                                                       options.virtual_speed);
-}
-
-std::unique_ptr<BytePort> opened(const std::string& path, int baud) {
-  firmware_link::OpenedPort attempt = firmware_link::open_port(path, baud);
-  auto* port = std::get_if<std::unique_ptr<BytePort>>(&attempt);
-  return port != nullptr ? std::move(*port) : nullptr;
-}
-
-// The same USB device under whatever name it has now, or else the same name.
-std::unique_ptr<BytePort> reopened(const Options& options, const std::string& usb) {
-  if (!usb.empty()) {
-    for (const firmware_link::PortDescription& port : firmware_link::list_ports()) {
-      if (port.usb == usb) return opened(port.path, options.baud);
-    }
-    return nullptr;
-  }
-  return opened(options.port, options.baud);
-}
-
-LostPortOptions lost_port(const Options& options, const std::string& usb, Controls& controls,
-                          std::unique_ptr<BytePort>& port) {
-  LostPortOptions lost;
-  if (options.on_lost_port == OnLostPort::kStop || is_virtual(options)) return lost;
-  lost.wait_s = options.lost_port_wait_s;
-  lost.reopen = [&options, &port, usb] {
-    port.reset();
-    return reopened(options, usb);
-  };
-  lost.takes_height = options.yes;
-  lost.nozzle_height = [&options, &controls](std::int64_t z_um) -> std::optional<std::int64_t> {
-    if (options.yes) return z_um;
-    return ask_nozzle_height(controls, z_um);
-  };
-  return lost;
 }
 
 // How to go on with a print that ended early, or that nothing is left to do so.
@@ -120,8 +82,8 @@ double line_time_ms(const std::string& port, int baud) {
   std::error_code error;
   const std::filesystem::path real = std::filesystem::weakly_canonical(port, error);
   const std::string name = real.filename().string();
-  const auto begins = [&name](const char* with) { return name.rfind(with, 0) == 0; };
-  const bool paced = begins("ttyUSB") || begins("ttyS") || begins("ttyAMA");
+  const auto starts_with = [&name](const char* with) { return name.rfind(with, 0) == 0; };
+  const bool paced = starts_with("ttyUSB") || starts_with("ttyS") || starts_with("ttyAMA");
   return paced && baud > 0 ? 1'000 * kLineBits / kUse / baud : 0;
 }
 
@@ -132,27 +94,6 @@ std::string usb_of(const std::string& port) {
     if (each.path == real.string()) return each.usb;
   }
   return {};
-}
-
-std::optional<std::int64_t> ask_nozzle_height(Controls& controls, std::int64_t z_um) {
-  const std::string question = fmt::format(
-      "The controller may have forgotten where the nozzle is. It will be heated, lifted, and X and "
-      "Y will be homed; Z will not, the part is in the way.\nMake sure that the nozzle is not "
-      "below the part's top, and that its way up and to the end stops is free.\nHow high above the "
-      "bed is it now, in mm? Enter for {:.3f}, where it was left; n for no, stop:",
-      static_cast<double>(z_um) / 1'000);
-  while (true) {
-    const std::optional<std::string> answer =
-        controls.ask(question, [] { return stop_signal_count() > 0; });
-    if (!answer) return std::nullopt;
-    const std::string_view text = trimmed(*answer);
-    if (text.empty()) return z_um;
-    if (text == "n" || text == "no") return std::nullopt;
-    const core::Result<double> height = read_number(text, "mm");
-    if (height.ok() && height.value() >= 0 && height.value() < 1e7) {
-      return std::llround(height.value() * 1'000);
-    }
-  }
 }
 
 MachineSpace told_space(const core::Settings& settings, const Options& told) {
@@ -166,7 +107,7 @@ MachineSpace told_space(const core::Settings& settings, const Options& told) {
 }
 
 int run_print(const Options& options, Job& job, JournalKeeper& keeper, RunExtras extras,
-              double began_s, Reporter& reporter) {
+              double started_s, Reporter& reporter) {
   std::unique_ptr<BytePort> port;
   if (is_virtual(options)) {
     port = open_virtual_port(options, job.settings);
@@ -186,17 +127,18 @@ int run_print(const Options& options, Job& job, JournalKeeper& keeper, RunExtras
   PrintOutcome outcome;
   {
     Controls controls(options.part != "-");
-    PrintRequest request{job, *port, reporter, stop_urgency, began_s};
+    ProgramControl control({options, controls, keeper, port, reporter}, extras.usb);
+    PrintRequest request{job, *port, control, reporter};
+    request.started_s = started_s;
     request.geometry_grace_s = kGeometryGrace_s;
-    request.link.request = [&controls] { return controls.next(); };
-    request.link.journal = [&keeper] { return keeper.journal(); };
-    request.link.may_begin = [&keeper, &reporter] { return keeper.reserve(reporter); };
-    request.link.hot_s = options.pause_heat_s;
+    request.options.hot_s = options.pause_heat_s;
     // A virtual controller's seconds may be others than geometry's.
-    request.link.underrun_s = is_virtual(options) && options.virtual_speed != 1 ? 0 : kUnderrun_s;
-    request.link.lost_port = lost_port(options, extras.usb, controls, port);
-    request.link.space = extras.space;
-    request.link.resumption = std::move(extras.resumption);
+    request.options.underrun_s =
+        is_virtual(options) && options.virtual_speed != 1 ? 0 : kUnderrun_s;
+    const bool waits = options.on_lost_port != OnLostPort::kStop && !is_virtual(options);
+    request.options.lost_port_wait_s = waits ? options.lost_port_wait_s : 0;
+    request.options.space = extras.space;
+    request.options.resumption = std::move(extras.resumption);
     if (controls.has_keys()) reporter.note("keys", key_help());
     outcome = print_part(request);
   }

@@ -2,18 +2,15 @@
 // itself, and what is told in the end.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 
-#include "firmware_link/ports/byte_port.h"  // BytePort
-#include "host/commands/journal_keeper.h"   // JournalKeeper
-#include "host/pipeline/pipeline.h"         // Job
-#include "host/printing/controls.h"         // Controls
-#include "host/printing/machine_space.h"    // MachineSpace
-#include "host/printing/monitor.h"          // Resumption
-#include "host/printing/progress.h"         // Reporter
-#include "host/settings/options.h"          // Options
+#include "host/commands/journal_keeper.h"  // JournalKeeper
+#include "host/pipeline/pipeline.h"        // Job
+#include "host/printing/machine_space.h"   // MachineSpace
+#include "host/printing/progress.h"        // Reporter
+#include "host/printing/recovery.h"        // Resumption
+#include "host/settings/options.h"         // Options
 
 namespace host {
 
@@ -36,10 +33,6 @@ struct RunExtras {
   std::optional<Resumption> resumption;
 };
 [[nodiscard]] int run_print(const Options& options, Job& job, JournalKeeper& keeper,
-                            RunExtras extras, double began_s, Reporter& reporter);
-
-// Asks where the nozzle is; nothing: nobody answered, or it is not safe. `z_um`: where it should
-// be. The height is in µm.
-[[nodiscard]] std::optional<std::int64_t> ask_nozzle_height(Controls& controls, std::int64_t z_um);
+                            RunExtras extras, double started_s, Reporter& reporter);
 
 }  // namespace host

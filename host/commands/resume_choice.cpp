@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "host/commands/commands.h"
-#include "host/files/content_hash.h"       // content_of
-#include "host/printing/journal_places.h"  // find_journals
+#include "host/files/content_hash.h"          // content_of
+#include "host/printing/journal_directory.h"  // find_journals
 
 namespace host {
 namespace {

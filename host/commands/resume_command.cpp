@@ -6,9 +6,10 @@
 
 #include "host/commands/commands.h"
 #include "host/commands/print_run.h"
-#include "host/commands/resume_choice.h"   // list_journals, journal_named
-#include "host/printing/journal_places.h"  // layer_text, state_text
-#include "host/settings/settings_file.h"   // load_settings
+#include "host/commands/program_control.h"    // ask_nozzle_height
+#include "host/commands/resume_choice.h"      // list_journals, journal_named
+#include "host/printing/journal_directory.h"  // layer_text, state_text
+#include "host/settings/settings_file.h"      // load_settings
 #include "host/settings/settings_table.h"
 #include "host/system/exit_codes.h"
 #include "host/system/stage_clock.h"
@@ -138,7 +139,7 @@ Result<Job> job_of(Options& options, const JournalHead& head, Reporter& reporter
 }  // namespace
 
 int resume_command(const Options& told, Reporter& reporter) {
-  const double began_s = steady_seconds();
+  const double started_s = steady_seconds();
   Options options = told;
   if (options.journal.empty()) return list_journals(options, reporter);
   const Result<std::string> which = journal_named(options.journal);
@@ -179,7 +180,7 @@ int resume_command(const Options& told, Reporter& reporter) {
   keeper.take_up(std::move(journal).value());
   Resumption resumption{record, boot_name() == head.boot, z_um.value()};
   const std::string usb = options.port == "virtual" ? "" : usb_of(options.port);
-  return run_print(options, job.value(), keeper, {usb, space, std::move(resumption)}, began_s,
+  return run_print(options, job.value(), keeper, {usb, space, std::move(resumption)}, started_s,
                    reporter);
 }
 

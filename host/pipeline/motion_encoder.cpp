@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "core/check.h"
+#include "host/pipeline/wire_units.h"
 
 namespace host {
 namespace {
@@ -14,18 +15,8 @@ using firmware_link::Command;
 using firmware_link::Heater;
 using firmware_link::Move;
 
-constexpr double kUnitsPerMmOfFilament = 1e5;  // 10 nm
-constexpr std::int64_t kUnitsPerUm = 10;
-
-// Nearest, halves away from zero.
-std::int64_t to_um(std::int64_t units) {
-  const std::int64_t half = units < 0 ? -kUnitsPerUm / 2 : kUnitsPerUm / 2;
-  return (units + half) / kUnitsPerUm;
-}
-
 Command temperature(Heater heater, double celsius, bool wait) {
-  const auto tenths = static_cast<std::int32_t>(std::clamp(std::lround(celsius * 10), 0L, 9'999L));
-  return firmware_link::SetTemperature{heater, tenths, wait};
+  return firmware_link::SetTemperature{heater, celsius_tenths(celsius), wait};
 }
 
 }  // namespace
@@ -43,7 +34,7 @@ std::optional<Command> MotionEncoder::encode_one(const core::Travel& motion) {
 }
 
 std::optional<Command> MotionEncoder::encode_one(const core::Lift& motion) {
-  const std::int64_t z_um = to_um(motion.to.units());
+  const std::int64_t z_um = um_of(motion.to.units());
   if (state_.z_um == z_um) return std::nullopt;
   Move move;
   move.z_um = state_.z_um = z_um;
@@ -57,7 +48,7 @@ std::optional<Command> MotionEncoder::encode_one(const core::Extrude& motion) {
   put_position(motion.to, move);
   if (!move.x_um && !move.y_um) {
     // Shorter than the wire can tell: its material goes into the next move, not into a blob.
-    state_.filament_rest_10nm += motion.filament_mm * kUnitsPerMmOfFilament;
+    state_.filament_rest_10nm += motion.filament_mm * kFilamentUnitsPerMm;
     return std::nullopt;
   }
   put_filament(motion.filament_mm, move);
@@ -69,8 +60,8 @@ std::optional<Command> MotionEncoder::encode_one(const core::ExtrudeArc& motion)
   RIND_CHECK(state_.x_um && state_.y_um);
   firmware_link::Arc arc;
   arc.clockwise = motion.clockwise;
-  arc.i_um = static_cast<std::int32_t>(to_um(motion.centre.x + origin_x_) - *state_.x_um);
-  arc.j_um = static_cast<std::int32_t>(to_um(motion.centre.y + origin_y_) - *state_.y_um);
+  arc.i_um = static_cast<std::int32_t>(um_of(motion.centre.x + origin_x_) - *state_.x_um);
+  arc.j_um = static_cast<std::int32_t>(um_of(motion.centre.y + origin_y_) - *state_.y_um);
   arc.length_um = static_cast<std::int32_t>(std::lround(motion.length_mm * 1'000));
   Move move;
   move.extruding = true;
@@ -92,8 +83,7 @@ std::optional<Command> MotionEncoder::encode_one(const core::MoveFilament& motio
 }
 
 std::optional<Command> MotionEncoder::encode_one(const core::SetFan& motion) {
-  const long power = std::clamp(std::lround(motion.share * 255), 0L, 255L);
-  return firmware_link::SetFan{static_cast<std::uint8_t>(power)};
+  return firmware_link::SetFan{fan_power(motion.share)};
 }
 
 std::optional<Command> MotionEncoder::encode_one(const core::SetNozzleTemperature& motion) {
@@ -114,19 +104,18 @@ std::optional<Command> MotionEncoder::encode_one(const core::Verbatim& motion) {
 }
 
 void MotionEncoder::put_position(core::Point to, Move& move) {
-  const std::int64_t x_um = to_um(to.x + origin_x_), y_um = to_um(to.y + origin_y_);
+  const std::int64_t x_um = um_of(to.x + origin_x_), y_um = um_of(to.y + origin_y_);
   if (state_.x_um != x_um) move.x_um = state_.x_um = x_um;
   if (state_.y_um != y_um) move.y_um = state_.y_um = y_um;
 }
 
 void MotionEncoder::put_feed(double speed_mm_s, Move& move) {
-  const std::int64_t feed =
-      std::clamp<std::int64_t>(std::llround(speed_mm_s * 60), 1, firmware_link::kFeedMmMinMax);
+  const std::int64_t feed = feed_mm_min(speed_mm_s);
   if (state_.f_mm_min != feed) move.f_mm_min = state_.f_mm_min = feed;
 }
 
 void MotionEncoder::put_filament(double filament_mm, Move& move) {
-  const double wanted = filament_mm * kUnitsPerMmOfFilament + state_.filament_rest_10nm;
+  const double wanted = filament_mm * kFilamentUnitsPerMm + state_.filament_rest_10nm;
   const std::int64_t sent = std::llround(wanted);
   state_.filament_rest_10nm = wanted - static_cast<double>(sent);
   if (sent != 0) move.e_10nm = sent;

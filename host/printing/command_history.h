@@ -42,7 +42,7 @@ struct HistoryMark {
 class CommandHistory {
  public:
   // Nothing is known of what was before command `first` but how the machine was set.
-  void begin_at(std::int64_t first, const MachineState& before, HistoryMark mark) {
+  void start_at(std::int64_t first, const MachineState& before, HistoryMark mark) {
     begin_ = end_ = first;
     before_ = before;
     mark_ = std::move(mark);

@@ -1,8 +1,9 @@
 #include "host/printing/machine_state.h"
 
 #include <algorithm>
-#include <cmath>
 #include <variant>
+
+#include "host/pipeline/wire_units.h"
 
 namespace host {
 namespace {
@@ -42,13 +43,11 @@ MachineState state_at(const Checkpoint& checkpoint, const core::Settings& settin
   state.z_um = checkpoint.encoder.z_um;
   state.f_mm_min = checkpoint.encoder.f_mm_min;
   if (checkpoint.motions.retracted) {
-    state.drawn_back_10nm = std::llround(settings.retraction_mm * 1e5);
+    state.drawn_back_10nm = filament_10nm(settings.retraction_mm);
   }
-  state.nozzle_tenths =
-      static_cast<std::int32_t>(std::lround(checkpoint.motions.nozzle_celsius * 10));
-  state.bed_tenths = static_cast<std::int32_t>(std::lround(settings.bed_celsius * 10));
-  state.fan =
-      static_cast<std::uint8_t>(std::clamp(std::lround(checkpoint.motions.fan * 255), 0L, 255L));
+  state.nozzle_tenths = celsius_tenths(checkpoint.motions.nozzle_celsius);
+  state.bed_tenths = celsius_tenths(settings.bed_celsius);
+  state.fan = fan_power(checkpoint.motions.fan);
   return state;
 }
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <iterator>
 #include <string>
 #include <string_view>
@@ -14,6 +13,8 @@
 #include "core/check.h"                      // RIND_CHECK
 #include "firmware_link/wire/gcode_words.h"  // commands_in
 #include "host/pipeline/user_gcode.h"        // restored_after
+#include "host/pipeline/wire_units.h"
+#include "host/printing/safe_moves.h"
 
 namespace host {
 namespace {
@@ -22,34 +23,7 @@ using firmware_link::Command;
 using firmware_link::Heater;
 using firmware_link::Move;
 
-constexpr std::int64_t kUnitsPerUm = 10;
 constexpr std::int64_t kEdge_um = 5'000;  // of the bed, that parking keeps away from
-
-std::int64_t to_10nm(double mm) { return std::llround(mm * 1e5); }
-std::int64_t to_feed(double mm_s) { return std::max<std::int64_t>(1, std::llround(mm_s * 60)); }
-
-Command filament(std::int64_t by_10nm, double speed_mm_s) {
-  Move move;
-  move.extruding = true;
-  move.e_10nm = by_10nm;
-  move.f_mm_min = to_feed(speed_mm_s);
-  return move;
-}
-
-Command travel(std::int64_t x_um, std::int64_t y_um, double speed_mm_s) {
-  Move move;
-  move.x_um = x_um;
-  move.y_um = y_um;
-  move.f_mm_min = to_feed(speed_mm_s);
-  return move;
-}
-
-Command lift(std::int64_t z_um, double speed_mm_s) {
-  Move move;
-  move.z_um = z_um;
-  move.f_mm_min = to_feed(speed_mm_s);
-  return move;
-}
 
 // What sets a controller up and moves nothing.
 bool sets_up(const std::string& line) {
@@ -61,7 +35,7 @@ bool sets_up(const std::string& line) {
          std::find(kCodes.begin(), kCodes.end(), codes.front()) != kCodes.end();
 }
 
-ParkingPlace from_bed_origin(ParkingPlace place, const core::Settings& settings) {
+ParkingPosition from_bed_origin(ParkingPosition place, const core::Settings& settings) {
   place.x_um += settings.bed_origin_x.units() / kUnitsPerUm;
   place.y_um += settings.bed_origin_y.units() / kUnitsPerUm;
   return place;
@@ -79,7 +53,7 @@ Command command_of(const std::string& line) {
   return std::get<firmware_link::Verbatim>(made);
 }
 
-ParkingPlace parking_place(const core::Settings& settings, const core::Box& part) {
+ParkingPosition parking_position(const core::Settings& settings, const core::Box& part) {
   const auto inside = [](core::Length side) {
     const std::int64_t all = side.units() / kUnitsPerUm;
     const std::int64_t edge = std::min(kEdge_um, all / 2);
@@ -87,7 +61,7 @@ ParkingPlace parking_place(const core::Settings& settings, const core::Box& part
   };
   const auto [left, right] = inside(settings.bed_x);
   const auto [front, back] = inside(settings.bed_y);
-  ParkingPlace best{left, front};
+  ParkingPosition best{left, front};
   if (part.empty()) return from_bed_origin(best, settings);
   std::int64_t farthest = -1;
   for (const std::int64_t x : {left, right}) {
@@ -101,21 +75,11 @@ ParkingPlace parking_place(const core::Settings& settings, const core::Box& part
   return from_bed_origin(best, settings);
 }
 
-std::int64_t lifted_um(std::int64_t z_um, const core::Settings& settings) {
-  std::int64_t lifted = z_um + settings.park_lift.units() / kUnitsPerUm;
-  if (settings.axis_z > core::Length()) {
-    lifted = std::min(lifted, settings.axis_z.units() / kUnitsPerUm);
-  }
-  return std::max(z_um, lifted);
-}
-
 std::vector<Command> ParkMoves::leave_part(const MachineState& here) const {
   if (!here.placed()) return {};
-  std::vector<Command> way;
-  const std::int64_t back = to_10nm(settings_.retraction_mm) - here.drawn_back_10nm;
-  if (back > 0) way.push_back(filament(-back, settings_.retraction_speed_mm_s));
-  way.push_back(lift(lifted_um(*here.z_um, settings_), settings_.lift_speed_mm_s));
-  way.push_back(travel(place_.x_um, place_.y_um, settings_.travel_speed_mm_s));
+  std::vector<Command> way =
+      lift_off(retraction_10nm(settings_) - here.drawn_back_10nm, here.z_um, settings_);
+  way.push_back(travel_move(place_.x_um, place_.y_um, settings_.travel_speed_mm_s));
   return way;
 }
 
@@ -126,15 +90,15 @@ std::vector<Command> ParkMoves::come_back(const MachineState& here, bool reheat)
     way.emplace_back(firmware_link::SetTemperature{Heater::kNozzle, here.nozzle_tenths, true});
   }
   if (!here.placed()) return way;
-  const std::int64_t back = to_10nm(settings_.retraction_mm);
+  const std::int64_t back = retraction_10nm(settings_);
   const std::int64_t drawn = std::max(here.drawn_back_10nm, back);
-  if (drawn > 0) way.push_back(filament(drawn, settings_.retraction_speed_mm_s));
-  way.push_back(filament(to_10nm(kPrime_mm), kPrimeSpeed_mm_s));
-  if (back > 0) way.push_back(filament(-back, settings_.retraction_speed_mm_s));
-  way.push_back(travel(*here.x_um, *here.y_um, settings_.travel_speed_mm_s));
-  way.push_back(lift(*here.z_um, settings_.lift_speed_mm_s));
+  if (drawn > 0) way.push_back(filament_move(drawn, settings_.retraction_speed_mm_s));
+  way.push_back(filament_move(filament_10nm(kPrime_mm), kPrimeSpeed_mm_s));
+  if (back > 0) way.push_back(filament_move(-back, settings_.retraction_speed_mm_s));
+  way.push_back(travel_move(*here.x_um, *here.y_um, settings_.travel_speed_mm_s));
+  way.push_back(lift_move(*here.z_um, settings_.lift_speed_mm_s));
   const std::int64_t owed = back - here.drawn_back_10nm;
-  if (owed != 0) way.push_back(filament(owed, settings_.retraction_speed_mm_s));
+  if (owed != 0) way.push_back(filament_move(owed, settings_.retraction_speed_mm_s));
   way.emplace_back(firmware_link::SetFan{here.fan});
   if (here.f_mm_min) {
     Move feed;
@@ -144,8 +108,8 @@ std::vector<Command> ParkMoves::come_back(const MachineState& here, bool reheat)
   return way;
 }
 
-std::vector<Command> ParkMoves::begin_anew(const MachineState& here, std::int64_t nozzle_z_um,
-                                           std::string_view height_command) const {
+std::vector<Command> ParkMoves::restart(const MachineState& here, std::int64_t nozzle_z_um,
+                                        std::string_view height_command) const {
   std::vector<std::string> set_up;
   std::copy_if(settings_.start_gcode.begin(), settings_.start_gcode.end(),
                std::back_inserter(set_up), sets_up);
@@ -161,12 +125,11 @@ std::vector<Command> ParkMoves::begin_anew(const MachineState& here, std::int64_
   const bool bed = here.bed_tenths > 0;
   if (bed) way.emplace_back(firmware_link::SetTemperature{Heater::kBed, here.bed_tenths, true});
   way.emplace_back(firmware_link::SetTemperature{Heater::kNozzle, here.nozzle_tenths, true});
-  const std::int64_t back = to_10nm(settings_.retraction_mm);
-  if (back > 0) way.push_back(filament(-back, settings_.retraction_speed_mm_s));
-  const std::int64_t above = std::max(nozzle_z_um, here.z_um.value_or(nozzle_z_um));
-  way.push_back(lift(lifted_um(above, settings_), settings_.lift_speed_mm_s));
+  const std::int64_t from_um = std::max(nozzle_z_um, here.z_um.value_or(nozzle_z_um));
+  const std::vector<Command> off = lift_off(retraction_10nm(settings_), from_um, settings_);
+  way.insert(way.end(), off.begin(), off.end());
   way.push_back(command_of("G28 X Y"));
-  way.push_back(travel(place_.x_um, place_.y_um, settings_.travel_speed_mm_s));
+  way.push_back(travel_move(place_.x_um, place_.y_um, settings_.travel_speed_mm_s));
   return way;
 }
 

@@ -1,7 +1,7 @@
 // Ways off the part and back to it, as commands between those of the print.
 //
 //     leave_part    draw back, lift by park_lift, travel to the parking place
-//     begin_anew    after a reset: heat, draw back, lift, home X and Y only, travel to the place
+//     restart    after a reset: heat, draw back, lift, home X and Y only, travel to the place
 //     come_back     push out what oozed and kPrime_mm more, draw back, travel to above the road's
 //                   next point, go down, return the filament, set fan and feed as they were
 //
@@ -30,24 +30,22 @@ inline constexpr double kPrime_mm = 4;
 inline constexpr double kPrimeSpeed_mm_s = 4;
 
 // In the printer's coordinates.
-struct ParkingPlace {
+struct ParkingPosition {
   std::int64_t x_um = 0;
   std::int64_t y_um = 0;
 };
 
 // The bed's corner that is farthest from the part, a little inside. `part` counts from the bed's
 // front left corner. An empty box: the first corner.
-[[nodiscard]] ParkingPlace parking_place(const core::Settings& settings, const core::Box& part);
-
-// How high the nozzle is lifted from there; never down, never over the axis.
-[[nodiscard]] std::int64_t lifted_um(std::int64_t z_um, const core::Settings& settings);
+[[nodiscard]] ParkingPosition parking_position(const core::Settings& settings,
+                                               const core::Box& part);
 
 // A line of G-code as a command. REQUIRES: it is one.
 [[nodiscard]] firmware_link::Command command_of(const std::string& line);
 
 class ParkMoves {
  public:
-  ParkMoves(const core::Settings& settings, ParkingPlace place)
+  ParkMoves(const core::Settings& settings, ParkingPosition place)
       : settings_(settings), place_(place) {}
 
   // `here` is how the machine is set by the print's commands so far. Nothing where its place is not
@@ -62,12 +60,13 @@ class ParkMoves {
   // controller is told by `height_command` (LinkRules::height_command), unless that is empty. Lines
   // of the start G-code that set the controller up and move nothing (M92, M220, M420 …) are sent
   // again.
-  [[nodiscard]] std::vector<firmware_link::Command> begin_anew(
-      const MachineState& here, std::int64_t nozzle_z_um, std::string_view height_command) const;
+  [[nodiscard]] std::vector<firmware_link::Command> restart(const MachineState& here,
+                                                            std::int64_t nozzle_z_um,
+                                                            std::string_view height_command) const;
 
  private:
   core::Settings settings_;
-  ParkingPlace place_;
+  ParkingPosition place_;
 };
 
 }  // namespace host

@@ -1,34 +1,32 @@
 // Prints a part: geometry on a thread of its own, the link on the caller's, one queue between.
 //
-//     run_pipeline ──> MotionEncoder ──> [ bounded queue ] ──> Monitor ──> port
-//         geometry thread                                       caller's thread
+//     GeometryThread ──> [ bounded queue ] ──> PrintController ──> port
+//     its own thread                           caller's thread
 //
 // Whatever ends one side ends the other: an error of the part closes the queue and the link brings
 // the printer to a safe end; a fault of the link closes the queue and the geometry gives up. The
 // link never waits for the geometry: a safe stop takes no longer where a layer takes minutes.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 
-#include "firmware_link/ports/byte_port.h"  // BytePort
-#include "host/pipeline/pipeline.h"         // Job
-#include "host/pipeline/statistics.h"       // GeometryStatistics, LinkStatistics
-#include "host/printing/monitor.h"          // MonitorOptions
-#include "host/printing/progress.h"         // Reporter
+#include "firmware_link/ports/byte_port.h"   // BytePort
+#include "host/pipeline/pipeline.h"          // Job
+#include "host/pipeline/statistics.h"        // GeometryStatistics, LinkStatistics
+#include "host/printing/print_control.h"     // PrintControl
+#include "host/printing/print_controller.h"  // PrintOptions
+#include "host/printing/progress.h"          // Reporter
 
 namespace host {
 
 struct PrintRequest {
   Job& job;
   firmware_link::BytePort& port;
+  PrintControl& control;
   Reporter& reporter;
-  std::function<int()> stop_count;  // stop_urgency(); asked all the time
-  double began_s = 0;               // steady_seconds() when the program began
-  // What else the link is to do: requests, pauses, journal, lost ports, resumption. The
-  // rest of it is filled in here.
-  MonitorOptions link = {};
+  PrintOptions options = {};
+  double started_s = 0;  // steady_seconds() when the program started
   // How long the geometry may take to end when the link has; it can't be interrupted within a
   // layer. Nothing: as long as it takes. REQUIRES: when it is left behind (PrintOutcome), the
   // program ends without touching the job, the reporter or the standard library's exit any more.

@@ -24,7 +24,7 @@ QueueFiller::QueueFiller(CommandQueue& queue, const core::Settings& settings,
   machine_ = state_at(resumed_->checkpoint, settings);
 }
 
-void QueueFiller::begin_layer(const Checkpoint& checkpoint) {
+void QueueFiller::start_layer(const Checkpoint& checkpoint) {
   next_.checkpoint = std::make_shared<const Checkpoint>(checkpoint);
   next_.hash = kHashBegin;
 }

@@ -22,7 +22,7 @@ class QueueFiller {
   // `resumed`: the record that the print is gone on from; null: from the begin. Both outlive it.
   QueueFiller(CommandQueue& queue, const core::Settings& settings, const JournalRecord* resumed);
 
-  void begin_layer(const Checkpoint& checkpoint);
+  void start_layer(const Checkpoint& checkpoint);
   // Before the next command.
   void pause(const std::string& why) { next_.pause = std::make_shared<const std::string>(why); }
 

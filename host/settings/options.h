@@ -47,8 +47,8 @@ struct Options {
   bool anew = false;  // a print of the part that was cut may be set aside
   OnLostPort on_lost_port = OnLostPort::kWait;
   double lost_port_wait_s = 600;
-  double pause_heat_s = 600;  // how long a paused nozzle stays hot
-  bool yes = false;           // nobody is there to be asked
+  double pause_heat_s = kPausedHot_s;  // how long a paused nozzle stays hot
+  bool yes = false;                    // nobody is there to be asked
 
   // resume, besides; `journal` is a journal, or a part's name, or empty: list what there is
   std::optional<double> nozzle_height_mm;

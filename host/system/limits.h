@@ -12,6 +12,22 @@ inline constexpr std::size_t kQueuedCommandsMax = 2'048;
 // What these may take in memory.
 inline constexpr std::size_t kQueuedBytesMax = std::size_t{512} * 1'024;
 
+// How long one turn of the link's loop waits for an answer. Short, because a command that geometry
+// has just put into an empty queue waits as long.
+inline constexpr int kLinkWait_ms = 5;
+
+// With nothing to lay and the planner empty for so long, the nozzle leaves the part.
+inline constexpr double kUnderrun_s = 0.3;
+
+// How long a paused nozzle stays hot, unless the user says otherwise.
+inline constexpr double kPausedHot_s = 600;
+
+// Feed and flow in percent of what was sliced: what a user may ask for, and by which steps. A
+// session takes 10 to 500 (Session::set_feed_percent).
+inline constexpr int kFeedPercentMin = 10;
+inline constexpr int kFeedPercentMax = 300;
+inline constexpr int kFeedPercentStep = 10;
+
 // Layers whose mended defects are told by height; further ones are only counted.
 inline constexpr std::size_t kDefectHeightsMax = 16;
 

@@ -19,6 +19,7 @@
 #include "host/pipeline/pipeline.h"
 #include "host/printing/port_clock.h"
 #include "host/printing/print_job.h"
+#include "tests/host/scripted_control.h"
 #include "tests/support/own_lines.h"
 #include "tests/support/part_folder.h"
 
@@ -68,36 +69,35 @@ struct Rig {
   // Commands as the controller took them, without the link's own; to a Marlin the numbered ones.
   std::vector<std::string> executed;
   std::function<void()> on_executed;  // after each
-  std::function<int()> stop_count = [] { return 0; };
-  host::MonitorOptions link;  // what a test wants of it
+  ScriptedControl control;
+  host::PrintOptions options;  // what a test wants of it
   std::unique_ptr<firmware_link::VirtualPort> port;
   std::unique_ptr<BreakablePort> wire;
 
   Rig(const core::Settings& settings, const std::string& path,
-      firmware_link::VirtualControllerOptions options = {})
-      : Rig(settings, open(settings, path), std::move(options)) {}
+      firmware_link::VirtualControllerOptions machine = {})
+      : Rig(settings, open(settings, path), std::move(machine)) {}
   Rig(const core::Settings& settings, host::Job opened,
-      firmware_link::VirtualControllerOptions options = {})
+      firmware_link::VirtualControllerOptions machine = {})
       : job(std::move(opened)) {
-    options.bed_x_mm = settings.bed_x.mm();
-    options.bed_y_mm = settings.bed_y.mm();
-    options.bed_origin_x_mm = settings.bed_origin_x.mm();
-    options.bed_origin_y_mm = settings.bed_origin_y.mm();
-    const bool numbers = options.dialect == firmware_link::VirtualDialect::kMarlin ||
-                         options.dialect == firmware_link::VirtualDialect::kPrusa;
-    options.executed = [this, numbers](const firmware_link::ExecutedCommand& command) {
+    machine.bed_x_mm = settings.bed_x.mm();
+    machine.bed_y_mm = settings.bed_y.mm();
+    machine.bed_origin_x_mm = settings.bed_origin_x.mm();
+    machine.bed_origin_y_mm = settings.bed_origin_y.mm();
+    const bool numbers = machine.dialect == firmware_link::VirtualDialect::kMarlin ||
+                         machine.dialect == firmware_link::VirtualDialect::kPrusa;
+    machine.executed = [this, numbers](const firmware_link::ExecutedCommand& command) {
       const std::string text(command.text);
       if ((command.number || !numbers) && !test::is_own_line(text)) executed.push_back(text);
       if (on_executed) on_executed();
     };
-    port = std::make_unique<firmware_link::VirtualPort>(options, host::steady_port_clock(), 0);
+    port = std::make_unique<firmware_link::VirtualPort>(machine, host::steady_port_clock(), 0);
     wire = std::make_unique<BreakablePort>(*port);
   }
 
   [[nodiscard]] host::PrintOutcome print() {
     host::Reporter reporter({.quiet = true, .json = false, .stdout_taken = false});
-    return host::print_part(
-        {job, *wire, reporter, [this] { return stop_count(); }, host::steady_seconds(), link});
+    return host::print_part({job, *wire, control, reporter, options, host::steady_seconds()});
   }
 
   [[nodiscard]] firmware_link::VirtualControllerState controller() {

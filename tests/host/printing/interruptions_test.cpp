@@ -150,29 +150,31 @@ class Fate {
         left.ok() ? host::Journal::go_on(journal_) : host::Journal::create(journal_, {});
     REQUIRE(journal.ok());
     host::Job job = print_test::open(coarse(), part_);
-    host::MonitorOptions link;
-    link.banner_wait_s = 0.05;
-    link.journal = [&journal] { return &journal.value(); };
+    host::PrintOptions options;
+    print_test::ScriptedControl control;
+    options.banner_wait_s = 0.05;
+    control.kept_journal = &journal.value();
     if (left.ok()) {
-      link.resumption = host::Resumption{left.value().record, same_boot_, printer_->nozzle_z_um()};
+      options.resumption =
+          host::Resumption{left.value().record, same_boot_, printer_->nozzle_z_um()};
     }
     same_boot_ = true;
     const auto strike = [this](Cable& cable) { maybe_strike(cable); };
-    link.lost_port.wait_s = 20;
-    link.lost_port.reopen = [&, this]() -> std::unique_ptr<firmware_link::BytePort> {
+    options.lost_port_wait_s = 20;
+    control.reopen = [&, this]() -> std::unique_ptr<firmware_link::BytePort> {
       if (died_) return nullptr;
       opened();
       return std::make_unique<Cable>(*printer_, strike);
     };
-    link.lost_port.nozzle_height = [this](std::int64_t) -> std::optional<std::int64_t> {
+    control.height = [this](std::int64_t) -> std::optional<std::int64_t> {
       if (died_) return std::nullopt;
       return printer_->nozzle_z_um();
     };
     opened();
     Cable cable(*printer_, strike);
     host::Reporter reporter({.quiet = true, .json = false, .stdout_taken = false});
-    return host::print_part(
-        {job, cable, reporter, [this] { return died_ ? 2 : 0; }, host::steady_seconds(), link});
+    control.stop = [this] { return died_ ? 2 : 0; };
+    return host::print_part({job, cable, control, reporter, options, host::steady_seconds()});
   }
 
   // Opening the port resets some boards.

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "host/printing/journal.h"
-#include "host/printing/told_place.h"
+#include "host/printing/reported_position.h"
 #include "host/system/exit_codes.h"
 #include "tests/host/print_rig.h"
 #include "tests/support/laid_roads.h"
@@ -57,7 +57,7 @@ bool contains(const std::string& text, const std::string& part) {
 // What an undisturbed print lays: no arcs, because [gcode_arcs] cannot be asked for.
 std::vector<LaidPiece> whole_print(const std::string& path) {
   Rig rig(coarse(), path, klipper(false));
-  rig.link.banner_wait_s = kBanner_s;
+  rig.options.banner_wait_s = kBanner_s;
   const host::PrintOutcome outcome = rig.print();
   CAPTURE(outcome.message);
   REQUIRE_EQ(outcome.exit_code, host::kExitDone);
@@ -131,8 +131,8 @@ host::MachineState at(std::int64_t x_um, std::int64_t z_um = 300) {
   return state;
 }
 
-host::ToldPlace told(double x_mm, double z_mm, bool homed) {
-  host::ToldPlace told;
+host::ReportedPosition told(double x_mm, double z_mm, bool homed) {
+  host::ReportedPosition told;
   told.place.x_mm = x_mm;
   told.place.y_mm = 7;
   told.place.z_mm = z_mm;
@@ -155,7 +155,7 @@ TEST_CASE("which lines were taken is known by the place, and nothing else") {
   const auto before = [&](std::int64_t command) {
     return places.at(static_cast<std::size_t>(command - 100));
   };
-  const auto point = [&](const host::ToldPlace& where) {
+  const auto point = [&](const host::ReportedPosition& where) {
     return host::resume_point_at(record, where, 103, before);
   };
   CHECK_EQ(point(told(1, 0.3, true)).command, 100);
@@ -184,15 +184,15 @@ TEST_CASE("a running Klipper whose port was lost: lines that never came are laid
   std::mt19937 random(kSeed);
   for (int i = 0; i < 4; ++i) {
     Rig rig(coarse(), path, klipper(false));
-    rig.link.banner_wait_s = kBanner_s;
+    rig.options.banner_wait_s = kBanner_s;
     const std::size_t moment = 20 + random() % 400;
     CAPTURE(kSeed);
     CAPTURE(moment);
     LosingPort losing(*rig.port);
     losing.loses = [&] { return rig.executed.size() >= moment; };
     rig.wire = std::make_unique<BreakablePort>(losing);
-    rig.link.lost_port.wait_s = 30;
-    rig.link.lost_port.reopen = [&rig]() -> std::unique_ptr<firmware_link::BytePort> {
+    rig.options.lost_port_wait_s = 30;
+    rig.control.reopen = [&rig]() -> std::unique_ptr<firmware_link::BytePort> {
       return std::make_unique<BreakablePort>(*rig.port);
     };
     const host::PrintOutcome outcome = rig.print();
@@ -211,9 +211,9 @@ TEST_CASE("Klipper restarted in mid-print goes on with [force_move], and does no
   for (const bool force_move : {true, false}) {
     CAPTURE(force_move);
     Rig rig(coarse(), path, klipper(force_move));
-    rig.link.banner_wait_s = kBanner_s;
-    rig.link.lost_port.wait_s = 30;
-    rig.link.lost_port.nozzle_height = [](std::int64_t z_um) { return z_um; };
+    rig.options.banner_wait_s = kBanner_s;
+    rig.options.lost_port_wait_s = 30;
+    rig.control.height = [](std::int64_t z_um) { return z_um; };
     bool restarted = false;
     std::size_t before = 0;
     rig.wire->on_read = [&] {
@@ -256,12 +256,12 @@ TEST_CASE("rind resume: Klipper alive, restarted, or asleep") {
   SUBCASE("restarted, stopped before") { restarts = force_move = stopped = true; }
   SUBCASE("restarted, without") { restarts = true; }
   Rig rig(coarse(), path, klipper(force_move));
-  rig.link.banner_wait_s = kBanner_s;
+  rig.options.banner_wait_s = kBanner_s;
   {
     core::Result<host::Journal> journal = host::Journal::create(journal_path, some_head());
     REQUIRE(journal.ok());
-    rig.link.journal = [&journal] { return &journal.value(); };
-    rig.stop_count = [&] { return stopped && rig.executed.size() >= 260 ? 1 : 0; };
+    rig.control.kept_journal = &journal.value();
+    rig.control.stop = [&] { return stopped && rig.executed.size() >= 260 ? 1 : 0; };
     rig.wire->on_read = [&] {
       if (!stopped && rig.executed.size() >= 260) rig.wire->unplug();
     };
@@ -277,9 +277,9 @@ TEST_CASE("rind resume: Klipper alive, restarted, or asleep") {
   REQUIRE(journal.ok());
   rig.wire = std::make_unique<BreakablePort>(*rig.port);
   rig.job = print_test::open(coarse(), path);
-  rig.stop_count = [] { return 0; };
-  rig.link.journal = [&journal] { return &journal.value(); };
-  rig.link.resumption =
+  rig.control.stop = [] { return 0; };
+  rig.control.kept_journal = &journal.value();
+  rig.options.resumption =
       host::Resumption{read.value().record, true, read.value().record.nozzle_z_um};
   const std::size_t before = rig.executed.size();
   const host::PrintOutcome outcome = rig.print();
@@ -304,7 +304,7 @@ TEST_CASE("what was not sent is not said to be, and what was is confirmed") {
   const PartFolder folder;
   const std::string path = small_part(folder);
   Rig rig(coarse(), path, klipper(false));
-  rig.link.banner_wait_s = kBanner_s;
+  rig.options.banner_wait_s = kBanner_s;
   bool happened = false;
   bool alarm = false;
   SUBCASE("a move out of range") { alarm = true; }

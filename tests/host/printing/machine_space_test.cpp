@@ -40,16 +40,16 @@ Outcome printed_on(double side_mm, double part_mm, bool tells) {
   controller.tells_travel = tells;
   Rig rig(with_bed(side_mm), print_test::open(with_bed(300), part), controller);
   bool paused = false;
-  rig.link.request = [&]() -> std::optional<host::UserRequest> {
+  rig.control.request = [&]() -> std::optional<host::UserRequest> {
     if (paused || rig.executed.size() < 60) return std::nullopt;
     paused = true;
     return host::UserRequest::kPause;
   };
-  rig.link.banner_wait_s = 0.05;
+  rig.options.banner_wait_s = 0.05;
   Outcome outcome;
   rig.wire->on_read = [&] {
     outcome.x_mm_max = std::max(outcome.x_mm_max, rig.controller().x_mm);
-    if (rig.controller().z_mm > 9) rig.stop_count = [] { return 1; };
+    if (rig.controller().z_mm > 9) rig.control.stop = [] { return 1; };
   };
   const host::PrintOutcome end = rig.print();
   outcome.exit_code = end.exit_code;

@@ -11,6 +11,7 @@
 #include "host/printing/park_moves.h"
 #include "host/printing/pause_control.h"
 #include "host/printing/resume_point.h"
+#include "host/printing/safe_moves.h"
 
 using core::Length;
 using firmware_link::Command;
@@ -85,13 +86,13 @@ TEST_CASE("after a reset X and Y are homed, hot and lifted, and Z never") {
   core::Settings settings;
   settings.start_gcode = {"G21", "G28", "M420 S1", "M104 S200", "M92 E400 ; steps", "G1 X5 E9"};
   const host::ParkMoves park_moves(settings, {5'000, 5'000});
-  const Texts way = texts_of(park_moves.begin_anew(in_a_road(), 2'400, "G92 Z"));
+  const Texts way = texts_of(park_moves.restart(in_a_road(), 2'400, "G92 Z"));
   CHECK(way == Texts{"G21", "G90", "M83", "M420 S1", "M92 E400", "G92 Z2.400", "M104 S210",
                      "M190 S60", "M109 S210", "G1 E-1 F2400", "G0 Z12.4 F600", "G28 X Y",
                      "G0 X5 Y5 F7800"});
   // Lifted from where the nozzle is, not from where it should be.
   const Texts higher =
-      texts_of(park_moves.begin_anew(in_a_road(), 30'000, "SET_KINEMATIC_POSITION Z="));
+      texts_of(park_moves.restart(in_a_road(), 30'000, "SET_KINEMATIC_POSITION Z="));
   CHECK_EQ(higher[5], "SET_KINEMATIC_POSITION Z=30.000");
   CHECK_EQ(higher[10], "G0 Z40 F600");
   settings.axis_z = Length::from_mm(5);
@@ -103,13 +104,13 @@ TEST_CASE("the parking place is the bed's corner farthest from the part") {
   core::Settings settings;
   settings.bed_x = settings.bed_y = Length::from_mm(200);
   const auto place = [&](double x, double y) {
-    const host::ParkingPlace at = host::parking_place(settings, box_at(x, y, 50));
+    const host::ParkingPosition at = host::parking_position(settings, box_at(x, y, 50));
     return std::vector<std::int64_t>{at.x_um, at.y_um};
   };
   CHECK(place(0, 0) == std::vector<std::int64_t>{195'000, 195'000});
   CHECK(place(140, 10) == std::vector<std::int64_t>{5'000, 195'000});
   CHECK(place(140, 140) == std::vector<std::int64_t>{5'000, 5'000});
-  CHECK_EQ(host::parking_place(settings, {}).x_um, 5'000);
+  CHECK_EQ(host::parking_position(settings, {}).x_um, 5'000);
 }
 
 TEST_CASE("a pause leaves, waits, lets the nozzle cool, and comes back when nobody wants it") {
@@ -215,7 +216,7 @@ TEST_CASE("where a print goes on") {
 TEST_CASE("a history knows its last commands and the machine before each") {
   host::CommandHistory history;
   host::MachineState machine = in_a_road();
-  history.begin_at(1'000, machine, {});
+  history.start_at(1'000, machine, {});
   std::vector<host::MachineState> before;
   for (int i = 0; i < 600; ++i) {
     host::QueuedCommand queued;
@@ -247,7 +248,7 @@ TEST_CASE("a history knows its last commands and the machine before each") {
 
 TEST_CASE("short moves may have no block of their own, and some commands empty the planner") {
   host::CommandHistory history;
-  history.begin_at(0, in_a_road(), {std::make_shared<host::Checkpoint>(), 7});
+  history.start_at(0, in_a_road(), {std::make_shared<host::Checkpoint>(), 7});
   const auto push = [&history](const firmware_link::Command& command) {
     host::QueuedCommand queued;
     queued.command = command;

@@ -240,7 +240,7 @@ TEST_CASE("a bad layer in mid-print waits for its user off the part, and goes on
     rig.job.on_bad_layer = action;
     int waited = 0;
     bool away = false;
-    rig.link.request = [&]() -> std::optional<host::UserRequest> {
+    rig.control.request = [&]() -> std::optional<host::UserRequest> {
       const auto state = rig.controller();
       const bool off_part = state.z_mm > 10 && state.x_mm == 5 && state.y_mm == 5;
       const bool waits = off_part && !away;

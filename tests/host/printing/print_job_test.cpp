@@ -199,7 +199,7 @@ TEST_CASE("a signal in mid-print lifts the nozzle and turns the heaters off") {
   for (const std::int64_t commands : {20, 100, 200}) {
     CAPTURE(commands);
     Rig rig(coarse(), path);
-    rig.stop_count = [&] { return std::ssize(rig.executed) > commands ? 1 : 0; };
+    rig.control.stop = [&] { return std::ssize(rig.executed) > commands ? 1 : 0; };
     const host::PrintOutcome outcome = rig.print();
     CAPTURE(outcome.message);
     CHECK_EQ(outcome.exit_code, host::kExitStopped);
@@ -215,7 +215,7 @@ TEST_CASE("a signal in mid-print lifts the nozzle and turns the heaters off") {
 TEST_CASE("a signal while it heats turns the heaters off and moves nothing") {
   const PartFolder folder;
   Rig rig(coarse(), folder.add("box.stl", parts::box({5, 5, 0}, 12, 9, 4)));
-  rig.stop_count = [&] { return rig.count("M104") > 0 ? 1 : 0; };
+  rig.control.stop = [&] { return rig.count("M104") > 0 ? 1 : 0; };
   const host::PrintOutcome outcome = rig.print();
   CAPTURE(outcome.message);
   CHECK_EQ(outcome.exit_code, host::kExitStopped);
@@ -228,7 +228,7 @@ TEST_CASE("a signal while it heats turns the heaters off and moves nothing") {
 TEST_CASE("a second signal halts the controller at once") {
   const PartFolder folder;
   Rig rig(coarse(), folder.add("box.stl", parts::box({5, 5, 0}, 12, 9, 4)));
-  rig.stop_count = [&] { return rig.executed.size() > 50 ? 2 : 0; };
+  rig.control.stop = [&] { return rig.executed.size() > 50 ? 2 : 0; };
   const host::PrintOutcome outcome = rig.print();
   CAPTURE(outcome.message);
   CHECK_EQ(outcome.exit_code, host::kExitStopped);

@@ -68,8 +68,8 @@ host::JournalHead some_head() {
 
 // Unplugs, and gives the same controller back as another port.
 void make_pluggable(Rig& rig) {
-  rig.link.lost_port.wait_s = 20;
-  rig.link.lost_port.reopen = [&rig]() -> std::unique_ptr<firmware_link::BytePort> {
+  rig.options.lost_port_wait_s = 20;
+  rig.control.reopen = [&rig]() -> std::unique_ptr<firmware_link::BytePort> {
     return std::make_unique<BreakablePort>(*rig.port);
   };
 }
@@ -88,11 +88,11 @@ TEST_CASE("a print that is paused lays the same roads, and the nozzle waits off 
     const std::size_t at = 30 + random() % 400;
     const bool cools = i % 2 == 0;
     CAPTURE(at);
-    rig.link.hot_s = cools ? 0 : 100;
+    rig.options.hot_s = cools ? 0 : 100;
     bool paused = false;
     bool away = false;
     bool gone_on = false;
-    rig.link.request = [&]() -> std::optional<UserRequest> {
+    rig.control.request = [&]() -> std::optional<UserRequest> {
       if (!paused && rig.executed.size() >= at) {
         paused = true;
         return i == 5 ? UserRequest::kToggle : UserRequest::kPause;
@@ -148,7 +148,7 @@ TEST_CASE("feed and flow go to the controller; a stop by key is a safe one") {
   std::vector<UserRequest> requests = {UserRequest::kStop, UserRequest::kFlowDown,
                                        UserRequest::kFeedUp, UserRequest::kFeedUp};
   std::size_t next_at = 50;
-  rig.link.request = [&]() -> std::optional<UserRequest> {
+  rig.control.request = [&]() -> std::optional<UserRequest> {
     if (requests.empty() || rig.executed.size() < next_at) return std::nullopt;
     const UserRequest request = requests.back();
     requests.pop_back();
@@ -195,9 +195,9 @@ TEST_CASE("after a controller's reset what its planner lost is laid once more") 
     firmware_link::VirtualControllerOptions options;
     options.advanced_ok = true;
     Rig rig(coarse(), path, options);
-    rig.link.lost_port.wait_s = 20;
+    rig.options.lost_port_wait_s = 20;
     std::int64_t asked_um = -1;
-    rig.link.lost_port.nozzle_height = [&](std::int64_t z_um) { return asked_um = z_um; };
+    rig.control.height = [&](std::int64_t z_um) { return asked_um = z_um; };
     const std::size_t at = 60 + random() % 400;
     CAPTURE(at);
     std::vector<std::string> before;
@@ -250,8 +250,8 @@ TEST_CASE("nobody says where the nozzle is: nothing moves any more") {
   const PartFolder folder;
   const test::TemporaryFolder state;
   Rig rig(coarse(), small_part(folder));
-  rig.link.lost_port.wait_s = 20;
-  rig.link.lost_port.nozzle_height = [](std::int64_t) { return std::nullopt; };
+  rig.options.lost_port_wait_s = 20;
+  rig.control.height = [](std::int64_t) { return std::nullopt; };
   std::size_t before = 0;
   rig.wire->on_read = [&] {
     if (before > 0 || rig.executed.size() < 200) return;
@@ -271,12 +271,12 @@ TEST_CASE("stopped while its port is back but not greeted yet: the heaters go of
   Rig rig(coarse(), small_part(folder));
   make_pluggable(rig);
   bool back = false;
-  const auto reopen = rig.link.lost_port.reopen;
-  rig.link.lost_port.reopen = [&] {
+  const auto reopen = rig.control.reopen;
+  rig.control.reopen = [&] {
     back = true;
     return reopen();
   };
-  rig.stop_count = [&] { return back ? 1 : 0; };
+  rig.control.stop = [&] { return back ? 1 : 0; };
   rig.wire->on_read = [&] {
     if (rig.executed.size() >= 200) rig.wire->unplug();
   };
@@ -303,8 +303,8 @@ TEST_CASE("a print that ended goes on from its journal, in another program") {
     {
       core::Result<host::Journal> journal = host::Journal::create(journal_path, some_head());
       REQUIRE(journal.ok());
-      rig.link.journal = [&journal] { return &journal.value(); };
-      rig.stop_count = [&] { return stopped && rig.executed.size() >= at ? 1 : 0; };
+      rig.control.kept_journal = &journal.value();
+      rig.control.stop = [&] { return stopped && rig.executed.size() >= at ? 1 : 0; };
       rig.wire->on_read = [&] {
         if (!stopped && rig.executed.size() >= at) rig.wire->unplug();
       };
@@ -317,9 +317,9 @@ TEST_CASE("a print that ended goes on from its journal, in another program") {
     REQUIRE(journal.ok());
     rig.wire = std::make_unique<BreakablePort>(*rig.port);
     rig.job = print_test::open(coarse(), path);
-    rig.stop_count = [] { return 0; };
-    rig.link.journal = [&journal] { return &journal.value(); };
-    rig.link.resumption =
+    rig.control.stop = [] { return 0; };
+    rig.control.kept_journal = &journal.value();
+    rig.options.resumption =
         host::Resumption{read.value().record, true, read.value().record.nozzle_z_um};
     const host::PrintOutcome outcome = rig.print();
     CAPTURE(outcome.message);
@@ -340,8 +340,8 @@ TEST_CASE("another print than the one that was begun is refused before anything 
   Rig rig(coarse(), path);
   core::Result<host::Journal> journal = host::Journal::create(journal_path, some_head());
   REQUIRE(journal.ok());
-  rig.link.journal = [&journal] { return &journal.value(); };
-  rig.stop_count = [&] { return rig.executed.size() >= 330 ? 1 : 0; };
+  rig.control.kept_journal = &journal.value();
+  rig.control.stop = [&] { return rig.executed.size() >= 330 ? 1 : 0; };
   (void)rig.print();
   const auto read = host::read_journal(journal_path);
   REQUIRE(read.ok());
@@ -352,8 +352,8 @@ TEST_CASE("another print than the one that was begun is refused before anything 
   other.retraction_mm = 1.1;
   other.lift_speed_mm_s = 11;
   rig.job = print_test::open(other, path);
-  rig.stop_count = [] { return 0; };
-  rig.link.resumption = host::Resumption{read.value().record, true, 0};
+  rig.control.stop = [] { return 0; };
+  rig.options.resumption = host::Resumption{read.value().record, true, 0};
   const std::size_t before = rig.executed.size();
   const host::PrintOutcome outcome = rig.print();
   CAPTURE(outcome.message);

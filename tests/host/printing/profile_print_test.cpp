@@ -245,7 +245,7 @@ TEST_CASE("profile: a bed whose origin is in its middle") {
   CHECK_EQ(machine.y_min, doctest::Approx(-machine.y_max));
   CHECK_LT(machine.x_max, 20);
   const core::Box part{{1'200'000, 1'000'000}, {1'300'000, 1'100'000}};
-  const host::ParkingPlace place = host::parking_place(settings, part);
+  const host::ParkingPosition place = host::parking_position(settings, part);
   CHECK_EQ(std::abs(place.x_um), 120'000);
   CHECK_EQ(std::abs(place.y_um), 100'000);
   // On the machine, too: no move is clamped.

@@ -1,4 +1,4 @@
-#include "host/printing/journal_places.h"
+#include "host/printing/journal_directory.h"
 
 #include <fmt/format.h>
 #include <sys/stat.h>

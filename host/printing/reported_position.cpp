@@ -1,4 +1,4 @@
-#include "host/printing/told_place.h"
+#include "host/printing/reported_position.h"
 
 #include <algorithm>
 #include <bit>
@@ -28,7 +28,8 @@ std::int64_t commands_sent(const JournalRecord& record) {
   return record.accepted + std::popcount(among);
 }
 
-ResumePoint resume_point_at(const JournalRecord& record, const ToldPlace& told, std::int64_t last,
+ResumePoint resume_point_at(const JournalRecord& record, const ReportedPosition& told,
+                            std::int64_t last,
                             const std::function<MachineState(std::int64_t)>& before) {
   if (record.state == PrintState::kReset) return {record.sure, told.homed};
   if (record.state == PrintState::kStopped) return {record.accepted, told.homed};

@@ -23,7 +23,7 @@
 
 namespace host {
 
-struct ToldPlace {
+struct ReportedPosition {
   firmware_link::Position place;
   bool homed = true;  // it knows that it is there
 };
@@ -33,7 +33,7 @@ struct ToldPlace {
 
 // `before`: how the machine is set before a command; asked for record.accepted … `last`.
 // REQUIRES: record.accepted <= last.
-[[nodiscard]] ResumePoint resume_point_at(const JournalRecord& record, const ToldPlace& told,
+[[nodiscard]] ResumePoint resume_point_at(const JournalRecord& record, const ReportedPosition& told,
                                           std::int64_t last,
                                           const std::function<MachineState(std::int64_t)>& before);
 

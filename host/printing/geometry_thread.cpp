@@ -1,0 +1,135 @@
+#include "host/printing/geometry_thread.h"
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <future>
+#include <mutex>
+#include <utility>
+
+#include "host/files/input_file.h"  // stop_waiting_for_input
+#include "host/printing/queue_filler.h"
+#include "host/printing/slow_layer_note.h"
+#include "host/system/limits.h"
+#include "host/system/stop_signals.h"
+
+namespace host {
+namespace {
+
+// Whether the controller draws arcs: geometry waits for it, the link tells.
+class ArcsPromise {
+ public:
+  // The first one counts.
+  void tell(bool drawn) {
+    const std::lock_guard lock(mutex_);
+    if (!drawn_) drawn_ = drawn;
+    told_.notify_all();
+  }
+
+  [[nodiscard]] bool wait() {
+    std::unique_lock lock(mutex_);
+    told_.wait(lock, [this] { return drawn_.has_value(); });
+    return *drawn_;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable told_;
+  std::optional<bool> drawn_;
+};
+
+}  // namespace
+
+struct GeometryThread::Shared {
+  Shared(Job& job_of_print, const JournalRecord* resumed_from)
+      : job(job_of_print),
+        resumed(resumed_from != nullptr ? std::optional(*resumed_from) : std::nullopt),
+        filler(queue, job.settings, resumed ? &*resumed : nullptr) {}
+
+  void run();
+
+  Job& job;
+  const std::optional<JournalRecord> resumed;
+  CommandQueue queue{{kQueuedCommandsMax, kQueuedBytesMax}};
+  QueueFiller filler;
+  PipelineSignals signals;
+  ArcsPromise arcs;
+  std::atomic<bool> link_ended = false;
+  GeometryOutcome outcome;  // valid when it has ended
+  std::promise<void> ended;
+};
+
+void GeometryThread::Shared::run() {
+  bool whole = false;
+  try {
+    PipelineOutputs outputs;
+    outputs.on_checkpoint = [this](const Checkpoint& checkpoint) {
+      filler.start_layer(checkpoint);
+    };
+    outputs.on_pause = [this](const std::string& why) { filler.pause(why); };
+    outputs.on_motion = [this](const core::Motion& motion,
+                               const std::optional<firmware_link::Command>& command) {
+      return filler.take(motion, command);
+    };
+    const core::Result<PipelineEnd> end = run_pipeline(job, outputs, signals, outcome.statistics);
+    if (!end.ok()) {
+      outcome.error = end.error().message;
+    } else if (end.value() == PipelineEnd::kDone) {
+      (void)filler.finish();
+      whole = true;
+    }
+    if (!outcome.error) outcome.error = filler.error();
+  } catch (const std::exception& error) {
+    outcome.error = std::string("the geometry gave up: ") + error.what();
+  }
+  if (whole && !outcome.error) {
+    queue.finish();
+  } else {
+    queue.close();
+  }
+  ended.set_value();
+}
+
+GeometryThread::GeometryThread(Job& job, const JournalRecord* resumed_from, Reporter& reporter) {
+  if (resumed_from != nullptr) job.start = resumed_from->checkpoint;
+  shared_ = std::make_shared<Shared>(job, resumed_from);
+  shared_->signals.stop_asked = [shared = shared_.get()] {
+    return shared->link_ended.load() || stop_signal_count() > 0;
+  };
+  shared_->signals.on_slow_layer = [&reporter](const SlowLayer& slow) {
+    tell_slow_layer(slow, reporter);
+  };
+  job.draws_arcs = [&arcs = shared_->arcs] { return arcs.wait(); };
+  thread_ = std::thread([shared = shared_] { shared->run(); });
+}
+
+GeometryThread::~GeometryThread() = default;
+
+CommandQueue& GeometryThread::queue() { return shared_->queue; }
+
+PipelineSignals& GeometryThread::signals() { return shared_->signals; }
+
+double GeometryThread::seconds_made() const { return shared_->filler.seconds_made(); }
+
+void GeometryThread::tell_controller(const firmware_link::Capabilities& capabilities) {
+  shared_->arcs.tell(capabilities.arcs);
+}
+
+GeometryOutcome GeometryThread::end(std::optional<double> grace_s) {
+  shared_->link_ended.store(true);
+  shared_->queue.close();
+  shared_->arcs.tell(false);
+  stop_waiting_for_input();
+  if (grace_s && shared_->ended.get_future().wait_for(std::chrono::duration<double>(*grace_s)) !=
+                     std::future_status::ready) {
+    thread_.detach();
+    GeometryOutcome left_behind;
+    left_behind.statistics.ended = false;
+    return left_behind;
+  }
+  thread_.join();
+  return std::move(shared_->outcome);
+}
+
+}  // namespace host

@@ -1,0 +1,317 @@
+#include "host/printing/print_controller.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <thread>
+#include <variant>
+
+#include "host/printing/port_clock.h"  // link_now
+#include "host/system/limits.h"
+#include "host/system/stage_clock.h"  // steady_seconds
+
+namespace host {
+namespace {
+
+using firmware_link::FaultKind;
+using firmware_link::Instant;
+using firmware_link::SessionState;
+
+constexpr auto kReopenPause = std::chrono::milliseconds(200);
+
+}  // namespace
+
+PrintController::PrintController(const PrintSettings& settings, const PrintOptions& options,
+                                 const PartExtent& part, const Parts& parts, double started_s)
+    : options_(options),
+      geometry_(parts.geometry),
+      control_(parts.control),
+      reporter_(parts.reporter),
+      link_(settings, options.banner_wait_s, parts.port),
+      commands_(geometry_.queue()),
+      start_(settings, options.space.value_or(space_of(settings)), part),
+      pauses_(start_.park_moves(), options.hot_s),
+      underrun_(options.underrun_s),
+      journal_(commands_, pauses_, geometry_.signals().layers, control_, reporter_),
+      reports_(started_s, commands_, geometry_.signals(), reporter_),
+      recovery_({link_, commands_, pauses_, start_, journal_, control_, reporter_},
+                options.resumption),
+      ending_({link_, commands_, pauses_, feed_, start_, journal_, reports_, control_}) {
+  link_.start_session(recovery_.searching());
+}
+
+LinkOutcome PrintController::run() {
+  reports_.statistics().clock.enter(Stage::kSend);
+  while (true) {
+    if (stop_asked()) return ending_.stop(LinkEnd::kUserStopped);
+    if (geometry_.queue().closed()) return ending_.stop(LinkEnd::kGeometryEnded);
+    const Instant now = link_now();
+    take_requests(now);
+    watch_underrun(now);
+    feed(now);
+    if (!refused_.empty()) return ending_.stop(LinkEnd::kRefused, refused_);
+    if (!recovery_.failure().empty()) return ending_.not_resumed(recovery_.failure());
+    keep_journal();
+    link_.step(now);
+    reports_.note_counts(session().statistics());
+    hear_events();
+    reports_.show_progress(session());
+    if (session().state() == SessionState::kFinished) return ending_.done();
+    if (session().state() != SessionState::kFaulted) continue;
+    if (!recoverable()) return ending_.faulted();
+    if (const std::optional<LinkOutcome> end = recover()) return *end;
+  }
+}
+
+// Once, when the controller has said what it can do: whether the print may start.
+bool PrintController::started(Instant now) {
+  if (started_) return true;
+  if (session().state() != SessionState::kStreaming || !start_.travel_asked(link_, now)) {
+    return false;
+  }
+  started_ = true;
+  core::Status may = start_.take_travel(session(), reporter_);
+  pauses_.set_park_moves(start_.park_moves());
+  if (may.ok()) may = control_.may_start();
+  if (!may.ok()) {
+    refused_ = may.error().message;
+    return false;
+  }
+  geometry_.tell_controller(session().capabilities());
+  return true;
+}
+
+void PrintController::feed(Instant now) {
+  if (!started(now)) return;
+  while (session().can_take() && feed_one(now)) {
+  }
+  if (!all_given_ && session().state() == SessionState::kStreaming && !recovery_.searching() &&
+      pauses_.printing() && commands_.ended()) {
+    session().finish(now);
+    all_given_ = true;
+  }
+}
+
+// False when there is nothing to give at the moment. REQUIRES: the session can take a command.
+bool PrintController::feed_one(Instant now) {
+  if (const std::optional<firmware_link::Command> command = pauses_.next()) {
+    link_.insert(*command, now);
+    return true;
+  }
+  if (pauses_.turn_due() && pauses_.turn(steady_seconds(), commands_.state())) {
+    note_phase(now);
+    return true;
+  }
+  if (!pauses_.printing()) return false;
+  if (recovery_.searching() && !recovery_.find_start()) return false;
+  if (commands_.peek() == nullptr) return false;
+  if (commands_.next_was_executed()) {
+    commands_.skip();
+    return true;
+  }
+  return recovery_.start_way_back(now) || give_next(now);
+}
+
+// REQUIRES: there is a next command, and it is time for it.
+bool PrintController::give_next(Instant now) {
+  const QueuedCommand& next = *commands_.peek();
+  // The position is asked for before a layer, and before the user's own lines, which may move
+  // anything.
+  const bool unknown = std::holds_alternative<firmware_link::Verbatim>(next.command);
+  if (unchecked_road_ && (next.layer != commands_.last().layer || unknown)) {
+    unchecked_road_ = false;
+    session().check_position(now);
+    return true;
+  }
+  if (next.pause && paused_before_ != commands_.next()) {
+    paused_before_ = commands_.next();
+    pause_cause_ = "part";
+    reporter_.note("bad_layer",
+                   *next.pause + "; resume to print what could be repaired, or else stop",
+                   {{"layer", next.layer}});
+    pauses_.want_pause(true);
+    return true;
+  }
+  const auto* move = std::get_if<firmware_link::Move>(&next.command);
+  const std::optional<firmware_link::TravelLimits>& limits = session().capabilities().travel;
+  if (move != nullptr && limits && !within_travel(*move, *limits)) {
+    refused_ = fmt::format("layer {} leaves the controller's axes; check bed_x, bed_y and axis_z",
+                           next.layer);
+    return false;
+  }
+  take(next, now);
+  return true;
+}
+
+void PrintController::take(const QueuedCommand& queued, Instant now) {
+  link_.take(queued.command, now);
+  unchecked_road_ = unchecked_road_ || queued.lays_road;
+  if (queued.layer != commands_.last().layer) reports_.statistics().clock.end_layer();
+  commands_.take();
+}
+
+void PrintController::keep_journal() {
+  const SessionState state = session().state();
+  if (state != SessionState::kStreaming && state != SessionState::kFinishing) return;
+  if (journal_.keeps()) journal_.keep(account_of(session(), feed_.told_feed()));
+}
+
+void PrintController::take_requests(Instant now) {
+  while (const std::optional<UserRequest> request = control_.next_request()) obey(*request, now);
+}
+
+void PrintController::obey(UserRequest request, Instant now) {
+  switch (request) {
+    case UserRequest::kPause:
+      pause(true);
+      return;
+    case UserRequest::kResume:
+      session().answer_user(now);
+      pause(false);
+      return;
+    case UserRequest::kToggle:
+      pause(!pauses_.pause_wanted());
+      return;
+    case UserRequest::kStop:
+      stop_requested_ = true;
+      return;
+    case UserRequest::kHelp:
+      reporter_.note("keys", key_help());
+      return;
+    case UserRequest::kFeedUp:
+    case UserRequest::kFeedDown:
+      feed_.change_feed(request == UserRequest::kFeedUp ? 1 : -1);
+      tell_feed(now);
+      break;
+    case UserRequest::kFlowUp:
+    case UserRequest::kFlowDown:
+      feed_.change_flow(request == UserRequest::kFlowUp ? 1 : -1);
+      if (session().state() == SessionState::kStreaming) {
+        session().set_flow_percent(feed_.requested_flow(), now);
+      }
+      break;
+  }
+  reports_.tell_override(request, feed_);
+}
+
+// A person wants it so.
+void PrintController::pause(bool wanted) {
+  if (!pauses_.pause_wanted()) pause_cause_ = "user";
+  pauses_.want_pause(wanted);
+}
+
+// While the print is paused no commands come, which is no stall.
+void PrintController::note_phase(Instant now) {
+  const PauseControl::Phase phase = pauses_.phase();
+  if (phase == PauseControl::Phase::kLeaving) session().hold(true, now);
+  if (phase == PauseControl::Phase::kPrinting) session().hold(false, now);
+  reports_.tell_pause(phase, pauses_.pause_wanted() ? pause_cause_ : "geometry", options_.hot_s);
+}
+
+void PrintController::hear_events() {
+  using Kind = firmware_link::SessionEvent::Kind;
+  while (const auto event = session().next_event()) {
+    reports_.tell_event(*event, session(), started_);
+    if (event->kind == Kind::kPauseAsked) pause(true);
+    if (event->kind == Kind::kResumeAsked) pause(false);
+    if (event->kind == Kind::kCancelAsked) stop_requested_ = true;
+  }
+}
+
+void PrintController::watch_underrun(Instant now) {
+  const CommandQueue& queue = commands_.queue();
+  UnderrunWatch::Sight sight;
+  sight.streaming = session().state() == SessionState::kStreaming;
+  sight.road_given = commands_.road_given();
+  sight.all_given = all_given_;
+  sight.command_waits = commands_.peek() != nullptr;
+  sight.more_to_come = !queue.finished();
+  sight.queue_half_full = queue.level().items >= queue.limits().items / 2;
+  sight.planner_blocks = session().planner_blocks();
+  sight.ahead_s = geometry_.seconds_made() - commands_.last().seconds;
+  sight.printing = pauses_.printing();
+  sight.parked = pauses_.underrun();
+  const UnderrunWatch::Action action = underrun_.look(steady_seconds(), sight);
+  LinkStatistics& statistics = reports_.statistics();
+  if (action != UnderrunWatch::Action::kNone) {
+    const bool parks = action == UnderrunWatch::Action::kPark;
+    if (parks) ++statistics.parks;
+    pauses_.set_underrun(parks);
+    return;
+  }
+  const int percent = underrun_.feed_percent();
+  if (percent == feed_.throttle()) return;
+  if (percent < feed_.throttle()) ++statistics.slowdowns;
+  statistics.feed_percent = percent;
+  feed_.set_throttle(percent);
+  tell_feed(now);
+}
+
+void PrintController::tell_feed(Instant now) {
+  if (session().state() != SessionState::kStreaming) return;
+  if (const std::optional<int> percent = feed_.feed_to_tell()) {
+    session().set_feed_percent(*percent, now);
+  }
+}
+
+bool PrintController::recoverable() {
+  const FaultKind kind = session().fault_kind();
+  return options_.lost_port_wait_s > 0 && recovery_.possible() &&
+         (kind == FaultKind::kReset || kind == FaultKind::kPortLost);
+}
+
+// Waits for the controller, and has the print resumed. An outcome when that did not succeed.
+std::optional<LinkOutcome> PrintController::recover() {
+  const bool reset = session().fault_kind() == FaultKind::kReset;
+  const std::optional<JournalRecord> left = journal_.record(
+      reset ? PrintState::kReset : PrintState::kPortLost, account_of(session(), feed_.told_feed()));
+  if (!left) return ending_.faulted();
+  journal_.close(*left);
+  LinkOutcome end = ending_.outcome(LinkEnd::kFaulted);
+  end.reason = session().reason();
+  const double fault_s = steady_seconds();
+  reports_.tell_fault(end.reason, reset, options_.lost_port_wait_s);
+  reports_.start_session();
+  if (const auto ended = reconnect(reset, fault_s + options_.lost_port_wait_s)) {
+    if (ended->end == LinkEnd::kFaulted) end.reason += "; " + ended->reason;
+    if (ended->end != LinkEnd::kFaulted) end.reason = ended->reason;
+    end.end = ended->end;
+    end.measures = ended->measures;
+    return end;
+  }
+  if (const auto failure = recovery_.resume_after_fault(*left, fault_s)) {
+    if (!failure->reason.empty()) end.reason += "; " + failure->reason;
+    end.measures = failure->measures;
+    return end;
+  }
+  ++reports_.statistics().recoveries;
+  all_given_ = unchecked_road_ = false;
+  feed_.start_session();
+  return std::nullopt;
+}
+
+// A new session over the port that came back. An outcome when none came about in time.
+std::optional<LinkOutcome> PrintController::reconnect(bool reset, double until_s) {
+  bool open = reset && link_.port_open();
+  while (true) {
+    if (stop_asked()) return ending_.stop_waiting(LinkEnd::kUserStopped);
+    if (geometry_.queue().closed()) return ending_.stop_waiting(LinkEnd::kGeometryEnded);
+    if (steady_seconds() > until_s) return ending_.stop_waiting(LinkEnd::kFaulted);
+    take_requests(link_now());
+    reports_.show_progress(session());
+    if (!open && !link_.reopen_port(control_)) {
+      std::this_thread::sleep_for(kReopenPause);
+      continue;
+    }
+    link_.start_session(true);
+    while (session().state() == SessionState::kConnecting && !stop_asked() &&
+           steady_seconds() <= until_s) {
+      link_.step(link_now());
+      hear_events();
+    }
+    if (session().state() == SessionState::kStreaming) return std::nullopt;
+    open = link_.port_open();
+  }
+}
+
+}  // namespace host

@@ -1,0 +1,59 @@
+#include "host/printing/safe_moves.h"
+
+#include "core/motions/park_height.h"  // park_height
+#include "host/pipeline/wire_units.h"
+
+namespace host {
+
+using firmware_link::Command;
+using firmware_link::Heater;
+using firmware_link::Move;
+
+std::int64_t retraction_10nm(const core::Settings& settings) {
+  return filament_10nm(settings.retraction_mm);
+}
+
+std::int64_t lifted_um(std::int64_t z_um, const core::Settings& settings) {
+  const auto from = core::Length::from_units(z_um * kUnitsPerUm);
+  return core::park_height(from, settings).units() / kUnitsPerUm;
+}
+
+std::vector<Command> lift_off(std::int64_t draw_back_10nm, std::optional<std::int64_t> z_um,
+                              const core::Settings& settings) {
+  std::vector<Command> commands;
+  if (draw_back_10nm > 0) {
+    commands.push_back(filament_move(-draw_back_10nm, settings.retraction_speed_mm_s));
+  }
+  if (z_um) commands.push_back(lift_move(lifted_um(*z_um, settings), settings.lift_speed_mm_s));
+  return commands;
+}
+
+std::vector<Command> heaters_off() {
+  return {firmware_link::SetTemperature{Heater::kNozzle, 0, false},
+          firmware_link::SetTemperature{Heater::kBed, 0, false}, firmware_link::SetFan{0}};
+}
+
+Command filament_move(std::int64_t by_10nm, double speed_mm_s) {
+  Move move;
+  move.extruding = true;
+  move.e_10nm = by_10nm;
+  move.f_mm_min = feed_mm_min(speed_mm_s);
+  return move;
+}
+
+Command travel_move(std::int64_t x_um, std::int64_t y_um, double speed_mm_s) {
+  Move move;
+  move.x_um = x_um;
+  move.y_um = y_um;
+  move.f_mm_min = feed_mm_min(speed_mm_s);
+  return move;
+}
+
+Command lift_move(std::int64_t z_um, double speed_mm_s) {
+  Move move;
+  move.z_um = z_um;
+  move.f_mm_min = feed_mm_min(speed_mm_s);
+  return move;
+}
+
+}  // namespace host

@@ -1,0 +1,64 @@
+// What people and programs are told of a running print, and what its statistics count.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "core/units.h"                           // LayerIndex
+#include "firmware_link/session/session.h"        // Session
+#include "firmware_link/session/session_event.h"  // SessionEvent
+#include "host/pipeline/pipeline.h"               // PipelineSignals
+#include "host/pipeline/statistics.h"             // LinkStatistics
+#include "host/printing/controls.h"               // UserRequest
+#include "host/printing/feed_override.h"          // FeedOverride
+#include "host/printing/pause_control.h"          // PauseControl
+#include "host/printing/print_commands.h"         // PrintCommands
+#include "host/printing/progress.h"               // Reporter
+
+namespace host {
+
+class StatusReports {
+ public:
+  // `started_s`: steady_seconds() when the program started. All outlive the reports.
+  StatusReports(double started_s, const PrintCommands& commands, PipelineSignals& signals,
+                Reporter& reporter)
+      : started_s_(started_s), commands_(commands), signals_(signals), reporter_(reporter) {}
+
+  [[nodiscard]] LinkStatistics& statistics() { return statistics_; }
+  [[nodiscard]] const LinkStatistics& statistics() const { return statistics_; }
+
+  // The session is lost: the next one counts from 0.
+  void start_session() { past_ = statistics_; }
+
+  // Takes the session's counts into the statistics; tells what has changed.
+  void note_counts(const firmware_link::SessionStatistics& link);
+
+  // `greeted`: the controller was given commands already.
+  void tell_event(const firmware_link::SessionEvent& event, const firmware_link::Session& session,
+                  bool greeted);
+  void tell_pause(PauseControl::Phase phase, const std::string& cause, double hot_s);
+  // The feed or the flow was changed by this request.
+  void tell_override(UserRequest request, const FeedOverride& feed);
+  void tell_fault(const std::string& reason, bool reset, double wait_s);
+
+  // When it is due. Warnings that geometry has left are told at once.
+  void show_progress(const firmware_link::Session& session);
+
+ private:
+  void tell_counts(const firmware_link::SessionStatistics& link);
+  void tell_heat(const firmware_link::Temperatures& heat);
+  void tell_action(const std::string& action);
+
+  double started_s_;
+  const PrintCommands& commands_;
+  PipelineSignals& signals_;
+  Reporter& reporter_;
+  LinkStatistics statistics_;
+  LinkStatistics past_;  // of sessions that were lost
+  std::int64_t told_resends_ = 0;
+  std::int64_t told_stalls_ = 0;
+  core::LayerIndex told_layer_ = 0;
+  firmware_link::Temperatures told_heat_;
+};
+
+}  // namespace host
