@@ -7,14 +7,14 @@ namespace {
 
 // What is solid follows from the slice and what is loose. The first layer has a skirt.
 bool alike(const SplitLayer& a, const SplitLayer& b) {
-  return a.layer.slice.index != 0 && a.layer.slice.height == b.layer.slice.height &&
-         a.loose == b.loose && a.layer.slice.region == b.layer.slice.region;
+  return a.slice.index != 0 && a.slice.height == b.slice.height && a.loose == b.loose &&
+         a.slice.region == b.slice.region;
 }
 
 }  // namespace
 
 LayerPlanner::Place LayerPlanner::place(SplitLayer split) {
-  std::shared_ptr<LayerPlan>& last = last_[static_cast<std::size_t>(split.layer.slice.index % 2)];
+  std::shared_ptr<LayerPlan>& last = last_[static_cast<std::size_t>(split.slice.index % 2)];
   if (last && alike(last->split, split)) {
     ++reused_;
     return {last, false};
@@ -27,8 +27,7 @@ LayerPlanner::Place LayerPlanner::place(SplitLayer split) {
 void LayerPlanner::fill(LayerPlan& plan, bool with_roads) const {
   plan.layer = style_.apply(plan.split);
   const double moved_mm2 = plan.split.loose.area_mm2() - plan.layer.loose.area_mm2();
-  plan.regularised_mm3 =
-      style_.only_regularises() ? moved_mm2 * plan.layer.layer.slice.height.mm() : 0;
+  plan.regularised_mm3 = style_.only_regularises() ? moved_mm2 * plan.layer.slice.height.mm() : 0;
   if (with_roads) plan.roads = roads_.plan(plan.layer);
 }
 

@@ -25,7 +25,7 @@ void append(std::vector<Road> more, std::vector<Road>& roads) {
 
 // Where the centre lines of loose roads may run: no deeper than half a road from the contour.
 Region road_room(const SplitLayer& layer, const Settings& settings) {
-  const SliceOffsets& offsets = *layer.layer.offsets;
+  const SliceOffsets& offsets = *layer.offsets;
   if (offsets.perimeters.empty()) return layer.loose;
   return flatten(offsets.perimeters.front(), settings.arc_tolerance);
 }
@@ -44,8 +44,8 @@ Region wall_to_fill(const Region& interior, const Region& loose, const Settings&
 RoadPlanner::RoadPlanner(const Settings& settings) : settings_(settings) {}
 
 std::vector<Road> RoadPlanner::plan(const SplitLayer& layer) const {
-  const Slice& slice = layer.layer.slice;
-  const SliceOffsets& offsets = *layer.layer.offsets;
+  const Slice& slice = layer.slice;
+  const SliceOffsets& offsets = *layer.offsets;
   const Length height = slice.height;
   Perimeters around = perimeters(slice, offsets, settings_);
   std::vector<Road> roads = std::move(around.roads);

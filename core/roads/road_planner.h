@@ -36,7 +36,7 @@ class RoadPlanner {
   // ENSURES: no bead leaves the slice but for rounding, every road has two points or more; the
   // same layer always gives the same roads. No roads where none fits: all narrower than
   // road_width_min.
-  // REQUIRES: layer.layer.offsets as OffsetCutter makes them with the same settings.
+  // REQUIRES: layer.offsets as OffsetCutter makes them with the same settings.
   [[nodiscard]] std::vector<Road> plan(const SplitLayer& layer) const;
 
  private:

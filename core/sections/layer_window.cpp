@@ -36,7 +36,7 @@ bool LayerWindow::reaches_below(const Slice& slice) const {
 }
 
 bool LayerWindow::all_above_known(const Slice& slice) const {
-  const Slice& newest = layers_[layers_.size() - 1].layer.slice;
+  const Slice& newest = layers_[layers_.size() - 1].slice;
   return cylinder_ ? newest.index - slice.index >= wall_layers(settings_)
                    : newest.top() * 2 - doubled_middle(slice) >= settings_.wall_thickness * 2;
 }
@@ -45,7 +45,7 @@ void LayerWindow::push(SplitLayer layer) {
   RIND_CHECK(!finished_);
   // What not even the next layer can see.
   while (next_ > 0 && place_ > 0 && next_ < layers_.size() &&
-         !within_reach(layers_[next_].layer.slice, layers_[0].layer.slice)) {
+         !within_reach(layers_[next_].slice, layers_[0].slice)) {
     (void)layers_.pop();
     --place_;
     --next_;
@@ -55,18 +55,18 @@ void LayerWindow::push(SplitLayer layer) {
 
 bool LayerWindow::next() {
   if (next_ == layers_.size()) return false;
-  if (!finished_ && !all_above_known(layers_[next_].layer.slice)) return false;
+  if (!finished_ && !all_above_known(layers_[next_].slice)) return false;
   place_ = next_++;
   return true;
 }
 
 std::vector<LayerWindow::Neighbour> LayerWindow::neighbours() const {
-  const Slice& slice = layer().layer.slice;
+  const Slice& slice = layer().slice;
   std::vector<Neighbour> found;
   const auto add = [&](std::size_t place) {
     const SplitLayer& other = layers_[place];
-    if (!within_reach(slice, other.layer.slice)) return false;
-    const Length gap = doubled_gap(slice, other.layer.slice);
+    if (!within_reach(slice, other.slice)) return false;
+    const Length gap = doubled_gap(slice, other.slice);
     found.push_back(
         {&other, cylinder_ ? settings_.wall_thickness : ball_depth(settings_.wall_thickness, gap),
          Length::from_units(gap.units() / 2)});
@@ -82,7 +82,7 @@ std::vector<LayerWindow::Neighbour> LayerWindow::neighbours() const {
 }
 
 bool LayerWindow::reaches_out() const {
-  const Slice& slice = layer().layer.slice;
+  const Slice& slice = layer().slice;
   return reaches_below(slice) || !all_above_known(slice);
 }
 

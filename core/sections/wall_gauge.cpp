@@ -50,13 +50,13 @@ class Gauge {
 }  // namespace
 
 std::optional<WallPlace> thinnest_wall(const LayerWindow& window, const SectionLine& line) {
-  const Slice& slice = window.layer().layer.slice;
+  const Slice& slice = window.layer().slice;
   Intervals loose = section_of(window.layer().loose, line);
   if (loose.empty()) return std::nullopt;
   const Length middle = slice.bottom + Length::from_units(slice.height.units() / 2);
   Gauge gauge(std::move(loose), middle);
   for (const LayerWindow::Neighbour& neighbour : window.neighbours()) {
-    const Slice& other = neighbour.layer->layer.slice;
+    const Slice& other = neighbour.layer->slice;
     const Length height = other.index == slice.index  ? middle
                           : other.index > slice.index ? other.bottom
                                                       : other.top();

@@ -13,7 +13,7 @@ namespace {
 // I(S) of the neighbour at its depth, as it was cut; or cut anew, into `made`.
 const Region& inner_of(const LayerWindow::Neighbour& neighbour, Length arc_tolerance,
                        Region& made) {
-  const Layer& layer = neighbour.layer->layer;
+  const Layer& layer = *neighbour.layer;
   if (layer.offsets != nullptr) {
     for (const InnerOffset& inner : layer.offsets->wall_inners) {
       if (inner.depth == neighbour.depth) return inner.region;
@@ -30,13 +30,13 @@ void split_wall(const LayerWindow& window, See see, Set& own, Set& uncovered, Se
   const std::vector<LayerWindow::Neighbour> all = window.neighbours();
   const Length arc_tolerance = window.settings().arc_tolerance;
   Region made;
-  const Set slice = see(window.layer().layer.slice.region);
+  const Set slice = see(window.layer().slice.region);
   const Set inner = see(inner_of(all.front(), arc_tolerance, made));
   own = subtract(slice, inner);
   Set covered = window.reaches_out() ? Set() : inner;
   Set common = covered;
   for (std::size_t i = 1; i < all.size() && !covered.empty(); ++i) {
-    covered = intersect(covered, see(all[i].layer->layer.slice.region));
+    covered = intersect(covered, see(all[i].layer->slice.region));
     common = intersect(common, see(inner_of(all[i], arc_tolerance, made)));
   }
   uncovered = subtract(inner, covered);
@@ -77,7 +77,7 @@ WallRegions wall_regions(const LayerWindow& window) {
 WallSection wall_section(const LayerWindow& window, const SectionLine& line) {
   WallSection section;
   const SplitLayer& layer = window.layer();
-  section.slice = section_of(layer.layer.slice.region, line);
+  section.slice = section_of(layer.slice.region, line);
   section.loose = section_of(layer.loose, line);
   if (style_decides(window)) {
     section.further = subtract(section.slice, section.loose);

@@ -1,4 +1,4 @@
-// What passes from the walls to the roads: a layer split into its wall and its inside.
+// What passes from the walls to the roads: a layer, split into its wall and its inside.
 #pragma once
 
 #include "core/offsets/layer_offsets.h"  // Layer
@@ -6,11 +6,10 @@
 
 namespace core {
 
-// solid ∪ loose = layer.slice.region, solid ∩ loose = ∅.
-struct SplitLayer {
-  Layer layer;
-  Region solid;  // the wall: filled densely
-  Region loose;  // the inside
+// solid ∪ loose = slice.region, solid ∩ loose = ∅.
+struct SplitLayer : Layer {
+  Region solid;  // the wall, which slicers call shell: filled densely
+  Region loose;  // the inside: filled sparsely (infill)
 };
 
 }  // namespace core

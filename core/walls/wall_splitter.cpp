@@ -57,13 +57,12 @@ std::optional<SplitLayer> WallSplitter::finish() {
 
 std::optional<SplitLayer> WallSplitter::split(std::optional<Cylinder::Settled> settled) {
   if (!settled.has_value()) return std::nullopt;
-  SplitLayer result;
-  result.layer = std::move(settled->item);
+  SplitLayer result{std::move(settled->item), {}, {}};
   if (settled->shared.has_value()) result.loose = *std::move(settled->shared);
   if (result.loose.empty()) {
-    result.solid = result.layer.slice.region;
+    result.solid = result.slice.region;
   } else {
-    result.solid = subtract(result.layer.slice.region, result.loose);
+    result.solid = subtract(result.slice.region, result.loose);
     ++operations_last_;
   }
   return result;

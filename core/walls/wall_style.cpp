@@ -18,7 +18,7 @@ SplitLayer WallStyle::apply(SplitLayer layer) const {
     case BuildStyle::kThinWall:
       return regularised(std::move(layer));
     case BuildStyle::kRegular:
-      layer.solid = layer.layer.slice.region;
+      layer.solid = layer.slice.region;
       layer.loose = {};
       return layer;
     case BuildStyle::kFast:
@@ -34,7 +34,7 @@ SplitLayer WallStyle::regularised(SplitLayer layer) const {
                                                   .arc_tolerance = settings_.arc_tolerance});
   if (regular == layer.loose) return layer;
   layer.loose = std::move(regular);
-  layer.solid = subtract_within(layer.layer.slice.region, layer.loose);
+  layer.solid = subtract_within(layer.slice.region, layer.loose);
   return layer;
 }
 
@@ -43,8 +43,8 @@ SplitLayer WallStyle::fast(SplitLayer layer) const {
   const Length half = Length::from_units(kHiddenSliverMax.units() / 2);
   const bool hidden =
       !layer.loose.empty() && offset(layer.solid, half, settings_.arc_tolerance).empty();
-  const Region& slice = layer.layer.slice.region;
-  layer.loose = hidden ? layer.layer.offsets->interior : Region();
+  const Region& slice = layer.slice.region;
+  layer.loose = hidden ? layer.offsets->interior : Region();
   layer.solid = hidden ? subtract(slice, layer.loose) : slice;
   return layer;
 }

@@ -91,9 +91,9 @@ int plan_command(const Options& options, Reporter& reporter) {
   outputs.on_layer = [&](const core::SplitLayer& layer) {
     const double now = steady_seconds();
     ProgressReport report;
-    report.layer = layer.layer.slice.index + 1;
+    report.layer = layer.slice.index + 1;
     report.layers = job.part.summary.layers;
-    report.height = layer.layer.slice.top();
+    report.height = layer.slice.top();
     report.elapsed_s = now - began_s;
     reporter.progress(report, now);
     return true;

@@ -38,13 +38,13 @@ int show_layer(const Options& options, Job& job, OutputFile& file, Reporter& rep
   core::LayerWindow window(core::with_style(job.settings));
   const auto draw = [&] {
     while (svg.empty() && window.next()) {
-      if (window.layer().layer.slice.index + 1 != options.layer) continue;
+      if (window.layer().slice.index + 1 != options.layer) continue;
       svg = draw_layer({part_title(options.part), &window, &roads_there});
     }
   };
   PipelineOutputs outputs;
   outputs.on_roads = [&](const core::SplitLayer& layer, const std::vector<core::Road>& roads) {
-    if (layer.layer.slice.index + 1 == options.layer) roads_there = roads;
+    if (layer.slice.index + 1 == options.layer) roads_there = roads;
     window.push(layer);
     draw();
     return svg.empty();
@@ -177,7 +177,7 @@ int show_section(const Options& options, Job& job, OutputFile& file, Reporter& r
   };
   if (picture.shows_roads()) {
     outputs.on_roads = [&](const core::SplitLayer& layer, const std::vector<core::Road>& roads) {
-      return write(picture.roads(layer.layer.slice, roads));
+      return write(picture.roads(layer.slice, roads));
     };
   }
   PipelineSignals signals;

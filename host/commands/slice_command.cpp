@@ -85,7 +85,7 @@ class SliceFile {
     PipelineOutputs outputs;
     const bool roads = layers_ && layers_->wants_roads();
     outputs.on_layer = [this, roads](const core::SplitLayer& layer) {
-      report(layer.layer.slice);
+      report(layer.slice);
       return !layers_ || roads || take(layer, {});
     };
     if (roads) {

@@ -63,7 +63,7 @@ class ContourWriter : public LayerWriter {
   template <typename Write>
   void for_rings(const core::SplitLayer& layer, Write write) const {
     if (head_.contents == LayerContents::kSlices) {
-      for (const Ring& ring : layer.layer.slice.region.rings()) write(kWallLabel, ring);
+      for (const Ring& ring : layer.slice.region.rings()) write(kWallLabel, ring);
       return;
     }
     for (const Ring& ring : layer.solid.rings()) write(kWallLabel, ring);
@@ -84,7 +84,7 @@ class TextWriter : public ContourWriter {
 
   void layer(const core::SplitLayer& layer, const std::vector<core::Road>&,
              std::string& into) override {
-    append_layer(layer.layer.slice, into);
+    append_layer(layer.slice, into);
     for_rings(layer, [&into](int label, const Ring& ring) {
       // Closed means that the first point is said again at the end.
       fmt::format_to(std::back_inserter(into), "$$POLYLINE/{},{},{}", label, direction_of(ring),
@@ -111,7 +111,7 @@ class BinaryWriter : public ContourWriter {
              std::string& into) override {
     constexpr unsigned kLayer = 127, kPolyline = 130;
     append_bytes(kLayer, 2, into);
-    append_float(layer.layer.slice.top().units(), into);
+    append_float(layer.slice.top().units(), into);
     for_rings(layer, [&into](int label, const Ring& ring) {
       append_bytes(kPolyline, 2, into);
       append_bytes(static_cast<std::uint32_t>(label), 4, into);
@@ -151,7 +151,7 @@ class RoadWriter : public LayerWriter {
 
   void layer(const core::SplitLayer& layer, const std::vector<core::Road>& roads,
              std::string& into) override {
-    append_layer(layer.layer.slice, into);
+    append_layer(layer.slice, into);
     for (const core::Road& road : roads) {
       const std::vector<Point>& points = road.points;
       fmt::format_to(std::back_inserter(into), "$$HATCHES/{},{}", static_cast<int>(road.kind) + 1,

@@ -21,7 +21,7 @@ class LsifWriter : public LayerWriter {
 
   void layer(const core::SplitLayer& layer, const std::vector<core::Road>&,
              std::string& into) override {
-    const core::Slice& slice = layer.layer.slice;
+    const core::Slice& slice = layer.slice;
     into += "(layer";
     if (slice.height != head_.layer_height) {
       into += " (thickness ";

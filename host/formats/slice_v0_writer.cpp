@@ -27,7 +27,7 @@ class SliceV0Writer : public LayerWriter {
 
   void layer(const core::SplitLayer& layer, const std::vector<core::Road>&,
              std::string& into) override {
-    const core::Slice& slice = layer.layer.slice;
+    const core::Slice& slice = layer.slice;
     into += "Z ";
     append_inches(slice.bottom.units(), into);
     into += ' ';

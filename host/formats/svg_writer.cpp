@@ -23,7 +23,7 @@ class SvgWriter : public LayerWriter {
 
   void layer(const core::SplitLayer& layer, const std::vector<core::Road>&,
              std::string& into) override {
-    const core::Slice& slice = layer.layer.slice;
+    const core::Slice& slice = layer.slice;
     into += "<g id=\"layer" + std::to_string(slice.index) + "\" slic3r:z=\"";
     append_mm(slice.top().units(), into);
     into += "\" slic3r:slice-z=\"";

@@ -45,7 +45,7 @@ struct Frame {
 
 Frame frame_of(const LayerPicture& picture) {
   Frame frame;
-  core::Box box = picture.window->layer().layer.slice.region.box();
+  core::Box box = picture.window->layer().slice.region.box();
   std::int64_t width_most = 0;
   for (const core::Road& road : *picture.roads) {
     for (const core::Point point : road.points) box.add(point);
@@ -136,7 +136,7 @@ void append_area_legend(std::string& svg, const std::vector<Area>& areas,
                       fmt::format("{}: {:.1f} mm²", area.words, area.region->area_mm2()));
     y += kLegendRowPx;
   }
-  const double whole = std::max(1e-9, layer.layer.slice.region.area_mm2());
+  const double whole = std::max(1e-9, layer.slice.region.area_mm2());
   const double solid = layer.solid.area_mm2(), loose = layer.loose.area_mm2();
   append_text(svg, x, y,
               fmt::format("wall {:.1f} mm² ({:.0f} %), inside {:.1f} mm² ({:.0f} %)", solid,
@@ -173,7 +173,7 @@ std::string draw_layer(const LayerPicture& picture) {
   RIND_CHECK(picture.window != nullptr);
   RIND_CHECK(picture.roads != nullptr);
   const core::SplitLayer& layer = picture.window->layer();
-  const core::Slice& slice = layer.layer.slice;
+  const core::Slice& slice = layer.slice;
   const core::Settings& settings = picture.window->settings();
   const core::WallRegions regions = core::wall_regions(*picture.window);
   const std::vector<Area> areas = areas_of(regions, layer, settings);

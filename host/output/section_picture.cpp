@@ -218,7 +218,7 @@ std::string SectionPicture::roads(const core::Slice& slice, const std::vector<co
 
 std::string SectionPicture::layer(const core::LayerWindow& window) {
   const core::WallSection section = core::wall_section(window, options_.line);
-  const core::Slice& slice = window.layer().layer.slice;
+  const core::Slice& slice = window.layer().slice;
   const std::array<const core::Intervals*, kTints> tints = {
       &section.loose, &section.own, &section.uncovered, &section.neighbours, &section.further};
   RowPieces row;

@@ -134,7 +134,7 @@ class Pipeline {
 
   // A layer that was printed before, and too low to be split rightly here.
   [[nodiscard]] bool below_start(const core::SplitLayer& split) const {
-    return job_.start && split.layer.slice.index < job_.start->layer;
+    return job_.start && split.slice.index < job_.start->layer;
   }
 
   void cut(LayerBatch& batch) {
@@ -168,8 +168,8 @@ class Pipeline {
   }
 
   SettledLayer place(core::SplitLayer layer) {
-    const core::LayerIndex index = layer.layer.slice.index;
-    const core::Length bottom = layer.layer.slice.bottom;
+    const core::LayerIndex index = layer.slice.index;
+    const core::Length bottom = layer.slice.bottom;
     return {index, bottom, planner_.place(std::move(layer)), pause_before(index)};
   }
 
@@ -186,7 +186,7 @@ class Pipeline {
     const StageMeter meter(Stage::kRoads, batch.use);
     for (SettledLayer& settled : batch.settled) {
       if (!settled.place.to_fill) continue;
-      const core::Slice& slice = settled.place.plan->split.layer.slice;
+      const core::Slice& slice = settled.place.plan->split.slice;
       const LayerWatch::Look look(watch_, settled.index, settled.bottom + slice.height,
                                   &slice.region, batch.watched_s);
       planner_.fill(*settled.place.plan, wants_roads());
@@ -219,7 +219,7 @@ class Pipeline {
     if (settled.pause && outputs_.on_pause) outputs_.on_pause(*settled.pause);
     const core::LayerPlan& plan = *settled.place.plan;
     core::SplitLayer layer = plan.layer;
-    core::Slice& slice = layer.layer.slice;
+    core::Slice& slice = layer.slice;
     slice.index = settled.index;
     slice.bottom = settled.bottom;
     statistics_.solid_mm3 += volume_mm3(layer.solid, slice.height);

@@ -13,12 +13,12 @@ namespace {
 SplitLayer split(const Region& slice, const Region& loose, const Settings& settings,
                  LayerIndex index) {
   SplitLayer layer;
-  layer.layer.slice.index = index;
-  layer.layer.slice.height = settings.layer_height;
-  layer.layer.slice.bottom = settings.layer_height * index;
-  layer.layer.slice.region = slice;
+  layer.slice.index = index;
+  layer.slice.height = settings.layer_height;
+  layer.slice.bottom = settings.layer_height * index;
+  layer.slice.region = slice;
   OffsetCutter cutter(settings);
-  layer.layer.offsets = cutter.cut(layer.layer.slice);
+  layer.offsets = cutter.cut(layer.slice);
   layer.loose = loose;
   layer.solid = subtract(slice, loose);
   return layer;
@@ -71,7 +71,7 @@ TEST_CASE("a layer like the one two below gets its plan, and no other does") {
   CHECK_FALSE(plans.reuses(split(kSquare, {}, settings, 9)));
   CHECK(plans.reuses(split(kLarger, kInside, settings, 10)));
   SplitLayer thicker = split(kLarger, kInside, settings, 12);
-  thicker.layer.slice.height = Length::from_mm(0.3);
+  thicker.slice.height = Length::from_mm(0.3);
   CHECK_FALSE(plans.reuses(thicker));
   CHECK_EQ(plans.reused(), 6);
 }

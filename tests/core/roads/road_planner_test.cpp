@@ -30,14 +30,14 @@ constexpr double kHairMm = 0.03;
 SplitLayer split(const Region& slice, const Region& loose, const Settings& settings,
                  LayerIndex index = 4) {
   SplitLayer layer;
-  layer.layer.slice.index = index;
-  layer.layer.slice.height = settings.layer_height;
-  layer.layer.slice.bottom = settings.layer_height * index;
-  layer.layer.slice.region = slice;
+  layer.slice.index = index;
+  layer.slice.height = settings.layer_height;
+  layer.slice.bottom = settings.layer_height * index;
+  layer.slice.region = slice;
   OffsetCutter cutter(settings);
-  layer.layer.offsets = cutter.cut(layer.layer.slice);
+  layer.offsets = cutter.cut(layer.slice);
   if (slice.empty()) return layer;
-  const std::vector<core::InnerOffset>& inners = layer.layer.offsets->wall_inners;
+  const std::vector<core::InnerOffset>& inners = layer.offsets->wall_inners;
   layer.loose = inners.empty() ? Region() : intersect(loose, inners.front().region);
   layer.solid = subtract(slice, layer.loose);
   return layer;
@@ -245,7 +245,7 @@ TEST_CASE("dense roads run in the wall, nowhere in the inside: a screw's layers"
           const Point p = between(road.points[i - 1], road.points[i], part / 4.0);
           ++looked_at;
           if (!layer.loose.contains(p)) continue;
-          CAPTURE(layer.layer.slice.index);
+          CAPTURE(layer.slice.index);
           CHECK(edge.any_within(p, Length::from_mm(beyond_max_mm)));
         }
       }

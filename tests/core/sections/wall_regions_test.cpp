@@ -63,7 +63,7 @@ void visit(const LayerStack& stack, const Settings& settings,
   core::LayerIndex seen = 0;
   const auto look_at_all = [&] {
     while (window.next()) {
-      REQUIRE_EQ(window.layer().layer.slice.index, seen++);
+      REQUIRE_EQ(window.layer().slice.index, seen++);
       look(window);
     }
   };
@@ -138,7 +138,7 @@ TEST_CASE("the three regions are the wall, without overlap, for ball and cylinde
       CAPTURE(stack.name);
       CAPTURE(static_cast<int>(shape));
       visit(stack, settings_for(shape), unchanged, [](const LayerWindow& window) {
-        CAPTURE(window.layer().layer.slice.index);
+        CAPTURE(window.layer().slice.index);
         const WallRegions regions = core::wall_regions(window);
         CHECK_LE(test::widest_difference(united(regions), window.layer().solid), kToleranceUnits);
         CHECK(regions.further.empty());
@@ -174,7 +174,7 @@ TEST_CASE("each region is the paper's, less those before it") {
                               : core::subtract(slice(i), inners[static_cast<std::size_t>(i)]);
     };
     visit(stack, settings, unchanged, [&](const LayerWindow& window) {
-      const int n = static_cast<int>(window.layer().layer.slice.index);
+      const int n = static_cast<int>(window.layer().slice.index);
       CAPTURE(n);
       Region second, third;
       for (int i = 1; i <= t; ++i) {
@@ -220,7 +220,7 @@ TEST_CASE("what was made solid besides is told apart") {
   visit(
       tube, settings, [&](SplitLayer layer) { return regular.apply(std::move(layer)); },
       [](const LayerWindow& window) {
-        CHECK_EQ(core::wall_regions(window).further, window.layer().layer.slice.region);
+        CHECK_EQ(core::wall_regions(window).further, window.layer().slice.region);
         CHECK(core::wall_regions(window).own.empty());
       });
 }
@@ -233,7 +233,7 @@ TEST_CASE("a section through the regions is the regions of the section") {
       visit(stack, settings_for(shape), unchanged, [&](const LayerWindow& window) {
         const SectionLine line = across_y(random.between(-6, 6));
         CAPTURE(line.at.mm());
-        CAPTURE(window.layer().layer.slice.index);
+        CAPTURE(window.layer().slice.index);
         const WallRegions regions = core::wall_regions(window);
         const core::WallSection section = core::wall_section(window, line);
         const std::pair<const Region*, const Intervals*> pairs[] = {
@@ -270,7 +270,7 @@ TEST_CASE("the wall of a half ball, measured where it is cut in the middle, is a
     CHECK_LT(place->thickness_mm, wall_mm + 0.0028);
     // And the thinner one, where the wall is thinner.
     const auto thinned = [](SplitLayer layer) {
-      if (layer.layer.slice.index == 11) {
+      if (layer.slice.index == 11) {
         std::vector<core::Ring> rings = layer.loose.rings();
         for (core::Ring& ring : rings) {
           for (core::Point& point : ring) point.x += point.x > 0 ? 1'000 : 0;
@@ -300,7 +300,7 @@ TEST_CASE("the gauge tells where it measured") {
     stack.slices.push_back(test::region_from_text(n < 10 ? outer : outer + ", 8:2 8:8 12:8 12:2"));
   }
   const auto lifted = [](SplitLayer layer) {
-    if (layer.layer.slice.index == 7) {
+    if (layer.slice.index == 7) {
       layer.loose = Region::from_clean_rings({test::rectangle(1, 1, 19, 9)});
     }
     return layer;

@@ -69,7 +69,7 @@ std::vector<SplitLayer> split(const std::vector<Slice>& slices, const Settings& 
   std::vector<SplitLayer> layers;
   const auto take = [&](std::optional<SplitLayer> layer) {
     if (!layer.has_value()) return false;
-    REQUIRE_EQ(layer->layer.slice.index, static_cast<core::LayerIndex>(layers.size()));
+    REQUIRE_EQ(layer->slice.index, static_cast<core::LayerIndex>(layers.size()));
     layers.push_back(*std::move(layer));
     return true;
   };

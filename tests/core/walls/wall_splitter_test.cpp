@@ -108,17 +108,17 @@ TEST_CASE("solid and loose make up the slice and share nothing") {
   for (const LayerStack& stack : all_stacks(10)) {
     CAPTURE(stack.name);
     for (const SplitLayer& layer : split(stack, 2)) {
-      CAPTURE(layer.layer.slice.index);
-      const Region& slice = layer.layer.slice.region;
+      CAPTURE(layer.slice.index);
+      const Region& slice = layer.slice.region;
       CHECK(test::is_clean(layer.solid));
       CHECK(test::is_clean(layer.loose));
       CHECK_LE(test::widest_difference(core::unite(layer.solid, layer.loose), slice), kSliverUnits);
       CHECK_LE(test::widest_difference(core::intersect(layer.solid, layer.loose), Region()),
                kSliverUnits);
-      CHECK_LE(test::widest_difference(
-                   core::subtract(layer.loose, layer.layer.offsets->wall_inners.front().region),
-                   Region()),
-               kSliverUnits);
+      CHECK_LE(
+          test::widest_difference(
+              core::subtract(layer.loose, layer.offsets->wall_inners.front().region), Region()),
+          kSliverUnits);
     }
   }
 }
@@ -162,11 +162,10 @@ TEST_CASE("a constant stack is loose between its caps, and nowhere else") {
       const SplitLayer& layer = layers[static_cast<std::size_t>(n)];
       if (n < t || n >= 12 - t) {
         CHECK(layer.loose.empty());
-        CHECK_EQ(layer.solid, layer.layer.slice.region);
+        CHECK_EQ(layer.solid, layer.slice.region);
       } else {
-        CHECK_EQ(
-            test::widest_difference(layer.loose, layer.layer.offsets->wall_inners.front().region),
-            0);
+        CHECK_EQ(test::widest_difference(layer.loose, layer.offsets->wall_inners.front().region),
+                 0);
       }
     }
   }
@@ -195,10 +194,10 @@ TEST_CASE("layers pass through whole and in order, whatever the height") {
       REQUIRE_EQ(layers.size(), height);
       for (std::size_t n = 0; n < height; ++n) {
         const core::Layer expected = test::layer_of(stack, n);
-        CHECK_EQ(layers[n].layer.slice.index, expected.slice.index);
-        CHECK_EQ(layers[n].layer.slice.bottom, expected.slice.bottom);
-        CHECK_EQ(layers[n].layer.slice.region, expected.slice.region);
-        CHECK_EQ(layers[n].layer.offsets->wall_inners.front().region,
+        CHECK_EQ(layers[n].slice.index, expected.slice.index);
+        CHECK_EQ(layers[n].slice.bottom, expected.slice.bottom);
+        CHECK_EQ(layers[n].slice.region, expected.slice.region);
+        CHECK_EQ(layers[n].offsets->wall_inners.front().region,
                  expected.offsets->wall_inners.front().region);
       }
     }

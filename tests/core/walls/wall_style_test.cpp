@@ -51,7 +51,7 @@ std::vector<SplitLayer> build(BuildStyle style) {
 TEST_CASE("regular is dense everywhere") {
   for (const SplitLayer& layer : build(BuildStyle::kRegular)) {
     CHECK(layer.loose.empty());
-    CHECK_EQ(layer.solid, layer.layer.slice.region);
+    CHECK_EQ(layer.solid, layer.slice.region);
   }
 }
 
@@ -64,11 +64,9 @@ TEST_CASE("fast is loose just where the whole layer is hidden, within three peri
     // T = 3: caps, and the three layers below the step.
     const bool hidden = (n >= 3 && n < 7) || (n >= 10 && n < 17);
     CHECK_EQ(layer.loose.empty(), !hidden);
-    CHECK_EQ(layer.layer.offsets->perimeters.size(), 3);
-    if (hidden) CHECK_EQ(layer.loose, layer.layer.offsets->interior);
-    CHECK_LE(
-        test::widest_difference(core::unite(layer.solid, layer.loose), layer.layer.slice.region),
-        2);
+    CHECK_EQ(layer.offsets->perimeters.size(), 3);
+    if (hidden) CHECK_EQ(layer.loose, layer.offsets->interior);
+    CHECK_LE(test::widest_difference(core::unite(layer.solid, layer.loose), layer.slice.region), 2);
   }
 }
 

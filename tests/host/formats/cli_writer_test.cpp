@@ -8,8 +8,8 @@
 
 TEST_CASE("walls and insides are closed polylines, outer ones counter-clockwise") {
   core::SplitLayer layer;
-  layer.layer.slice.bottom = core::Length::from_mm(0.4);
-  layer.layer.slice.height = core::Length::from_mm(0.2);
+  layer.slice.bottom = core::Length::from_mm(0.4);
+  layer.slice.height = core::Length::from_mm(0.2);
   layer.loose =
       core::Region::from_clean_rings({{{10'000, 10'000}, {20'000, 10'000}, {20'000, 20'000}}});
   layer.solid =

@@ -46,7 +46,7 @@ std::vector<SplitLayer> random_layers(test::Random& random, std::size_t count) {
   std::vector<SplitLayer> layers(count);
   Length bottom;
   for (std::size_t i = 0; i < count; ++i) {
-    core::Slice& slice = layers[i].layer.slice;
+    core::Slice& slice = layers[i].slice;
     slice.index = static_cast<core::LayerIndex>(i);
     slice.bottom = bottom;
     slice.height = Length::from_units(i == 0 ? 3'000 : random.integer(1'500, 2'500));
@@ -76,7 +76,7 @@ std::string written(const Writer& writer, LayerContents contents,
 std::vector<SplitLayer> as_layers(const std::vector<core::Slice>& slices) {
   std::vector<SplitLayer> layers(slices.size());
   for (std::size_t i = 0; i < slices.size(); ++i) {
-    layers[i].layer.slice = slices[i];
+    layers[i].slice = slices[i];
     layers[i].solid = slices[i].region;
   }
   return layers;
@@ -98,7 +98,7 @@ TEST_CASE("slices come back as they were, and are written again byte for byte") 
       CHECK(read.value().warnings.empty());
       REQUIRE_EQ(read.value().slices.size(), layers.size());
       for (std::size_t i = 0; i < layers.size(); ++i) {
-        const core::Slice &was = layers[i].layer.slice, &is = read.value().slices[i];
+        const core::Slice &was = layers[i].slice, &is = read.value().slices[i];
         CAPTURE(i);
         CHECK_EQ(is.index, was.index);
         CHECK_EQ(is.bottom.units(), was.bottom.units());
@@ -122,8 +122,8 @@ TEST_CASE("a wall and its inside are the part") {
         REQUIRE_MESSAGE(read.ok(), (read.ok() ? "" : read.error().message));
         REQUIRE_EQ(read.value().slices.size(), layers.size());
         for (std::size_t i = 0; i < layers.size(); ++i) {
-          CHECK(test::widest_difference(read.value().slices[i].region,
-                                        layers[i].layer.slice.region) <= 2);
+          CHECK(test::widest_difference(read.value().slices[i].region, layers[i].slice.region) <=
+                2);
         }
       }
     }
@@ -132,12 +132,12 @@ TEST_CASE("a wall and its inside are the part") {
 
 TEST_CASE("for QuickSlice, both copies of a shared contour stand among the inside's") {
   SplitLayer layer;
-  layer.layer.slice.height = Length::from_mm(0.254);
+  layer.slice.height = Length::from_mm(0.254);
   const core::Ring outer = {{0, 0}, {762'000, 0}, {762'000, 762'000}, {0, 762'000}};
   const core::Ring inner = {{254'000, 254'000}, {508'000, 254'000}, {508'000, 508'000}};
   layer.loose = core::Region::from_clean_rings({inner});
-  layer.layer.slice.region = core::Region::from_clean_rings({outer});
-  layer.solid = core::subtract(layer.layer.slice.region, layer.loose);
+  layer.slice.region = core::Region::from_clean_rings({outer});
+  layer.solid = core::subtract(layer.slice.region, layer.loose);
   const Writer& ssl = writers()[3];
   const std::string text = written(ssl, LayerContents::kWallsForQuickSlice, {layer});
   CHECK_EQ(text,
@@ -158,7 +158,7 @@ TEST_CASE("roads are hatches, a label for each kind") {
   closed.closed = true;
   closed.points = {{0, 0}, {10'000, 0}, {10'000, 5'000}};
   SplitLayer layer;
-  layer.layer.slice.height = Length::from_mm(0.2);
+  layer.slice.height = Length::from_mm(0.2);
   std::string text;
   writer->begin(text);
   text.clear();

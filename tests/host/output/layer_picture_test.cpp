@@ -26,15 +26,15 @@ core::LayerWindow window_in_prism(const core::Settings& settings) {
   core::LayerWindow window(settings);
   for (int n = 0; n < 12; ++n) {
     core::SplitLayer layer;
-    layer.layer.slice.index = n;
-    layer.layer.slice.bottom = Length::from_mm(0.2) * n;
-    layer.layer.slice.height = Length::from_mm(0.2);
-    layer.layer.slice.region = core::Region::from_clean_rings({square(0, 100'000)});
+    layer.slice.index = n;
+    layer.slice.bottom = Length::from_mm(0.2) * n;
+    layer.slice.height = Length::from_mm(0.2);
+    layer.slice.region = core::Region::from_clean_rings({square(0, 100'000)});
     layer.loose = core::Region::from_clean_rings({square(10'000, 90'000)});
-    layer.solid = core::subtract(layer.layer.slice.region, layer.loose);
+    layer.solid = core::subtract(layer.slice.region, layer.loose);
     window.push(layer);
     while (window.next()) {
-      if (window.layer().layer.slice.index == 6) return window;
+      if (window.layer().slice.index == 6) return window;
     }
   }
   FAIL("the seventh layer never came");

@@ -75,7 +75,7 @@ Drawn draw_block(const Settings& settings, double width_mm, int layers,
   };
   const auto take = [&](std::optional<core::SplitLayer> layer) {
     if (!layer) return false;
-    if (picture.shows_roads()) drawn.svg += picture.roads(layer->layer.slice, roads);
+    if (picture.shows_roads()) drawn.svg += picture.roads(layer->slice, roads);
     window.push(*std::move(layer));
     draw();
     return true;
