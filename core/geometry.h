@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <compare>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -53,6 +54,30 @@ struct Box {
   }
   auto operator<=>(const Box&) const = default;
 };
+
+[[nodiscard]] inline Box box_of(const Ring& ring) {
+  Box box;
+  for (const Point p : ring) box.add(p);
+  return box;
+}
+[[nodiscard]] inline Box box_of(const Segment& segment) {
+  return {{std::min(segment.from.x, segment.to.x), std::min(segment.from.y, segment.to.y)},
+          {std::max(segment.from.x, segment.to.x), std::max(segment.from.y, segment.to.y)}};
+}
+
+// Ring by ring, in their order; edge i of a ring starts at its point i.
+[[nodiscard]] inline std::vector<Segment> edges_of(const std::vector<Ring>& rings) {
+  std::vector<Segment> edges;
+  std::size_t count = 0;
+  for (const Ring& ring : rings) count += ring.size();
+  edges.reserve(count);
+  for (const Ring& ring : rings) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      edges.push_back({ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]});
+    }
+  }
+  return edges;
+}
 
 // A corner of the mesh, snapped to the grid when it was read.
 struct Vertex {

@@ -16,9 +16,6 @@ inline constexpr int kWallLayersMax = 64;
 // Layers the window holds at most: 2T + 1.
 inline constexpr int kWindowLayersMax = 2 * kWallLayersMax + 1;
 
-// Partial intersections that the window's fold holds between layers at most: 2T.
-inline constexpr int kPartialsMax = kWindowLayersMax - 1;
-
 // Intersections that any layer costs at most: ⌈log2(2T + 1)⌉.
 inline constexpr int kFoldCostMax =
     static_cast<int>(std::bit_width(unsigned{kWindowLayersMax - 1}));

@@ -92,21 +92,6 @@ Region exclusive_or(const Region& a, const Region& b) {
   return overlay().combine(a, 1, b, -1, kNotCancelled);
 }
 
-Region intersect_all(std::span<const Region* const> operands) {
-  RIND_CHECK(!operands.empty());
-  thread_local std::vector<const Region*> different;
-  different.clear();
-  for (const Region* operand : operands) {
-    if (operand->empty()) return {};
-    const bool known = std::any_of(different.begin(), different.end(),
-                                   [&](const Region* other) { return *other == *operand; });
-    if (!known) different.push_back(operand);
-  }
-  if (different.size() == 1) return *different[0];
-  if (different.size() == 2) return intersect(*different[0], *different[1]);
-  return overlay().intersect(different);
-}
-
 std::int64_t boolean_retries() { return overlay().retries(); }
 
 }  // namespace core

@@ -13,7 +13,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "core/geometry.h"        // Ring
@@ -48,10 +47,6 @@ struct CleanedRings {
 // COSTS: a copy. Canonical where both are.
 [[nodiscard]] Region subtract_within(const Region& a, const Region& b);
 [[nodiscard]] Region exclusive_or(const Region& a, const Region& b);
-
-// What all operands cover: one operation, so that everything is rounded once.
-// REQUIRES: at least one operand.
-[[nodiscard]] Region intersect_all(std::span<const Region* const> operands);
 
 // Operations of the calling thread that were done twice, everything tried against everything,
 // because an operand that should have been clean crossed itself. 0 unless something is wrong.

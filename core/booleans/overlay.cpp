@@ -39,39 +39,13 @@ Region Overlay::combine(const Region& a, std::int32_t weight_a, const Region& b,
   for (std::size_t i = 0; i < common_a_.size(); ++i) {
     if (common_a_[i] != 0) edges_.add(a.rings()[i], weight_a + weight_b, kOperandInCommon);
   }
-  weights_.third_in_common = true;
   weights_.clean = true;
   return run(rule);
-}
-
-// All that any operand covers outside the box that their boxes have in common is not in the result;
-// nor does a ring out there change what is inside.
-Region Overlay::intersect(std::span<const Region* const> operands) {
-  Box common = operands[0]->box();
-  for (const Region* operand : operands) {
-    const Box box = operand->box();
-    common.min = {std::max(common.min.x, box.min.x), std::max(common.min.y, box.min.y)};
-    common.max = {std::min(common.max.x, box.max.x), std::min(common.max.y, box.max.y)};
-  }
-  if (common.min.x > common.max.x || common.min.y > common.max.y) return {};
-  edges_.clear();
-  weights_.by_operand.assign(operands.size(), 1);
-  weights_.third_in_common = false;
-  weights_.clean = true;
-  for (std::uint32_t i = 0; i < operands.size(); ++i) {
-    for (const Ring& ring : operands[i]->rings()) {
-      Box box;
-      for (const Point p : ring) box.add(p);
-      if (box.overlaps(common)) edges_.add(ring, 1, i);
-    }
-  }
-  return run({WindingRule::Kind::kAtLeast, static_cast<std::int32_t>(operands.size())});
 }
 
 Region Overlay::combine(const std::vector<Ring>& rings, const WindingRule& rule) {
   edges_.clear();
   weights_.by_operand.assign(1, 1);
-  weights_.third_in_common = false;
   weights_.clean = false;
   for (const Ring& ring : rings) edges_.add_mended(ring, 1, 0);
   return run(rule);

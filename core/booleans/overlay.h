@@ -12,7 +12,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "core/booleans/boundary_walk.h"
@@ -35,9 +34,6 @@ class Overlay {
   // COSTS: near-linear in edges + crossings (snap_rounding.h).
   [[nodiscard]] Region combine(const Region& a, std::int32_t weight_a, const Region& b,
                                std::int32_t weight_b, const WindingRule& rule);
-
-  // What all operands cover. REQUIRES: at least one.
-  [[nodiscard]] Region intersect(std::span<const Region* const> operands);
 
   // Rings of any kind, weighted 1.
   [[nodiscard]] Region combine(const std::vector<Ring>& rings, const WindingRule& rule);

@@ -74,15 +74,12 @@ std::int32_t WindingRay::sum_west_of(Point p, std::span<const std::int32_t> weig
 
 std::int32_t WindingRay::winding_right_of(std::uint32_t operand, Point corner) {
   const std::vector<std::int32_t>& weights = weights_->by_operand;
-  const bool two = weights.size() == 2 || weights_->third_in_common;
-  if (two && operand == kOperandInCommon) return 0;
-  if (two) {
-    const std::optional<bool> covered = covered_by_other(operand, corner);
-    if (covered.has_value()) return *covered ? weights[1 - operand] : 0;
-  }
+  if (operand == kOperandInCommon) return 0;
+  const std::optional<bool> covered = covered_by_other(operand, corner);
+  if (covered.has_value()) return *covered ? weights[1 - operand] : 0;
   others_ = weights;
   others_[operand] = 0;
-  if (weights_->third_in_common) others_[kOperandInCommon] -= weights[operand];
+  others_[kOperandInCommon] -= weights[operand];
   return sum_west_of(corner, others_);
 }
 

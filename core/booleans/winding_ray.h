@@ -20,10 +20,11 @@ namespace core {
 
 // How the operands' windings add up.
 struct OperandWeights {
+  // Of rings of any kind: one. Of two operands: theirs, and that of the rings that stand alike in
+  // both.
   std::vector<std::int32_t> by_operand;
-  // Two operands, and as a third the rings that stand alike in both.
-  bool third_in_common = false;
-  // Each operand is clean: a ring has its own inside on its left and its own outside on its right.
+  // Two operands, and each is clean: a ring has its own inside on its left and its own outside on
+  // its right.
   bool clean = true;
 };
 
@@ -41,7 +42,7 @@ class WindingRay {
 
   // On the right of a ring at one of its corners.
   // REQUIRES: operands are clean; the ring is of this operand, and no edge of another lies there.
-  // COSTS: as winding_at(); with two operands it ends at the nearest edge of the other.
+  // COSTS: as winding_at(), but it ends at the nearest edge of the other operand.
   [[nodiscard]] std::int32_t winding_right_of(std::uint32_t operand, Point corner);
 
  private:

@@ -1,7 +1,7 @@
 // Which winding numbers count as inside. Every operation on regions is one of these questions:
 //
 //     rings weighted 1 each                winding > 0     union
-//     operands a, b, … (k of them)         winding >= k    intersection
+//     operands a and b                     winding >= 2    intersection
 //     a weighted 1, b weighted -1          winding > 0     a − b
 //     a weighted 1, b weighted -1          winding != 0    a xor b
 //     rings weighted 1 each                winding odd     contours that nest, turned as they like

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "core/check.h"         // RIND_CHECK
-#include "core/trigonometry.h"  // arc_tangent
+#include "core/trigonometry.h"  // arc_tangent, hypotenuse
 
 namespace core {
 namespace {
@@ -18,8 +18,6 @@ constexpr double kLengthMin = kArcLengthMin_mm * kUnitsPerMm;
 constexpr double kSweepMax = kArcSweepMax_degrees / 180 * std::numbers::pi;
 // An arc that rises less over its chord than this many tolerances is as good as straight.
 constexpr double kHeightMin_tolerances = 2;
-
-double length(double x, double y) { return std::sqrt(x * x + y * y); }
 
 }  // namespace
 
@@ -60,7 +58,7 @@ void ArcFitter::take(const std::vector<Point>& points, bool closed) {
       const Node& before = nodes_.back();
       node.x = static_cast<double>(point.x) - nodes_.front().point.x;
       node.y = static_cast<double>(point.y) - nodes_.front().point.y;
-      node.way = before.way + length(node.x - before.x, node.y - before.y);
+      node.way = before.way + hypotenuse(node.x - before.x, node.y - before.y);
     }
     nodes_.push_back(node);
   };
@@ -127,7 +125,7 @@ bool ArcFitter::fits(std::size_t first, std::size_t last, Arc& arc) const {
   const Node& a = nodes_[first];
   const Node& b = nodes_[last];
   const double dx = b.x - a.x, dy = b.y - a.y;
-  const double chord = length(dx, dy);
+  const double chord = hypotenuse(dx, dy);
   if (chord == 0) return false;
   const double half = chord / 2;
   const double nx = -dy / chord, ny = dx / chord;
@@ -144,7 +142,7 @@ bool ArcFitter::fits(std::size_t first, std::size_t last, Arc& arc) const {
   const double t = vq / (2 * vv);
   if (!(std::abs(t) < kRadiusMax)) return false;
   const double cx = std::round(mx + t * nx), cy = std::round(my + t * ny);
-  const double radius = length(a.x - cx, a.y - cy);
+  const double radius = hypotenuse(a.x - cx, a.y - cy);
   const double way = b.way - a.way;
   if (radius < kRadiusMin || radius > kRadiusMax || way > kSweepMax * radius) return false;
   // A run that bulges to the left turns to the right.

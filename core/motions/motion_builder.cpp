@@ -192,7 +192,8 @@ void MotionBuilder::unretract(const Sink& sink) {
   state_.retracted = false;
 }
 
-void MotionBuilder::leave(const Sink& sink) {
+void MotionBuilder::finish(const Sink& sink) {
+  if (!state_.begun || ended_) return;
   ended_ = true;
   retract(sink);
   const Length here = state_.nozzle_z.value_or(top_);
@@ -200,17 +201,7 @@ void MotionBuilder::leave(const Sink& sink) {
   sink(SetNozzleTemperature{0, false});
   sink(SetBedTemperature{0, false});
   sink(SetFan{0});
-}
-
-void MotionBuilder::finish(const Sink& sink) {
-  if (!state_.begun || ended_) return;
-  leave(sink);
   for (const std::string& line : settings_.end_gcode) sink(Verbatim{line});
-}
-
-void MotionBuilder::park(const Sink& sink) {
-  if (!state_.begun || ended_) return;
-  leave(sink);
 }
 
 double MotionBuilder::speed_mm_s(RoadKind kind) const {

@@ -74,11 +74,6 @@ class MotionBuilder {
   // Nothing when it never began.
   void finish(const Sink& sink);
 
-  // For a stop in between: as finish(), without the user's end G-code.
-  void park(const Sink& sink);
-
-  // True from the first layer with roads on.
-  [[nodiscard]] bool begun() const { return state_.begun; }
   [[nodiscard]] const MotionTotals& totals() const { return totals_; }
 
   // Between two layers. A builder of the same settings that gets this state goes on with the very
@@ -101,7 +96,6 @@ class MotionBuilder {
   void retract(const Sink& sink);
   void unretract(const Sink& sink);
   void lift(Length to, const Sink& sink);
-  void leave(const Sink& sink);
   [[nodiscard]] double speed_mm_s(RoadKind kind) const;
 
   Settings settings_;

@@ -6,6 +6,7 @@
 
 #include "core/check.h"   // RIND_CHECK
 #include "core/limits.h"  // kCoordinateMax
+#include "core/vector.h"  // Vector, dot, cross, left_of
 
 namespace core {
 namespace {
@@ -14,19 +15,6 @@ namespace {
 constexpr double kCrossingErrorMax = 0.5;
 // Below this angle (as a sine) the meeting of two offset lines is not computed from the lines.
 constexpr double kParallel = 1e-6;
-
-struct Vector {
-  double x = 0;
-  double y = 0;
-};
-
-Vector operator+(Vector a, Vector b) { return {a.x + b.x, a.y + b.y}; }
-Vector operator-(Vector a, Vector b) { return {a.x - b.x, a.y - b.y}; }
-Vector operator*(Vector a, double k) { return {a.x * k, a.y * k}; }
-double dot(Vector a, Vector b) { return a.x * b.x + a.y * b.y; }
-double turn(Vector a, Vector b) { return a.x * b.y - a.y * b.x; }
-Vector left_of(Vector a) { return {-a.y, a.x}; }
-Vector to_vector(Point p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
 
 Vector unit_along(const VoronoiSite& site) {
   const Vector along = to_vector(site.b) - to_vector(site.a);
@@ -219,7 +207,7 @@ class Walk {
       const double opening = 1 + dot(normal_a, normal_b);
       return to_vector(corner) + (normal_a + normal_b) * (radius_ / opening);
     }
-    const double sine = turn(normal_a, normal_b);
+    const double sine = cross(normal_a, normal_b);
     if (std::abs(sine) < kParallel) return {NAN, NAN};
     const Vector origin = to_vector(a.a);
     const double to_b = radius_ + dot(normal_b, to_vector(b.a) - origin);

@@ -13,13 +13,19 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/settings.h"  // Settings
-#include "core/units.h"     // Length
+#include "core/settings.h"      // Settings
+#include "core/slices/slice.h"  // Slice
+#include "core/units.h"         // Length
 
 namespace core {
 
-// sqrt(w² − z²), rounded to the nearest unit; z is given doubled because a mid-plane can lie
-// between two units. REQUIRES: 0 <= 2z <= 2w.
+// Twice the height of a layer's mid-plane. Doubled, here and below, because a mid-plane can lie
+// between two units.
+[[nodiscard]] Length doubled_middle(const Slice& slice);
+// Twice the distance from the mid-plane of `from` to the near face of `to`; 0 for the same layer.
+[[nodiscard]] Length doubled_distance(const Slice& from, const Slice& to);
+
+// sqrt(w² − z²), rounded to the nearest unit. REQUIRES: 0 <= 2z <= 2w.
 [[nodiscard]] Length ball_depth(Length wall_thickness, Length doubled_distance);
 
 // For distances of 0, 1, 2 … layers of this height, the deepest first; one entry for a cylinder, a

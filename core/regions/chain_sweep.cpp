@@ -179,11 +179,6 @@ class Sweep {
     return false;
   }
 
-  static Box box_of(const Segment& s) {
-    return {{std::min(s.from.x, s.to.x), std::min(s.from.y, s.to.y)},
-            {std::max(s.from.x, s.to.x), std::max(s.from.y, s.to.y)}};
-  }
-
   // Closed segments with overlapping boxes have a point in common.
   static bool touch(const Segment& a, const Segment& b) {
     if (sign(cross(a.from, a.to, b.from)) * sign(cross(a.from, a.to, b.to)) > 0) return false;

@@ -10,23 +10,6 @@
 namespace core {
 namespace {
 
-Box box_of(const Segment& edge) {
-  Box box;
-  box.add(edge.from);
-  box.add(edge.to);
-  return box;
-}
-
-std::vector<Segment> edges_of(const std::vector<Ring>& rings) {
-  std::vector<Segment> edges;
-  for (const Ring& ring : rings) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      edges.push_back({ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]});
-    }
-  }
-  return edges;
-}
-
 class EdgeGrid {
  public:
   // REQUIRES: edges is not empty, and outlives the grid.

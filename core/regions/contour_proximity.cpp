@@ -7,38 +7,30 @@
 #include "core/geometry.h"              // Point, Ring
 #include "core/regions/polyline.h"      // between, distance_mm
 #include "core/regions/segment_grid.h"  // SegmentGrid
+#include "core/vector.h"                // Vector, dot
 
 namespace core {
 namespace {
 
-struct Place {
-  double x = 0;
-  double y = 0;
-};
-
-Place place(Point p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
-
-double squared(Place a, Place b) { return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y); }
+double squared_distance(Vector a, Vector b) { return dot(a - b, a - b); }
 
 // Goes forward along a ring, from corner to corner or to a place before the next one.
 class Walker {
  public:
   Walker(const Ring& ring, std::size_t corner) : ring_(&ring), next_corner_(corner) {
-    next_ = place(ring[corner]);
+    next_ = to_vector(ring[corner]);
     pass();
   }
 
-  [[nodiscard]] Place next() const { return next_; }
+  [[nodiscard]] Vector next() const { return next_; }
 
-  // Where along the edge that it is on the place nearest to p is: 0 its begin, 1 its end.
-  [[nodiscard]] double share_at(Place p) const {
-    return ((p.x - from_.x) * dx_ + (p.y - from_.y) * dy_) * per_length2_;
-  }
+  // Where along the edge that it is on the place nearest to p is: 0 its start, 1 its end.
+  [[nodiscard]] double share_at(Vector p) const { return dot(p - from_, along_) * per_length2_; }
 
   // The place there, but neither behind where it is nor beyond the edge.
-  [[nodiscard]] Place ahead(double share) const {
+  [[nodiscard]] Vector ahead(double share) const {
     const double t = std::min(std::max(share, share_), 1.0);
-    return {from_.x + t * dx_, from_.y + t * dy_};
+    return from_ + along_ * t;
   }
 
   void go_to(double share) { share_ = std::min(std::max(share, share_), 1.0); }
@@ -47,10 +39,9 @@ class Walker {
   void pass() {
     from_ = next_;
     next_corner_ = next_corner_ + 1 < ring_->size() ? next_corner_ + 1 : 0;
-    next_ = place((*ring_)[next_corner_]);
-    dx_ = next_.x - from_.x;
-    dy_ = next_.y - from_.y;
-    const double length2 = dx_ * dx_ + dy_ * dy_;
+    next_ = to_vector((*ring_)[next_corner_]);
+    along_ = next_ - from_;
+    const double length2 = dot(along_, along_);
     per_length2_ = length2 > 0 ? 1 / length2 : 0;
     share_ = 0;
   }
@@ -58,9 +49,7 @@ class Walker {
  private:
   const Ring* ring_;
   std::size_t next_corner_;
-  Place from_, next_;
-  double dx_ = 0;
-  double dy_ = 0;
+  Vector from_, next_, along_;
   double per_length2_ = 0;
   double share_ = 0;
 };
@@ -68,33 +57,33 @@ class Walker {
 // Goes on to the next corner of `ahead`, and with `beside` as near to it as it may. False when the
 // leash is too short for that.
 bool go_on(Walker& ahead, Walker& beside, double share, double reach2) {
-  if (squared(ahead.next(), beside.ahead(share)) > reach2) return false;
+  if (squared_distance(ahead.next(), beside.ahead(share)) > reach2) return false;
   beside.go_to(share);
   ahead.pass();
   return true;
 }
 
 // The corner before the ring's place that is nearest to p, as a rule: beside the nearest corner.
-std::size_t start_corner(const Ring& ring, Place p) {
+std::size_t start_corner(const Ring& ring, Vector p) {
   std::size_t best = 0;
   double least = std::numeric_limits<double>::max();
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    const double away = squared(p, place(ring[i]));
+    const double away = squared_distance(p, to_vector(ring[i]));
     if (away >= least) continue;
     least = away;
     best = i;
   }
   const std::size_t before = best > 0 ? best - 1 : ring.size() - 1;
   const Walker last(ring, before);
-  return squared(p, last.ahead(last.share_at(p))) < least ? before : best;
+  return squared_distance(p, last.ahead(last.share_at(p))) < least ? before : best;
 }
 
 bool frechet_within(const Ring& ring, const Ring& other, double reach2) {
-  const Place start = place(ring.front());
+  const Vector start = to_vector(ring.front());
   Walker a(ring, 0);
   Walker b(other, start_corner(other, start));
   b.go_to(b.share_at(start));
-  if (squared(start, b.ahead(0)) > reach2) return false;
+  if (squared_distance(start, b.ahead(0)) > reach2) return false;
   const std::size_t steps_max = 2 * (ring.size() + other.size());
   std::size_t passed = 0;
   for (std::size_t i = 0; i < steps_max && passed < ring.size(); ++i) {

@@ -1,4 +1,4 @@
-// Small measures on points and polylines, in mm.
+// Small measures on points and polylines.
 #pragma once
 
 #include <cmath>
@@ -9,10 +9,14 @@
 
 namespace core {
 
-[[nodiscard]] inline double distance_mm(Point a, Point b) {
+[[nodiscard]] inline double distance_units(Point a, Point b) {
   const double dx = static_cast<double>(b.x) - a.x;
   const double dy = static_cast<double>(b.y) - a.y;
-  return std::sqrt(dx * dx + dy * dy) / kUnitsPerMm;
+  return std::sqrt(dx * dx + dy * dy);
+}
+
+[[nodiscard]] inline double distance_mm(Point a, Point b) {
+  return distance_units(a, b) / kUnitsPerMm;
 }
 
 // The way back to the start included where closed.

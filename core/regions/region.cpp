@@ -1,7 +1,9 @@
 #include "core/regions/region.h"
 
 #include <cmath>
+#include <iterator>
 #include <optional>
+#include <utility>
 
 #include "core/trigonometry.h"  // hypotenuse
 #include "core/units.h"         // kUnitsPerMm
@@ -32,12 +34,6 @@ Side side_of_ring(const Ring& ring, std::int64_t x, std::int64_t y) {
     if (a_above && left < right) --winding;
   }
   return winding != 0 ? Side::kInside : Side::kOutside;
-}
-
-Box box_of(const Ring& ring) {
-  Box box;
-  for (const Point p : ring) box.add(p);
-  return box;
 }
 
 // The rings may touch, so a vertex on the other's boundary decides nothing.
@@ -108,6 +104,18 @@ double doubled_area_units(const Ring& ring) {
     doubled += static_cast<double>(cross(ring[0], ring[i - 1], ring[i]));
   }
   return doubled;
+}
+
+void append_rings(Island island, std::vector<Ring>& rings) {
+  rings.push_back(std::move(island.outer));
+  rings.insert(rings.end(), std::make_move_iterator(island.holes.begin()),
+               std::make_move_iterator(island.holes.end()));
+}
+
+Region region_of(Island island) {
+  std::vector<Ring> rings;
+  append_rings(std::move(island), rings);
+  return Region::from_clean_rings(std::move(rings));
 }
 
 std::vector<Island> islands(const Region& region) {

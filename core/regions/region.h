@@ -52,6 +52,10 @@ struct Island {
   std::vector<Ring> holes;
 };
 
+// Appends the outer ring, then the holes.
+void append_rings(Island island, std::vector<Ring>& rings);
+[[nodiscard]] Region region_of(Island island);
+
 // The connected pieces, each with its own holes; islands within holes are islands of their own.
 // COSTS: O(rings · points) at worst.
 [[nodiscard]] std::vector<Island> islands(const Region& region);

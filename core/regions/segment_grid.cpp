@@ -19,10 +19,7 @@ bool touch(const Segment& a, const Segment& b) {
   const int b0 = sign(cross(a.from, a.to, b.from));
   const int b1 = sign(cross(a.from, a.to, b.to));
   if (a0 == 0 && a1 == 0) {
-    Box box_a, box_b;
-    box_a.add(a.from), box_a.add(a.to);
-    box_b.add(b.from), box_b.add(b.to);
-    return box_a.overlaps(box_b);
+    return box_of(a).overlaps(box_of(b));
   }
   return a0 * a1 <= 0 && b0 * b1 <= 0;
 }
@@ -38,24 +35,10 @@ double distance2_units(Point point, const Segment& segment) {
   return x * x + y * y;
 }
 
-std::vector<Segment> sides(const Region& region) {
-  std::vector<Segment> all;
-  all.reserve(region.point_count());
-  for (const Ring& ring : region.rings()) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      all.push_back({ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]});
-    }
-  }
-  return all;
-}
-
 }  // namespace
 
-double distance_units(Point point, const Segment& segment) {
-  return std::sqrt(distance2_units(point, segment));
-}
-
-SegmentGrid::SegmentGrid(Length cell, const Region& region) : SegmentGrid(cell, sides(region)) {}
+SegmentGrid::SegmentGrid(Length cell, const Region& region)
+    : SegmentGrid(cell, edges_of(region.rings())) {}
 
 SegmentGrid::SegmentGrid(Length cell, std::vector<Segment> segments)
     : segments_(std::move(segments)), cell_(cell.units()) {

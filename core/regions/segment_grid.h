@@ -52,7 +52,4 @@ class SegmentGrid {
   std::vector<std::uint32_t> entries_;  // segments
 };
 
-// Distance of a point from a segment, in units.
-[[nodiscard]] double distance_units(Point point, const Segment& segment);
-
 }  // namespace core

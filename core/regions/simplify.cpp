@@ -6,34 +6,26 @@
 #include <utility>
 #include <vector>
 
+#include "core/vector.h"  // Vector, dot, cross
+
 namespace core {
 namespace {
 
 // Rounding moves a point by at most 0.71 units, and a line between two such points as much.
 constexpr double kRoundingUnits = 1;
 
-struct Direction {
-  double x = 0;
-  double y = 0;
-};
-
-Direction towards(Point from, Point to) {
-  return {static_cast<double>(to.x) - from.x, static_cast<double>(to.y) - from.y};
-}
-
-double cross(Direction a, Direction b) { return a.x * b.y - a.y * b.x; }
-double dot(Direction a, Direction b) { return a.x * b.x + a.y * b.y; }
+Vector towards(Point from, Point to) { return to_vector(to) - to_vector(from); }
 
 // How far p is from the straight line from a to b, squared.
 double squared_distance(Point p, Point a, Point b) {
-  const Direction along = towards(a, b), to_p = towards(a, p);
+  const Vector along = towards(a, b), to_p = towards(a, p);
   const double squared = dot(along, along), place = dot(along, to_p);
   if (place <= 0) return dot(to_p, to_p);
   if (place >= squared) {
-    const Direction from_b = towards(b, p);
+    const Vector from_b = towards(b, p);
     return dot(from_b, from_b);
   }
-  const auto doubled_area = static_cast<double>(core::cross(a, b, p));
+  const auto doubled_area = static_cast<double>(cross(a, b, p));
   return doubled_area * doubled_area / squared;
 }
 
@@ -49,7 +41,7 @@ class Sleeve {
   // Whether a line to `to` passes all points taken so far.
   [[nodiscard]] bool holds(Point to) const {
     if (empty_) return true;
-    const Direction d = towards(from_, to);
+    const Vector d = towards(from_, to);
     return cross(right_, d) >= 0 && cross(d, left_) >= 0 && dot(d, last_) >= dot(last_, last_);
   }
 
@@ -59,8 +51,8 @@ class Sleeve {
     if (length <= tolerance_) return;
     // Turned by the angle at which the tolerance is seen.
     const double sine = tolerance_ / length, cosine = std::sqrt(1 - sine * sine);
-    const Direction left{last_.x * cosine - last_.y * sine, last_.y * cosine + last_.x * sine};
-    const Direction right{last_.x * cosine + last_.y * sine, last_.y * cosine - last_.x * sine};
+    const Vector left{last_.x * cosine - last_.y * sine, last_.y * cosine + last_.x * sine};
+    const Vector right{last_.x * cosine + last_.y * sine, last_.y * cosine - last_.x * sine};
     left_ = empty_ || cross(left, left_) > 0 ? left : left_;
     right_ = empty_ || cross(right, right_) < 0 ? right : right_;
     empty_ = false;
@@ -69,7 +61,7 @@ class Sleeve {
  private:
   Point from_;
   double tolerance_;
-  Direction last_, left_, right_;
+  Vector last_, left_, right_;
   bool empty_ = true;
 };
 
@@ -147,7 +139,7 @@ class ChordSplitter {
 
 std::size_t farthest_from_first(const Ring& ring) {
   const auto squared = [&ring](Point p) {
-    const Direction d = towards(ring.front(), p);
+    const Vector d = towards(ring.front(), p);
     return dot(d, d);
   };
   std::size_t farthest = 0;

@@ -6,6 +6,7 @@
 
 #include "core/booleans/boolean.h"  // clean
 #include "core/trigonometry.h"      // arc_tangent, cosine, sine
+#include "core/vector.h"            // Vector, dot, cross, left_of
 
 namespace core {
 
@@ -17,29 +18,20 @@ constexpr double kTurnCosine = 0.95;
 // One corner of the round side for each such part of a turn.
 constexpr double kRoundPart = std::numbers::pi / 4;
 
-struct Direction {
-  double x = 0;
-  double y = 0;
-};
-
-double dot(Direction a, Direction b) { return a.x * b.x + a.y * b.y; }
-double cross(Direction a, Direction b) { return a.x * b.y - a.y * b.x; }
-Direction left_of(Direction d) { return {-d.y, d.x}; }
-
-Point moved(Point p, Direction d, double by) {
+Point moved(Point p, Vector d, double by) {
   return {static_cast<std::int32_t>(std::lround(p.x + d.x * by)),
           static_cast<std::int32_t>(std::lround(p.y + d.y * by))};
 }
 
 // Where one piece of road ends and the next one begins.
 struct Corner {
-  Direction in;
-  Direction out;
+  Vector in;
+  Vector out;
 
   [[nodiscard]] bool sharp() const { return dot(in, out) < kTurnCosine; }
   [[nodiscard]] bool to_the_left() const { return cross(in, out) > 0; }
   // To the left mitre point of a bead of half width 1.
-  [[nodiscard]] Direction mitre() const {
+  [[nodiscard]] Vector mitre() const {
     const double share = 1 / (1 + dot(in, out));
     return {-(in.y + out.y) * share, (in.x + out.x) * share};
   }
@@ -108,7 +100,7 @@ class BeadOutline {
   void begin(std::size_t piece) {
     const bool joins = closed_ && piece == 0 && !inverted(before(piece));
     const Corner corner{along_[before(piece)], along_[piece]};
-    const Direction side = joins && !corner.sharp() ? corner.mitre() : left_of(along_[piece]);
+    const Vector side = joins && !corner.sharp() ? corner.mitre() : left_of(along_[piece]);
     add_both(points_[piece], side);
   }
 
@@ -125,7 +117,7 @@ class BeadOutline {
     left_.clear();
   }
 
-  void add_both(Point at, Direction left) {
+  void add_both(Point at, Vector left) {
     left_.push_back(moved(at, left, half_));
     right_.push_back(moved(at, left, -half_));
   }
@@ -146,19 +138,18 @@ class BeadOutline {
         arc_tangent(std::abs(cross(corner.in, corner.out)), dot(corner.in, corner.out));
     const int parts = static_cast<int>(std::ceil(turn / kRoundPart));
     const double reach = half_ / cosine(turn / parts / 2);
-    const Direction normal = left_of(corner.in);
+    const Vector normal = left_of(corner.in);
     for (int i = 0; i < parts; ++i) {
       const double angle = side * (i + 0.5) * turn / parts;
       const double cosine = core::cosine(angle), sine = core::sine(angle);
-      const Direction turned{normal.x * cosine - normal.y * sine,
-                             normal.x * sine + normal.y * cosine};
+      const Vector turned{normal.x * cosine - normal.y * sine, normal.x * sine + normal.y * cosine};
       outer.push_back(moved(at, turned, -side * reach));
     }
   }
 
   // A rectangle, and octagons over its ends.
   void add_alone(std::size_t piece) {
-    const Direction left = left_of(along_[piece]);
+    const Vector left = left_of(along_[piece]);
     const Point a = points_[piece], b = to(piece);
     outlines_.push_back({moved(a, left, -half_), moved(b, left, -half_), moved(b, left, half_),
                          moved(a, left, half_)});
@@ -182,10 +173,10 @@ class BeadOutline {
   bool closed_ = false;
   std::size_t pieces_ = 0;
   std::vector<Point> points_;
-  std::vector<double> lengths_;   // by piece, in units
-  std::vector<Direction> along_;  // by piece
-  Ring right_;                    // of the outline in work, forward
-  Ring left_;                     // forward, too
+  std::vector<double> lengths_;  // by piece, in units
+  std::vector<Vector> along_;    // by piece
+  Ring right_;                   // of the outline in work, forward
+  Ring left_;                    // forward, too
 };
 
 }  // namespace

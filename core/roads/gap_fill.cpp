@@ -42,8 +42,10 @@ std::vector<Region> pieces_of(const Region& rest, const Settings& settings) {
   const double narrowest = settings.road_width_min.mm();
   std::vector<Region> kept;
   for (Island& island : islands(simplified(rest, settings.simplify_tolerance * 2))) {
-    std::vector<Ring> rings = std::move(island.holes);
-    rings.push_back(std::move(island.outer));
+    std::vector<Ring> rings;
+    append_rings(std::move(island), rings);
+    // The outer ring last: the lines along the medial axis come in this order.
+    std::rotate(rings.begin(), rings.begin() + 1, rings.end());
     Region piece = Region::from_clean_rings(std::move(rings));
     const double area = piece.area_mm2();
     if (area < kCrumbSquares * narrowest * narrowest) continue;

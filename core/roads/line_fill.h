@@ -10,20 +10,38 @@
 // but one.
 #pragma once
 
-#include "core/roads/fill.h"  // FillArea, FillPattern
+#include <vector>
+
+#include "core/regions/region.h"  // Region
+#include "core/roads/road.h"      // Road, RoadKind
+#include "core/units.h"           // LayerIndex, Length
 
 namespace core {
 
-class LineFill : public FillPattern {
+// What is to be filled, and with what.
+struct FillArea {
+  const Region& region;  // to be filled
+  const Region& within;  // where centre lines may go when `anchor` makes them longer
+  LayerIndex layer = 0;
+  RoadKind kind = RoadKind::kSolid;
+  Length width;     // of the roads
+  Length distance;  // of neighbouring centre lines
+  Length inset;     // how deep inside the region centre lines start
+  Length anchor;    // how much longer they are at both ends, beyond the region but inside `within`
+};
+
+class LineFill {
  public:
   enum class Joins { kNone, kNearEnds };
 
   // The angle of even layers' rows against the x axis.
   LineFill(double angle_degrees, Joins joins) : angle_degrees_(angle_degrees), joins_(joins) {}
 
+  // ENSURES: every road has two points or more and stays inside the region, or inside `within`
+  // where it is anchored.
   // COSTS: O(points + crossings of rows and edges · log).
   // REQUIRES: area.distance > 0.
-  [[nodiscard]] std::vector<Road> fill(const FillArea& area) const override;
+  [[nodiscard]] std::vector<Road> fill(const FillArea& area) const;
 
  private:
   double angle_degrees_;

@@ -12,6 +12,7 @@
 #include "core/roads/cell_curves.h"      // EdgeCurve, CornerCurve
 #include "core/roads/lower_envelope.h"   // LowerEnvelope
 #include "core/trigonometry.h"           // arc_tangent, cosine, sine, hypotenuse
+#include "core/vector.h"                 // Vector, dot, left_of
 
 namespace core {
 namespace {
@@ -24,15 +25,6 @@ constexpr double kStretchClearances = 4;
 
 // A vertex lower than this may end a line: a corner of the contour.
 constexpr double kCornerHeight = 4;
-
-struct Vector {
-  double x = 0, y = 0;
-};
-
-double dot(Vector a, Vector b) { return a.x * b.x + a.y * b.y; }
-Vector minus(Vector a, Vector b) { return {a.x - b.x, a.y - b.y}; }
-Vector left_of(Vector d) { return {-d.y, d.x}; }
-Vector vector(Point p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
 
 struct Edge {
   Vector from;
@@ -47,7 +39,7 @@ class NarrowDiagram {
  public:
   NarrowDiagram(const std::vector<Ring>& rings, double clearance_max)
       : clearance_max_(clearance_max),
-        grid_(Length::from_units(1 + std::llround(clearance_max)), segments_of(rings)) {
+        grid_(Length::from_units(1 + std::llround(clearance_max)), edges_of(rings)) {
     add_sites(rings);
   }
 
@@ -62,16 +54,6 @@ class NarrowDiagram {
   }
 
  private:
-  static std::vector<Segment> segments_of(const std::vector<Ring>& rings) {
-    std::vector<Segment> segments;
-    for (const Ring& ring : rings) {
-      for (std::size_t i = 0; i < ring.size(); ++i) {
-        segments.push_back({ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]});
-      }
-    }
-    return segments;
-  }
-
   // Edges have the first numbers, in the order of the grid's segments; reflex corners follow.
   void add_sites(const std::vector<Ring>& rings) {
     for (const Ring& ring : rings) {
@@ -79,9 +61,9 @@ class NarrowDiagram {
       const auto count = static_cast<std::uint32_t>(ring.size());
       for (std::uint32_t i = 0; i < count; ++i) {
         const Point a = ring[i], b = ring[i + 1 < count ? i + 1 : 0];
-        const Vector along = minus(vector(b), vector(a));
+        const Vector along = to_vector(b) - to_vector(a);
         const double length = std::sqrt(dot(along, along));
-        edges_.push_back({vector(a),
+        edges_.push_back({to_vector(a),
                           {along.x / length, along.y / length},
                           length,
                           first + (i > 0 ? i : count) - 1,
@@ -169,7 +151,7 @@ class NarrowDiagram {
     const Edge& edge = edges_[site];
     const Edge& to = edges_[other];
     const Vector normal = left_of(edge.along), to_normal = left_of(to.along);
-    const Vector away = minus(to.from, edge.from);
+    const Vector away = to.from - edge.from;
     const double u = dot(away, edge.along), h = dot(away, normal);
     const double turn = dot(edge.along, to.along);
     const bool own_corner = other == edge.after || other == site;
@@ -251,7 +233,7 @@ class NarrowDiagram {
 
   void add_corner_curves(std::uint32_t own, std::uint32_t other, Vector middle, Vector across) {
     const Edge& to = edges_[other];
-    const Vector away = minus(to.from, edges_[own].from);
+    const Vector away = to.from - edges_[own].from;
     if (to.corner != UINT32_MAX && other != own) {
       const double share = 2 / dot(away, away);
       CornerCurve curve{0, share * dot(away, middle), share * dot(away, across)};

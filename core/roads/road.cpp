@@ -16,8 +16,4 @@ double bead_area_mm2(Length width, Length height) {
   return h * (w - h) + std::numbers::pi * h * h / 4;
 }
 
-Length road_spacing(Length width, Length height) {
-  return Length::from_mm(bead_area_mm2(width, height) / height.mm());
-}
-
 }  // namespace core

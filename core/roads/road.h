@@ -35,8 +35,4 @@ struct Road {
 //       ←── w ──→
 [[nodiscard]] double bead_area_mm2(Length width, Length height);
 
-// Distance between neighbouring roads at which the beads fill the layer without a void:
-// bead area / h = w − h (1 − π/4).
-[[nodiscard]] Length road_spacing(Length width, Length height);
-
 }  // namespace core

@@ -124,7 +124,7 @@ std::vector<Road> printing_order(std::vector<Road> roads, const Region& slice, P
   std::vector<Outline> outlines;
   for (Island& island : islands(slice)) {
     Outline outline{std::move(island.outer), {}, 0};
-    for (const Point p : outline.ring) outline.box.add(p);
+    outline.box = box_of(outline.ring);
     outline.area = doubled_area_units(outline.ring);
     outlines.push_back(std::move(outline));
   }

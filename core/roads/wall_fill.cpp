@@ -41,13 +41,6 @@ constexpr double kBandSquaresMin = 4;
 
 Length scaled(Length length, double factor) { return Length::from_mm(length.mm() * factor); }
 
-Region region_of(Island island) {
-  std::vector<Ring> rings = {std::move(island.outer)};
-  rings.insert(rings.end(), std::make_move_iterator(island.holes.begin()),
-               std::make_move_iterator(island.holes.end()));
-  return Region::from_clean_rings(std::move(rings));
-}
-
 double breadth_mm(const Region& region) { return 2 * region.area_mm2() / region.perimeter_mm(); }
 
 Length width_of_area(double area_mm2, Length height) {

@@ -1,11 +1,9 @@
-// The window once more, for those who want to see why a spot is wall: layers that are split
-// already, each handed on when all that reach into its wall are known.
+// A window of layers that are split already, for pictures that show why a spot is wall. A layer is
+// handed on when all layers that decide its wall are known.
 //
 //     push(n) ──▶ │ n−2T … │ n−T │ … n │ ──▶ next(): layer() is n−T, neighbours() all around it
 //
-// Which neighbours those are, and at what depth each counts, is what the wall's shape says: the
-// paper's cylinder T layers at one depth, the ball all nearer than w at depths of their own
-// (wall_depths.h). The splitter decides by its own count; what is told here is an independent one.
+// wall_reach.h says which layers those are, and how deep the wall reaches into each.
 #pragma once
 
 #include <cstddef>
@@ -16,6 +14,7 @@
 #include "core/slices/slice.h"       // Slice
 #include "core/units.h"              // Length
 #include "core/walls/split_layer.h"  // SplitLayer
+#include "core/walls/wall_reach.h"   // WallReach
 
 namespace core {
 
@@ -23,8 +22,7 @@ class LayerWindow {
  public:
   struct Neighbour {
     const SplitLayer* layer = nullptr;
-    Length depth;       // how deep below this one's contours the wall reaches
-    Length vertically;  // from the middle of layer() to its near face; 0 for layer() itself
+    Length depth;  // how deep below this one's contours the wall reaches
   };
 
   // REQUIRES: settings validated.
@@ -40,7 +38,7 @@ class LayerWindow {
   [[nodiscard]] bool next();
 
   // REQUIRES of all that follow: next() returned true.
-  [[nodiscard]] const SplitLayer& layer() const { return layers_[place_]; }
+  [[nodiscard]] const SplitLayer& layer() const { return layers_[current_]; }
   // layer() itself first, then from the nearest outwards.
   [[nodiscard]] std::vector<Neighbour> neighbours() const;
   // The bed or the part's end is that near: what is beyond counts as outside.
@@ -50,15 +48,13 @@ class LayerWindow {
   [[nodiscard]] std::size_t layers_held() const { return layers_.size(); }
 
  private:
-  [[nodiscard]] bool within_reach(const Slice& from, const Slice& to) const;
-  [[nodiscard]] bool reaches_below(const Slice& slice) const;
   [[nodiscard]] bool all_above_known(const Slice& slice) const;
 
   Settings settings_;
-  bool cylinder_;
+  WallReach reach_;
   RingBuffer<SplitLayer> layers_;
-  std::size_t place_ = 0;  // of layer()
-  std::size_t next_ = 0;   // of the one after it
+  std::size_t current_ = 0;  // the number in the window of layer()
+  std::size_t next_ = 0;     // of the one after it
   bool finished_ = false;
 };
 

@@ -63,12 +63,10 @@ WallRegions wall_regions(const LayerWindow& window) {
     rest = subtract(rest, *region);
   }
   std::vector<Ring> kept;
-  for (const Island& island : islands(rest)) {
-    std::vector<Ring> rings{island.outer};
-    rings.insert(rings.end(), island.holes.begin(), island.holes.end());
-    const Region piece = Region::from_clean_rings(rings);
+  for (Island& island : islands(rest)) {
+    const Region piece = region_of(std::move(island));
     if (2 * piece.area_mm2() < kFurtherWidthMin.mm() * piece.perimeter_mm()) continue;
-    kept.insert(kept.end(), rings.begin(), rings.end());
+    kept.insert(kept.end(), piece.rings().begin(), piece.rings().end());
   }
   regions.further = Region::from_clean_rings(std::move(kept));
   return regions;

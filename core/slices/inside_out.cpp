@@ -6,8 +6,8 @@
 #include <numeric>
 
 #include "core/booleans/boolean.h"  // clean
+#include "core/regions/polyline.h"  // distance_units
 #include "core/regions/region.h"    // doubled_area_units
-#include "core/trigonometry.h"      // hypotenuse
 
 namespace core {
 namespace {
@@ -18,21 +18,11 @@ constexpr std::int64_t kBesideUnits = 2;
 // Slivers are up to about so wide.
 constexpr double kSliverUnits = 4;
 
-double length_units(Point a, Point b) {
-  return hypotenuse(static_cast<double>(b.x) - a.x, static_cast<double>(b.y) - a.y);
-}
-
-Box box_of(const Ring& ring) {
-  Box box;
-  for (const Point p : ring) box.add(p);
-  return box;
-}
-
 // Places at equal distances along the ring.
 std::vector<Point> samples_of(const Ring& ring) {
   double length = 0;
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    length += length_units(ring[i], ring[(i + 1) % ring.size()]);
+    length += distance_units(ring[i], ring[(i + 1) % ring.size()]);
   }
   const double step = length / kTurnSamples;
   std::vector<Point> samples;
@@ -40,7 +30,7 @@ std::vector<Point> samples_of(const Ring& ring) {
   double next = step / 2, behind = 0;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Point a = ring[i], b = ring[(i + 1) % ring.size()];
-    const double edge = length_units(a, b);
+    const double edge = distance_units(a, b);
     for (; edge > 0 && next <= behind + edge && samples.size() < kTurnSamples; next += step) {
       const double share = (next - behind) / edge;
       samples.push_back(
@@ -57,7 +47,7 @@ bool beside(Point p, Point a, Point b) {
     return false;
   }
   const double distance = std::abs(static_cast<double>(cross(a, b, p)));
-  return distance <= static_cast<double>(kBesideUnits) * length_units(a, b);
+  return distance <= static_cast<double>(kBesideUnits) * distance_units(a, b);
 }
 
 // How often the ring winds around the place; nothing where it passes by.
@@ -217,7 +207,7 @@ std::optional<Point> broad_reverse(std::vector<Ring> rings) {
   for (const Ring& ring : reverse.rings()) {
     double length = 0;
     for (std::size_t i = 0; i < ring.size(); ++i) {
-      length += length_units(ring[i], ring[(i + 1) % ring.size()]);
+      length += distance_units(ring[i], ring[(i + 1) % ring.size()]);
     }
     if (std::abs(doubled_area_units(ring)) > kSliverUnits * length) return ring.front();
   }

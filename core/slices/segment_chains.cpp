@@ -8,9 +8,9 @@
 #include <tuple>
 #include <utility>
 
-#include "core/check.h"           // RIND_DCHECK
-#include "core/regions/region.h"  // doubled_area_units
-#include "core/trigonometry.h"    // hypotenuse
+#include "core/check.h"             // RIND_DCHECK
+#include "core/regions/polyline.h"  // distance_units
+#include "core/regions/region.h"    // doubled_area_units
 
 namespace core {
 namespace {
@@ -24,10 +24,6 @@ struct Link {
   SegmentIndex segment = 0;
   double length_units = 0;
 };
-
-double length_units(Point a, Point b) {
-  return hypotenuse(static_cast<double>(b.x) - a.x, static_cast<double>(b.y) - a.y);
-}
 
 std::vector<Point> unique_points(const std::vector<Segment>& segments) {
   std::vector<Point> points;
@@ -51,7 +47,7 @@ class Links {
     for (SegmentIndex i = 0; i < segments.size(); ++i) {
       const Segment& s = segments[i];
       if (s.from == s.to) continue;
-      links_.push_back({node(s.from), node(s.to), i, length_units(s.from, s.to)});
+      links_.push_back({node(s.from), node(s.to), i, distance_units(s.from, s.to)});
     }
     drop_copies();
     drop_reversed_pairs();

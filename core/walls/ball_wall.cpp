@@ -5,24 +5,11 @@
 #include "core/booleans/boolean.h"          // intersect, subtract_within
 #include "core/check.h"                     // RIND_CHECK
 #include "core/offsets/voronoi_mountain.h"  // offset
-#include "core/offsets/wall_depths.h"       // ball_depth
+#include "core/offsets/wall_depths.h"       // doubled_middle
 
 namespace core {
-namespace {
-
-Length doubled_middle(const Slice& slice) { return slice.bottom * 2 + slice.height; }
-
-// From the mid-plane of one layer to the near face of another; 0 for itself.
-Length doubled_distance(const Slice& from, const Slice& to) {
-  if (to.index == from.index) return {};
-  return to.index > from.index ? to.bottom * 2 - doubled_middle(from)
-                               : doubled_middle(from) - to.top() * 2;
-}
-
-}  // namespace
-
 BallWall::BallWall(Length wall_thickness, Length arc_tolerance)
-    : wall_thickness_(wall_thickness), arc_tolerance_(arc_tolerance) {
+    : wall_thickness_(wall_thickness), reach_(wall_thickness), arc_tolerance_(arc_tolerance) {
   RIND_CHECK(wall_thickness > Length() && arc_tolerance > Length());
 }
 
@@ -37,8 +24,8 @@ std::optional<SplitLayer> BallWall::next() {
   if (pending_ == window_.size()) return std::nullopt;
   const Layer& layer = window_[pending_];
   const Slice& newest = window_[window_.size() - 1].slice;
-  const bool near_bed = doubled_middle(layer.slice) < wall_thickness_ * 2;
-  const bool all_known = newest.top() * 2 - doubled_middle(layer.slice) >= wall_thickness_ * 2;
+  const bool near_bed = reach_.includes_bed(layer.slice);
+  const bool all_known = reach_.ends_within(newest, layer.slice);
   if (!near_bed && !all_known && !finished_) return std::nullopt;
 
   SplitLayer result{layer, layer.slice.region, {}};
@@ -68,28 +55,21 @@ std::optional<SplitLayer> BallWall::next() {
 std::vector<BallWall::Operand> BallWall::operands() const {
   const Slice& slice = window_[pending_].slice;
   std::vector<Operand> found;
-  const auto add = [&](std::size_t place) {
-    const Layer& other = window_[place];
-    const Length distance = doubled_distance(slice, other.slice);
-    if (distance >= wall_thickness_ * 2) return false;
+  visit_outwards(window_.size(), pending_, [&](std::size_t number) {
+    const Layer& other = window_[number];
+    if (!reach_.includes(slice, other.slice)) return false;
     const std::int64_t content = other.offsets->content;
-    const Length depth = ball_depth(wall_thickness_, distance);
+    const Length depth = reach_.depth(slice, other.slice);
     const auto equal = std::find_if(found.begin(), found.end(), [&](const Operand& operand) {
       return operand.content == content;
     });
     if (equal == found.end()) {
-      found.push_back({content, depth, place});
+      found.push_back({content, depth, number});
     } else if (equal->depth < depth) {
-      *equal = {content, depth, place};
+      *equal = {content, depth, number};
     }
     return true;
-  };
-  add(pending_);
-  bool up = true, down = true;
-  for (std::size_t i = 1; up || down; ++i) {
-    up = up && pending_ + i < window_.size() && add(pending_ + i);
-    down = down && i <= pending_ && add(pending_ - i);
-  }
+  });
   return found;
 }
 
@@ -98,7 +78,7 @@ std::vector<BallWall::Operand> BallWall::operands() const {
 Region BallWall::intersection(const std::vector<Operand>& operands) {
   Region common;
   for (const Operand& operand : operands) {
-    const Layer& layer = window_[operand.place];
+    const Layer& layer = window_[operand.layer];
     if (layer.slice.region.empty()) return {};
     const std::vector<InnerOffset>& inners = layer.offsets->wall_inners;
     const auto inner = std::find_if(inners.begin(), inners.end(), [&](const InnerOffset& offset) {

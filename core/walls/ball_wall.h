@@ -25,9 +25,9 @@
 #include "core/offsets/layer_offsets.h"  // Layer
 #include "core/regions/region.h"         // Region
 #include "core/ring_buffer.h"            // RingBuffer
-#include "core/slices/slice.h"           // Slice
 #include "core/units.h"                  // Length
 #include "core/walls/split_layer.h"      // SplitLayer
+#include "core/walls/wall_reach.h"       // WallReach
 
 namespace core {
 
@@ -61,18 +61,18 @@ class BallWall {
   struct Operand {
     std::int64_t content = 0;
     Length depth;
-    std::size_t place = 0;  // in the window
+    std::size_t layer = 0;  // its number in the window
   };
 
-  [[nodiscard]] bool reaches_out(const Slice& slice) const;
   [[nodiscard]] std::vector<Operand> operands() const;
   [[nodiscard]] Region intersection(const std::vector<Operand>& operands);
   void forget();
 
   Length wall_thickness_;
+  WallReach reach_;
   Length arc_tolerance_;
   RingBuffer<Layer> window_{kWindowLayersMax};
-  std::size_t pending_ = 0;  // place in the window of the layer that is settled next
+  std::size_t pending_ = 0;  // the number in the window of the layer that is settled next
   bool finished_ = false;
   std::size_t layers_held_peak_ = 0;
   int operations_ = 0;

@@ -33,8 +33,7 @@ Region without_small_islands(const Region& region, double area_min_mm2) {
   std::vector<Ring> kept;
   for (Island& island : islands(region)) {
     if (island_area_mm2(island) < area_min_mm2) continue;
-    kept.push_back(std::move(island.outer));
-    for (Ring& hole : island.holes) kept.push_back(std::move(hole));
+    append_rings(std::move(island), kept);
   }
   return Region::from_clean_rings(std::move(kept));
 }
@@ -49,8 +48,7 @@ Region without_tongues(const Region& loose, Length width_min, Length arc_toleran
   std::vector<Ring> tongues;
   for (Island& island : islands(lost)) {
     if (is_corner_bit(island, radius)) continue;
-    tongues.push_back(std::move(island.outer));
-    for (Ring& hole : island.holes) tongues.push_back(std::move(hole));
+    append_rings(std::move(island), tongues);
   }
   return subtract(loose, Region::from_clean_rings(std::move(tongues)));
 }

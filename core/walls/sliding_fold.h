@@ -17,7 +17,6 @@
 // range minima).
 #pragma once
 
-#include <bit>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -33,13 +32,6 @@ namespace core {
 template <typename Value, typename Combine>
 class SlidingFold {
  public:
-  // ⌈log2(window)⌉: the operations that a push costs at most.
-  static constexpr int operations_max(std::size_t window) {
-    return static_cast<int>(std::bit_width(window - 1));
-  }
-  // Partial folds held between pushes at most, single values included.
-  static constexpr std::size_t partials_max(std::size_t window) { return window - 1; }
-
   // REQUIRES: window >= 1
   explicit SlidingFold(std::size_t window, Combine combine = Combine())
       : combine_(std::move(combine)) {
@@ -49,7 +41,7 @@ class SlidingFold {
     if (window > width) kept_.emplace_back(window - width);
   }
 
-  // COSTS: at most operations_max(window) operations, on any call.
+  // COSTS: at most ⌈log2(window)⌉ operations, on any call.
   [[nodiscard]] std::optional<Value> push(Value value) {
     operations_ = 0;
     for (RingBuffer<Value>& ring : kept_) {
@@ -69,7 +61,7 @@ class SlidingFold {
 
   // Operations that the last push took.
   [[nodiscard]] int operations() const { return operations_; }
-  // ENSURES: partials_held() <= partials_max(window)
+  // Folds that are kept, single values included. ENSURES: partials_held() < window.
   [[nodiscard]] std::size_t partials_held() const { return partials_held_; }
 
  private:

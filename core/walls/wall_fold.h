@@ -67,8 +67,6 @@ class WallFold {
     return Settled{*std::move(item), std::nullopt};
   }
 
-  // Items taken so far.
-  [[nodiscard]] std::int64_t pushed() const { return pushed_; }
   // ENSURES: at most T between calls, T + 1 at the peak, which is within a push.
   [[nodiscard]] std::size_t items_held() const { return pending_.size(); }
   [[nodiscard]] std::size_t items_held_peak() const { return items_held_peak_; }

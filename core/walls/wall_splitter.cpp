@@ -9,9 +9,7 @@ namespace core {
 
 WallSplitter::WallSplitter(const Settings& settings)
     : wall_(std::in_place_type<BallWall>, settings.wall_thickness, settings.arc_tolerance) {
-  const bool by_layers =
-      settings.wall_shape == WallShape::kCylinder || settings.style == BuildStyle::kFast;
-  if (by_layers) wall_.emplace<Cylinder>(wall_layers(settings));
+  if (wall_counts_layers(settings)) wall_.emplace<Cylinder>(wall_layers(settings));
 }
 
 void WallSplitter::begin_at(LayerIndex first) {

@@ -17,16 +17,6 @@ using core::Segment;
 
 namespace {
 
-std::vector<Segment> edges_of(const std::vector<Ring>& rings) {
-  std::vector<Segment> edges;
-  for (const Ring& ring : rings) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      edges.push_back({ring[i], ring[(i + 1) % ring.size()]});
-    }
-  }
-  return edges;
-}
-
 int sign(std::int64_t value) { return (value > 0) - (value < 0); }
 
 // An interior crossing, or a stretch in common.
@@ -122,6 +112,10 @@ double distance_to_boundary(const std::vector<Ring>& rings, double x, double y) 
   return std::sqrt(nearest);
 }
 
+double distance_to_segment(Point point, const Segment& segment) {
+  return distance_to_boundary({{segment.from, segment.to}}, point.x, point.y);
+}
+
 double signed_distance(const Region& region, double x, double y) {
   const double distance = distance_to_boundary(region.rings(), x, y);
   return winding_number(region.rings(), x, y) > 0 ? distance : -distance;
@@ -129,10 +123,8 @@ double signed_distance(const Region& region, double x, double y) {
 
 double widest_difference(const Region& a, const Region& b) {
   double widest = 0;
-  for (const Island& island : core::islands(core::exclusive_or(a, b))) {
-    std::vector<Ring> rings = island.holes;
-    rings.push_back(island.outer);
-    const Region piece = Region::from_clean_rings(std::move(rings));
+  for (Island& island : core::islands(core::exclusive_or(a, b))) {
+    const Region piece = core::region_of(std::move(island));
     widest = std::max(widest, 2 * piece.area_mm2() / piece.perimeter_mm() * core::kUnitsPerMm);
   }
   return widest;

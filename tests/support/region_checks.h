@@ -17,6 +17,9 @@ int winding_number(const std::vector<core::Ring>& rings, double x, double y);
 // In units, to the nearest edge.
 double distance_to_boundary(const std::vector<core::Ring>& rings, double x, double y);
 
+// In units. REQUIRES: the segment has a length.
+double distance_to_segment(core::Point point, const core::Segment& segment);
+
 // Positive inside.
 double signed_distance(const core::Region& region, double x, double y);
 

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/regions/segment_grid.h"    // distance_units
-#include "tests/support/region_checks.h"  // signed_distance
+#include "tests/support/region_checks.h"  // distance_to_segment, signed_distance
 
 namespace test {
 
@@ -27,7 +26,7 @@ bool covered(core::Point point, const std::vector<core::Road>& roads) {
     bool near = false;
     each_piece(road, [&](const core::Segment& piece) {
       near =
-          near || 2 * core::distance_units(point, piece) <= static_cast<double>(road.width.units());
+          near || 2 * distance_to_segment(point, piece) <= static_cast<double>(road.width.units());
     });
     return near;
   });

@@ -36,7 +36,7 @@ void add_edges(const std::vector<Ring>& rings, Direction direction, Edges& edges
   }
 }
 
-Edges edges_of(const std::vector<Ring>& rings, Direction direction = Direction::kAsIs) {
+Edges directed_edges_of(const std::vector<Ring>& rings, Direction direction = Direction::kAsIs) {
   Edges edges;
   std::size_t count = 0;
   for (const Ring& ring : rings) count += ring.size();
@@ -95,10 +95,11 @@ Region clean(const std::vector<Ring>& rings, FillRule rule) {
     }
   }
   if (surely_clean(rings)) return Region::from_clean_rings(rings);
-  const Edges edges = edges_of(rings);
+  const Edges edges = directed_edges_of(rings);
   // Boost counts a point as covered where its winding number is above 0: where it is below, the
   // same rings turned round cover it.
-  const Edges turned = rule == FillRule::kNonZero ? edges_of(rings, Direction::kReversed) : Edges();
+  const Edges turned =
+      rule == FillRule::kNonZero ? directed_edges_of(rings, Direction::kReversed) : Edges();
   return combine(edges, turned, Operation::BOOLEAN_OR);
 }
 
@@ -106,19 +107,21 @@ Region unite(const Region& a, const Region& b) {
   if (a.empty() || a == b) return b;
   if (b.empty()) return a;
   if (apart(a, b)) return both(a, b);
-  return combine(edges_of(a.rings()), edges_of(b.rings()), Operation::BOOLEAN_OR);
+  return combine(directed_edges_of(a.rings()), directed_edges_of(b.rings()), Operation::BOOLEAN_OR);
 }
 
 Region intersect(const Region& a, const Region& b) {
   if (a.empty() || b.empty() || apart(a, b)) return {};
   if (a == b) return a;
-  return combine(edges_of(a.rings()), edges_of(b.rings()), Operation::BOOLEAN_AND);
+  return combine(directed_edges_of(a.rings()), directed_edges_of(b.rings()),
+                 Operation::BOOLEAN_AND);
 }
 
 Region subtract(const Region& a, const Region& b) {
   if (a.empty() || a == b) return {};
   if (b.empty() || apart(a, b)) return a;
-  return combine(edges_of(a.rings()), edges_of(b.rings()), Operation::BOOLEAN_NOT);
+  return combine(directed_edges_of(a.rings()), directed_edges_of(b.rings()),
+                 Operation::BOOLEAN_NOT);
 }
 
 Region exclusive_or(const Region& a, const Region& b) {
@@ -126,7 +129,8 @@ Region exclusive_or(const Region& a, const Region& b) {
   if (a.empty()) return b;
   if (b.empty()) return a;
   if (apart(a, b)) return both(a, b);
-  return combine(edges_of(a.rings()), edges_of(b.rings()), Operation::BOOLEAN_XOR);
+  return combine(directed_edges_of(a.rings()), directed_edges_of(b.rings()),
+                 Operation::BOOLEAN_XOR);
 }
 
 }  // namespace core::reference

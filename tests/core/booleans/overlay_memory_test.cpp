@@ -59,10 +59,6 @@ TEST_CASE("booleans of slices like those before allocate their results and nothi
   check_result_only(slices, core::unite);
   check_result_only(slices, core::subtract);
   check_result_only(slices, core::exclusive_or);
-  check_result_only(slices, [&](const Region& a, const Region& b) {
-    const Region* const operands[] = {&a, &b, &slices[0]};
-    return core::intersect_all(operands);
-  });
   check_result_only(slices, [](const Region& a, const Region&) { return a; });
   CHECK_GT(allocations, 100);
 }

@@ -110,31 +110,6 @@ TEST_CASE("consecutive slices") {
   }
 }
 
-TEST_CASE("the common part of many is what folding gives, to the last slivers") {
-  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-    CAPTURE(seed);
-    Random random(seed);
-    std::vector<Region> regions;
-    regions.reserve(7);
-    for (int i = 0; i < 7; ++i) regions.push_back(test::random_region(random, 80, 20));
-    std::vector<const Region*> operands;
-    Region folded = regions[0];
-    for (const Region& region : regions) {
-      operands.push_back(&region);
-      folded = core::intersect(folded, region);
-      const Region common = core::intersect_all(operands);
-      CHECK(test::is_clean(common));
-      CHECK_LE(test::widest_difference(common, folded), 2);
-    }
-    operands.push_back(operands[2]);
-    CHECK_EQ(core::intersect_all(operands),
-             core::intersect_all(std::span(operands).first(regions.size())));
-    const Region none;
-    operands.push_back(&none);
-    CHECK(core::intersect_all(operands).empty());
-  }
-}
-
 TEST_CASE("kept memory doesn't change a result") {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     CAPTURE(seed);
@@ -193,13 +168,11 @@ TEST_CASE("an operand that was not clean spoils no result, and is counted") {
     const auto crossing = [&] {
       return Region::from_clean_rings({test::random_ring(random, random.integer(3, 12), 0.1)});
     };
-    const Region a = crossing(), b = crossing(), c = crossing();
-    const Region* const all[] = {&a, &b, &c};
+    const Region a = crossing(), b = crossing();
     // Some are noticed and mended; none stops the program.
     (void)core::unite(a, b);
     (void)core::intersect(a, b);
     (void)core::subtract(a, b);
-    (void)core::intersect_all(all);
   }
   CHECK_GT(core::boolean_retries(), before);
 }

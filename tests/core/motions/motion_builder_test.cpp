@@ -60,10 +60,8 @@ TEST_CASE("a print without roads never heats, and its end is silent") {
   MotionBuilder builder{Settings()};
   Recorder recorder;
   builder.layer(slice_of(0, kSquare), {}, recorder.sink());
-  builder.park(recorder.sink());
   builder.finish(recorder.sink());
   CHECK(recorder.motions.empty());
-  CHECK_FALSE(builder.begun());
 }
 
 TEST_CASE("the preamble comes once, with the first layer that has roads, before anything moves") {
@@ -194,22 +192,16 @@ TEST_CASE("the end lifts off the part, never above the axis, heaters off, then t
     Recorder recorder;
     builder.layer(slice_of(0, kSquare), {line(1, 1, 5, 1)}, recorder.sink());
     recorder.motions.clear();
-    MotionBuilder stopped = builder;
     builder.finish(recorder.sink());
     const double top = axis_mm == 0 ? 10.2 : axis_mm;
     CHECK(recorder.all<Lift>().back().to.mm() == doctest::Approx(top));
     CHECK_EQ(recorder.all<SetNozzleTemperature>().back().celsius, 0);
     CHECK_EQ(recorder.all<SetBedTemperature>().back().celsius, 0);
     CHECK_EQ(std::get<Verbatim>(recorder.motions.back()).line, "M84");
-    // Once only; and a stop is the same without the user's lines.
+    // Once only.
     const std::size_t count = recorder.motions.size();
     builder.finish(recorder.sink());
-    builder.park(recorder.sink());
     CHECK_EQ(recorder.motions.size(), count);
-    Recorder parked;
-    stopped.park(parked.sink());
-    CHECK_EQ(parked.motions.size(), count - 1);
-    CHECK(parked.all<Verbatim>().empty());
   }
 }
 

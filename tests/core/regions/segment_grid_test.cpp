@@ -7,6 +7,7 @@
 
 #include "core/roads/nearest_point.h"
 #include "tests/support/random_regions.h"
+#include "tests/support/region_checks.h"
 #include "tests/support/region_text.h"
 
 using namespace core;
@@ -47,7 +48,7 @@ TEST_CASE("a grid of segments agrees with asking every segment") {
       const Point p = random_point(random, 22'000);
       const int reach = random.integer(1, 4'000);
       const bool near = std::any_of(segments.begin(), segments.end(), [&](const Segment& s) {
-        return distance_units(p, s) <= reach;
+        return test::distance_to_segment(p, s) <= reach;
       });
       CHECK_EQ(grid.any_within(p, Length::from_units(reach)), near);
       const Segment line{p, random_point(random, 22'000)};

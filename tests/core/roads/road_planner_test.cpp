@@ -92,7 +92,7 @@ TEST_CASE("perimeters lie at their depths, the outer one printed last") {
   const double w = settings.road_width.mm();
   CHECK(test::least_depth_mm(square, outer) == doctest::Approx(w / 2).epsilon(1e-3));
   CHECK(test::least_depth_mm(square, inner) ==
-        doctest::Approx(w / 2 + road_spacing(settings.road_width, settings.layer_height).mm())
+        doctest::Approx(w / 2 + perimeter_spacing(settings, settings.layer_height).mm())
             .epsilon(1e-3));
   CHECK(outer[0].closed);
   CHECK_EQ(roads[0].kind, RoadKind::kPerimeter);

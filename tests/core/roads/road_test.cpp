@@ -4,6 +4,8 @@
 
 #include <numbers>
 
+#include "core/offsets/slice_offsets.h"
+
 using namespace core;
 
 TEST_CASE("a bead is a rectangle with round sides, an ellipse where it is narrower than high") {
@@ -14,8 +16,13 @@ TEST_CASE("a bead is a rectangle with round sides, an ellipse where it is narrow
   CHECK(bead_area_mm2(Length::from_mm(0.1), h) == doctest::Approx(std::numbers::pi * 0.05 * 0.1));
 }
 
-TEST_CASE("beads at road_spacing fill a layer without a void") {
-  const Length w = Length::from_mm(0.45), h = Length::from_mm(0.2);
-  CHECK(road_spacing(w, h).mm() * h.mm() == doctest::Approx(bead_area_mm2(w, h)).epsilon(1e-3));
-  CHECK_LT(road_spacing(w, h), w);
+TEST_CASE("beads at perimeter_spacing fill a layer without a void, or just touch") {
+  Settings settings;
+  const Length h = settings.layer_height, w = settings.road_width;
+  settings.road_overlap = 1;
+  CHECK(perimeter_spacing(settings, h).mm() * h.mm() ==
+        doctest::Approx(bead_area_mm2(w, h)).epsilon(1e-3));
+  CHECK_LT(perimeter_spacing(settings, h), w);
+  settings.road_overlap = 0;
+  CHECK_EQ(perimeter_spacing(settings, h), w);
 }

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -47,8 +48,7 @@ std::vector<SplitLayer> split(const LayerStack& stack, int t, WallSplitter& spli
     REQUIRE_EQ(splitter.next_index(), static_cast<core::LayerIndex>(n));
     take(splitter.push(test::layer_of(stack, n)));
     const WallSplitter::Usage usage = splitter.usage();
-    REQUIRE_LE(usage.operations_last,
-               core::SlidingFold<int, int>::operations_max(2 * bound + 1) + 1);
+    REQUIRE_LE(usage.operations_last, std::bit_width(2 * bound) + 1);
     REQUIRE_LE(usage.layers_held, bound);
     REQUIRE_LE(usage.layers_held_peak, bound + 1);
     REQUIRE_LE(usage.regions_held, 2 * bound);
@@ -219,7 +219,7 @@ TEST_CASE("the largest window costs what the limits say, and what it holds stays
   CHECK_EQ(tall.operations_worst, small.operations_worst);
   CHECK_EQ(tall.layers_held_peak, t + 1);
   CHECK_EQ(tall.layers_held_peak, small.layers_held_peak);
-  CHECK_EQ(tall.regions_held_peak, core::kPartialsMax);
+  CHECK_EQ(tall.regions_held_peak, core::kWindowLayersMax - 1);
   CHECK_EQ(tall.regions_held_peak, small.regions_held_peak);
   CHECK_EQ(tall.layers_held, 0);
 }
