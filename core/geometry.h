@@ -33,7 +33,7 @@ struct Segment {
 // Closed polyline; the last point joins the first and is not repeated.
 using Ring = std::vector<Point>;
 
-// Closed on all sides. Empty when min.x > max.x, as it is at birth.
+// Closed on all sides. Empty when min.x > max.x, as by default.
 struct Box {
   Point min{INT32_MAX, INT32_MAX};
   Point max{INT32_MIN, INT32_MIN};

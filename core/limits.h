@@ -33,8 +33,8 @@ inline constexpr double kCapsuleToleranceUnits = 5;
 // window's offsets.
 inline constexpr int kBallOperationsMax = kWindowLayersMax - 1;
 
-// Depths that the foot of the mountain tries when the one asked for is critical (polygon_offset.h),
-// before it asks the whole diagram.
+// Depths that a polygon offset tries when the one asked for is critical (polygon_offset.h), before
+// it asks the whole diagram.
 inline constexpr int kDepthTriesMax = 12;
 
 }  // namespace core

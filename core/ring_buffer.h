@@ -1,4 +1,4 @@
-// A queue whose capacity is fixed at birth: first in, first out.
+// A queue of fixed capacity: first in, first out.
 //
 //     pop() <─ [oldest … newest] <─ push()
 //
@@ -17,27 +17,27 @@ namespace core {
 template <typename T>
 class RingBuffer {
  public:
-  // A capacity of 0 is allowed: such a ring is empty and full for ever.
+  // A capacity of 0 is allowed: such a ring is always empty and full.
   // COSTS: the only allocation of the ring itself.
-  explicit RingBuffer(std::size_t capacity) : places_(capacity) {}
+  explicit RingBuffer(std::size_t capacity) : slots_(capacity) {}
 
-  [[nodiscard]] std::size_t capacity() const { return places_.size(); }
+  [[nodiscard]] std::size_t capacity() const { return slots_.size(); }
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] bool empty() const { return size_ == 0; }
-  [[nodiscard]] bool full() const { return size_ == places_.size(); }
+  [[nodiscard]] bool full() const { return size_ == slots_.size(); }
 
   // REQUIRES: !full()
   void push(T value) {
     RIND_CHECK(!full());
-    places_[place(size_)] = std::move(value);
+    slots_[slot(size_)] = std::move(value);
     ++size_;
   }
 
   // The oldest, or nothing when empty. ENSURES: what the value owned is no longer held here.
   [[nodiscard]] std::optional<T> pop() {
     if (empty()) return std::nullopt;
-    std::optional<T> oldest = std::exchange(places_[first_], std::nullopt);
-    first_ = place(1);
+    std::optional<T> oldest = std::exchange(slots_[first_], std::nullopt);
+    first_ = slot(1);
     --size_;
     return oldest;
   }
@@ -45,21 +45,21 @@ class RingBuffer {
   // Counted from the oldest. REQUIRES: i < size()
   [[nodiscard]] const T& operator[](std::size_t i) const {
     RIND_CHECK(i < size_);
-    return *places_[place(i)];
+    return *slots_[slot(i)];
   }
   [[nodiscard]] T& operator[](std::size_t i) {
     RIND_CHECK(i < size_);
-    return *places_[place(i)];
+    return *slots_[slot(i)];
   }
 
  private:
   // Where the i-th from the oldest lies; i <= size_, first_ < capacity, so one turn suffices.
-  [[nodiscard]] std::size_t place(std::size_t i) const {
+  [[nodiscard]] std::size_t slot(std::size_t i) const {
     const std::size_t straight = first_ + i;
-    return straight < places_.size() ? straight : straight - places_.size();
+    return straight < slots_.size() ? straight : straight - slots_.size();
   }
 
-  std::vector<std::optional<T>> places_;
+  std::vector<std::optional<T>> slots_;
   std::size_t first_ = 0;
   std::size_t size_ = 0;
 };

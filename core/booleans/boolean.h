@@ -1,15 +1,17 @@
-// Set operations on regions, and the way from any rings to a clean region.
+// Set operations on regions (polygon clipping), and the way from any rings to a clean region.
 //
-// Regularised: the result is the closure of its interior, so that nothing without area remains.
-// Crossing points are rounded to the grid; results can differ from exact ones by slivers up to
-// 2 units wide, and the operations are associative only up to such slivers.
+// Results are regularised: the closure of their interior, without parts of no area. Crossing
+// points are rounded to the grid, so results can differ from exact ones by slivers up to 2 units
+// wide, and the operations are associative only up to such slivers.
 //
-// Results are canonical: every ring starts at its least point (by x, then y) and rings stand in the
-// order of their first points, whatever the order of the operands. No ring passes a point twice at
-// which operands met. How it is done stands in overlay.h.
+// Results are canonical, whatever the order of the operands: every ring starts at its least point
+// (by x, then y), and rings are sorted by their first points. No ring passes a point twice at
+// which operands met. overlay.h says how it is done.
 //
-// Each thread keeps the memory that its operations need on the way, so that in the steady state
-// nothing but the results is allocated.
+// Each thread keeps the memory that its operations need on the way. In the steady state, only the
+// results are allocated.
+//
+// Keywords: union, intersection, difference, xor, clipping.
 #pragma once
 
 #include <cstdint>
@@ -31,8 +33,8 @@ enum class FillRule {
 // COSTS: near-linear in edges and crossings, as all that follow.
 [[nodiscard]] Region clean(const std::vector<Ring>& rings, FillRule rule);
 
-// The same, and the lowest winding number that the rings have anywhere, or 0: below it, something
-// is turned inside out.
+// The same, and the lowest winding number that the rings have anywhere, or 0. A negative one says
+// that something is turned inside out.
 struct CleanedRings {
   Region region;
   std::int32_t least_winding = 0;
@@ -43,13 +45,13 @@ struct CleanedRings {
 [[nodiscard]] Region unite(const Region& a, const Region& b);
 [[nodiscard]] Region intersect(const Region& a, const Region& b);
 [[nodiscard]] Region subtract(const Region& a, const Region& b);
-// The same where b lies within a and touches none of its contours: nothing has to be cut.
+// The same for b within a, touching none of its contours: nothing has to be cut.
 // COSTS: a copy. Canonical where both are.
 [[nodiscard]] Region subtract_within(const Region& a, const Region& b);
 [[nodiscard]] Region exclusive_or(const Region& a, const Region& b);
 
-// Operations of the calling thread that were done twice, everything tried against everything,
-// because an operand that should have been clean crossed itself. 0 unless something is wrong.
+// How many operations of the calling thread found that an operand was not clean, and were done
+// again with every edge tried against every other. 0 unless something is wrong.
 [[nodiscard]] std::int64_t boolean_retries();
 
 }  // namespace core

@@ -46,7 +46,7 @@ bool BoundaryWalk::run(const ContourEdges& edges, const SnapRounding& snapped,
                      [this](BoundaryPiece piece) { return next_[piece] != kNoPiece; });
 }
 
-// From a corner of some chain that begins here and is alone on its course, where the ray ends
+// From a corner of some chain that starts here and is alone on its course, where the ray ends
 // sooner than from a node.
 bool BoundaryWalk::start_at_corner(const ContourEdges& edges, const ChainGraph& graph,
                                    NodeIndex node, WindingRay& ray) {

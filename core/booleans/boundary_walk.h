@@ -1,9 +1,10 @@
 // Finds the chains that separate inside from outside, and how they follow one another.
 //
-// Along a chain the winding number on either side stays the same, and around a node it changes from
-// sector to sector by the weights of the chains between; so one ray for each connected piece of the
-// graph tells all. At a node, the boundary comes in on one bundle and leaves on the next one
-// clockwise, with the inside between the two: so what touches in a point stays apart.
+// Along a chain, the winding number on either side stays the same. Around a node, it changes from
+// sector to sector by the weights of the chains between. So one ray for each connected piece of
+// the graph gives all winding numbers. At a node, the boundary comes in on one bundle and leaves
+// on the next one clockwise, with the inside between the two. That keeps apart what touches in a
+// point.
 #pragma once
 
 #include <cstdint>
@@ -22,14 +23,15 @@ inline constexpr BoundaryPiece kNoPiece = UINT32_MAX;
 
 class BoundaryWalk {
  public:
-  // False: edges cross between nodes, so that there is no boundary to be had. That can only be
-  // when an operand was said to be clean and is not.
+  // False: edges cross between nodes, so that there is no closed boundary. That happens only when
+  // an operand was said to be clean and is not.
   // COSTS: O(chains + rays). Memory is kept for the next operation.
   [[nodiscard]] bool run(const ContourEdges& edges, const SnapRounding& snapped,
                          const ChainGraph& graph, WindingRay& ray, const WindingRule& rule,
                          bool operands_clean);
 
-  // In a fixed order, each once; of a bundle the first chain stands for all.
+  // Each once, in an order that depends on the operands alone. Of a bundle, the first chain stands
+  // for all.
   [[nodiscard]] std::span<const BoundaryPiece> pieces() const { return pieces_; }
   [[nodiscard]] BoundaryPiece next(BoundaryPiece piece) const { return next_[piece]; }
   // The lowest winding number beside any chain, or 0.

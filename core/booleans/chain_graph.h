@@ -1,4 +1,4 @@
-// Rings cut at the nodes: chains between nodes, and how they stand around each.
+// Rings cut at the nodes: chains between nodes, and their order around each node.
 //
 //        ╲ 2   1 ╱         Around a node the ends of its chains are sorted by direction, counter-
 //         ╲     ╱          clockwise from due west (west itself first, then south, east, north):
@@ -6,8 +6,8 @@
 //           ╱ ╲            west, in which winding_ray.h looks.
 //        5 ╱   ╲ 3
 //
-// Chains that lie on one another are straight from node to node (a corner in between would be a
-// node), so they leave both nodes in the same direction and stand side by side there: a bundle.
+// Chains that lie on one another are straight from node to node, because a corner between would be
+// a node. So they leave both nodes in the same direction and are neighbours there: a bundle.
 #pragma once
 
 #include <cstdint>

@@ -3,7 +3,7 @@
 //     points   a0 a1 a2 a0 | b0 b1 b2 b3 b0 | …       edge e runs from points[e] to points[e + 1]
 //     edges    0  1  2     | 4  5  6  7     | …
 //
-// A ring's weight is what crossing it from right to left adds to the winding number; so every
+// A ring's weight is what crossing it from right to left adds to the winding number. So every
 // operation is a question about one sum (winding_rule.h).
 #pragma once
 
@@ -36,12 +36,12 @@ class ContourEdges {
   // no repeated neighbours and at least 3 points.
   void add(const Ring& ring, std::int32_t weight, std::uint32_t operand);
 
-  // The same for a ring of any kind: repeated points go, and so do corners at which the ring runs
-  // straight on or straight back. That changes no winding number. What is left may be nothing.
+  // The same for a ring of any kind. Repeated points are left out, and corners at which the ring
+  // runs straight on or straight back. That changes no winding number. Nothing may be left.
   void add_mended(const Ring& ring, std::int32_t weight, std::uint32_t operand);
 
   [[nodiscard]] std::span<const ContourRing> rings() const { return rings_; }
-  // How many places an array by edge needs (some stay unused).
+  // The size of an array by edge (some of it stays unused).
   [[nodiscard]] std::uint32_t index_end() const {
     return static_cast<std::uint32_t>(points_.size());
   }

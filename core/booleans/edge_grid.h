@@ -1,10 +1,11 @@
-// Which edges are near: a uniform grid of square cells over all edges of an operation.
+// Finds edges that are near: a uniform grid of square cells over all edges of an operation.
 //
-// About two cells an edge, so that the contours, which are lines on an area, fill few of them and
-// still meet few others in each. Where most edges crowd in few cells all the same, the grid is made
-// again, finer where they are (grid_axis.h).
-// Every edge is entered in all cells that come within a unit of it, so that it is found from the
-// cell of any point nearer than that, and still after rounding has bent it.
+// There are about two cells an edge. Contours are lines on an area, so they fill few of the cells,
+// and few of them meet in one. Where most edges crowd in few cells all the same, the grid is made
+// again, with finer cells there (grid_axis.h).
+//
+// Every edge is entered in all cells that come within a unit of it. So it is found from the cell
+// of any point nearer than that, even after rounding has bent it.
 #pragma once
 
 #include <algorithm>
@@ -28,7 +29,7 @@ class EdgeGrid {
   [[nodiscard]] std::uint32_t cell_of(Point p) const {
     return rows_.index(p.y) * columns_.count() + columns_.index(p.x);
   }
-  // The x at which a column of cells begins.
+  // The x at which a column of cells starts.
   [[nodiscard]] std::int32_t column_west(std::uint32_t column) const {
     return static_cast<std::int32_t>(columns_.start(column));
   }
@@ -58,7 +59,7 @@ class EdgeGrid {
   };
   std::vector<Placed> placed_;  // room to work; only grows
   std::vector<std::int32_t> values_;
-  std::uint64_t crowd_ = 0;  // pairs in common cells, each entry with itself as well
+  std::uint64_t crowd_ = 0;  // pairs of edges in common cells, an edge and itself included
 };
 
 // Implementation details follow.

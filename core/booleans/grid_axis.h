@@ -1,8 +1,8 @@
-// One coordinate of a grid: which cell a value lies in.
+// One axis of a grid: which cell a coordinate lies in.
 //
-// Even: all cells equally wide, a power of two, so that a shift finds one. Crowded: the same cells,
-// each cut again into as many equal ones as its share of the values asks for, so that detail in one
-// spot of a huge plate doesn't fall into one cell.
+// Even: all cells are equally wide, a power of two, so that a shift finds one. Crowded: the same
+// cells, each cut again into as many equal ones as its share of the values needs. So detail in one
+// spot of a huge plate does not fall into one cell.
 //
 //     even       |    |    |    |    |
 //     crowded    |    |    |||||||||||    |
@@ -33,7 +33,7 @@ class GridAxis {
     const Part& part = parts_[even];
     return part.first + ((along - (even << shift_)) >> part.shift);
   }
-  // Where a cell begins; also of the one behind the last.
+  // Where a cell starts. REQUIRES: index <= count().
   [[nodiscard]] std::int64_t start(std::uint32_t index) const {
     return parts_.empty() ? low_ + (std::int64_t{index} << shift_) : starts_[index];
   }

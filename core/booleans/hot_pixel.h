@@ -1,11 +1,9 @@
-// Where a straight edge and the grid's pixels meet, exactly.
+// Where a straight edge and the grid's pixels meet, in exact arithmetic.
 //
 // A pixel is the unit square about a grid point p, closed below and left, open above and right, so
 // that every point of the plane lies in exactly one:
 //
 //     [p.x − ½, p.x + ½) × [p.y − ½, p.y + ½)
-//
-// All answers are those of exact arithmetic, so that nothing that follows from them can be wrong.
 #pragma once
 
 #include <cstdint>
@@ -21,10 +19,10 @@ namespace core {
 
 // Whether the edge a -> b passes the pixel of p.
 //
-// The line does if it has corners of the pixel on both sides: at the corner p + (±½, ±½) twice the
-// cross product is 2c ± dx ± dy. When it only touches a corner, that must be the lower left one.
-// The edge has its ends in the middle of pixels; so of the pixels that its line passes it passes
-// those within its box.
+// The line passes it if corners of the pixel lie on both sides: at the corner p + (±½, ±½), twice
+// the cross product is 2c ± dx ± dy. If the line only touches a corner, it must be the lower left
+// one. The edge's ends are the middles of pixels, so of the pixels on its line it passes those
+// within its box.
 // REQUIRES: coordinates within ±2^29 (2c is below 2^63 then).
 [[nodiscard]] inline bool passes_pixel(Point a, Point b, Point p) {
   if (!between(a.x, p.x, b.x) || !between(a.y, p.y, b.y)) return false;

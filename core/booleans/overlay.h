@@ -1,14 +1,15 @@
-// All rings of one operation on one sheet, and the region where their winding numbers say "inside".
+// One boolean operation: all rings laid over one another, and the region where their winding
+// numbers say "inside".
 //
 //     rings ──> edges ──> grid ──> nodes ──> chains ──> boundary ──> rings
 //     contour_edges  edge_grid  snap_rounding  chain_graph  boundary_walk  ring_tracer
 //
-// Everything is rounded once, at the crossings, by at most half a unit in x and in y; everything
-// that decides topology is exact integer arithmetic. Corners that nothing comes near stay as they
-// are, and rings that meet nothing are copied whole.
+// Points are rounded once, at the crossings, by at most half a unit in x and in y. Everything that
+// decides topology is exact integer arithmetic. Corners that nothing comes near stay as they are,
+// and rings that meet nothing are copied whole.
 //
-// One Overlay does one operation after another and keeps its memory in between, so that in the
-// steady state only the result is allocated.
+// An Overlay keeps its memory from one operation to the next, so that in the steady state only the
+// result is allocated.
 #pragma once
 
 #include <cstdint>
@@ -28,9 +29,9 @@ namespace core {
 
 class Overlay {
  public:
-  // Rings that stand alike in both are found and taken as one.
-  // REQUIRES: every operand is clean. One that crosses itself after all is noticed, as a rule, and
-  // costs a second run in which everything may cross everything: the result is clean always.
+  // Rings that are in both operands are found and taken as one.
+  // REQUIRES: every operand is clean. One that crosses itself is noticed as a rule, and costs a
+  // second run in which every edge may cross every other. The result is always clean.
   // COSTS: near-linear in edges + crossings (snap_rounding.h).
   [[nodiscard]] Region combine(const Region& a, std::int32_t weight_a, const Region& b,
                                std::int32_t weight_b, const WindingRule& rule);
@@ -38,10 +39,10 @@ class Overlay {
   // Rings of any kind, weighted 1.
   [[nodiscard]] Region combine(const std::vector<Ring>& rings, const WindingRule& rule);
 
-  // The lowest winding number in the last operation, or 0. REQUIRES: it was on rings of any kind
+  // The lowest winding number in the last operation, or 0. REQUIRES: that was on rings of any kind.
   [[nodiscard]] std::int32_t least_winding() const { return walk_.least_winding(); }
 
-  // Second runs since birth.
+  // Second runs so far.
   [[nodiscard]] std::int64_t retries() const { return retries_; }
 
  private:
@@ -60,7 +61,7 @@ class Overlay {
   OperandWeights weights_;
   std::vector<Ring> found_;  // the result, until its size is known
   std::int64_t retries_ = 0;
-  std::vector<std::uint8_t> common_a_;  // by ring of a: stands alike in b
+  std::vector<std::uint8_t> common_a_;  // by ring of a: it is in b, too
   std::vector<std::uint8_t> common_b_;
 };
 

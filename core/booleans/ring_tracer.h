@@ -1,9 +1,9 @@
-// Links boundary pieces to rings, and copies the rings that no node lies on.
+// Links boundary pieces to rings.
 //
-// A ring that comes back to a node is cut there into two, so that none touches itself at a node.
-// A node at which the boundary goes exactly straight on is left out.
-// Every ring starts at its least point (by x, then y); rings stand in the order of their first
-// points: the result doesn't depend on where the operands' rings started, nor on their order.
+// A ring that comes back to a node is cut there into two, so that no ring touches itself at a
+// node. A node at which the boundary runs exactly straight on is left out. Every ring starts at
+// its least point (by x, then y), and rings are sorted by their first points. So the result
+// depends neither on where the operands' rings started nor on the order of the operands.
 #pragma once
 
 #include <cstdint>
@@ -23,18 +23,18 @@ class RingTracer {
  private:
   void add_corners(const ContourEdges& edges, const ChainGraph& graph, BoundaryPiece piece);
   void cut_loop(NodeIndex node, std::vector<Ring>& rings);
-  void drop_straight_nodes(std::size_t begin);
+  void drop_straight_nodes(std::size_t start);
 
   std::vector<Point> points_;  // of the ring that is being traced
   std::vector<NodeIndex> path_;
-  std::vector<std::uint32_t> place_;   // by node: its place in points_ + 1 while it is on the path
+  std::vector<std::uint32_t> index_;   // by node: its index in points_ + 1 while it is on the path
   std::vector<std::uint8_t> traced_;   // by piece
-  std::vector<std::uint32_t> simple_;  // ascending: places in points_ of nodes passed only once
+  std::vector<std::uint32_t> simple_;  // ascending: indices in points_ of nodes passed only once
 };
 
 enum class Turned { kNo, kYes };
 
-// The ring with its least point first, turned round if asked.
+// The ring with its least point first; with Turned::kYes in the other direction.
 [[nodiscard]] Ring canonical_ring(const Point* first, const Point* end, Turned turned);
 
 // The order of rings: by their first points, then by their second ones. No two rings of a clean

@@ -6,9 +6,9 @@
 
 namespace core {
 
-// Its rings simplified (simplify.h) and what then crosses cleaned: the outlines of intersections
-// and offsets have steps of a few units wherever their operands nearly agree. Left in, they cost a
-// mountain its time and its soundness, and show nowhere.
+// The rings simplified (simplify.h), and what crosses then cleaned. The outlines of intersections
+// and offsets have steps of a few units wherever their operands nearly agree. Such steps would make
+// a Voronoi diagram slow and unsound, and show nowhere in the print.
 // ENSURES: boundaries move by `tolerance` and a unit or two at most.
 [[nodiscard]] Region simplified(const Region& region, Length tolerance);
 

@@ -177,12 +177,12 @@ void SnapRounding::meet_at_corner(const ContourEdges& edges, EdgeIndex e, EdgeIn
 
 void SnapRounding::add_node(Point p) {
   const std::size_t mask = table_.size() - 1;
-  std::size_t place = hash(p) & mask;
-  for (; table_[place] != 0; place = (place + 1) & mask) {
-    if (nodes_[table_[place] - 1] == p) return;
+  std::size_t slot = hash(p) & mask;
+  for (; table_[slot] != 0; slot = (slot + 1) & mask) {
+    if (nodes_[table_[slot] - 1] == p) return;
   }
   nodes_.push_back(p);
-  table_[place] = static_cast<NodeIndex>(nodes_.size());
+  table_[slot] = static_cast<NodeIndex>(nodes_.size());
   if (2 * nodes_.size() > table_.size()) grow_table();
 }
 
@@ -190,9 +190,9 @@ void SnapRounding::grow_table() {
   const std::size_t mask = 2 * table_.size() - 1;
   table_.assign(mask + 1, 0);
   for (NodeIndex node = 0; node < nodes_.size(); ++node) {
-    std::size_t place = hash(nodes_[node]) & mask;
-    while (table_[place] != 0) place = (place + 1) & mask;
-    table_[place] = node + 1;
+    std::size_t slot = hash(nodes_[node]) & mask;
+    while (table_[slot] != 0) slot = (slot + 1) & mask;
+    table_[slot] = node + 1;
   }
 }
 

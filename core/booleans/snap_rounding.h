@@ -8,28 +8,32 @@
 //
 // Why no new crossing can arise: snap rounding (Guibas and Marimont, "Rounding arrangements
 // dynamically", 1998, theorem 2; Hobby, "Practical segment intersection with finite precision
-// output", 1999). If the pixels of all crossings and of all end points are hot, and every edge is
-// bent to run through the middles of the hot pixels that it passes, then edges may come to lie on
-// one another, but no edge passes over a node or over another edge: the rounded drawing is the
-// limit of one in which pixels shrink to their middles and nothing ever crosses.
+// output", 1999). Let the pixels of all crossings and of all end points be hot, and bend every edge
+// to run through the middles of the hot pixels that it passes. Then edges may come to lie on one
+// another, but no edge passes over a node or over another edge: the rounded drawing is the limit of
+// one in which pixels shrink to their middles and nothing crosses.
 //
-// Here only some end points become nodes. Call an edge bent when it passes a node's pixel beside
-// its middle. A node is
+// Here only some end points become nodes. An edge is bent when it passes a node's pixel beside its
+// middle. A node is
 //   - the pixel of every crossing, and every end point that lies exactly on an edge it may meet;
 //   - every end point whose pixel is passed by a bent edge that does not end there;
 //   - an end of a bent edge whose pixel a third edge passes, bent or not, or that has become the
 //     tip of a spur: both of its edges pass the same node next;
-// until nothing changes. That is enough to keep edges from crossing. Every end point is hot for the
-// bent edges (it is a node if they pass its pixel, and where they end nothing moves), so theorem 2
-// holds for them: they don't cross, nor pass over an end of any edge. The others stay where they
-// are and cross each other nowhere. If an unbent u crossed the new course of a bent edge, but not
-// its old one, it would enter the sliver between the two. It cannot leave through the old course
-// (there is no crossing), nor along the sliver's short sides (they lie in hot pixels, which u
-// passes only through the middle), nor through the new course again (both are straight): so it
-// would end inside, at an end point that the bent edge has passed over.
-// And it is enough to find edges that lie on one another by their ends: a corner that is no node
-// has no edge but its own two near it if one of these is bent, and they don't fold.
-// Far from crossings nothing is done at all, which is where the time is saved.
+// until nothing changes.
+//
+// That is enough to keep edges from crossing. Every end point is hot for the bent edges (it is a
+// node if they pass its pixel, and where they end nothing moves), so theorem 2 holds for them: they
+// don't cross, nor pass over an end of any edge. The other edges stay where they are and cross each
+// other nowhere. Now let an unbent edge u cross the new course of a bent edge, but not its old one.
+// Then u enters the sliver between the two. It cannot leave through the old course (there is no
+// crossing), nor along the sliver's short sides (they lie in hot pixels, which u passes only
+// through the middle), nor through the new course again (both are straight). So u ends inside, at
+// an end point that the bent edge has passed over, which was excluded.
+//
+// It is also enough to find edges that lie on one another by their ends: a corner that is no node
+// has no edges near it but its own two if one of these is bent, and the two don't fold.
+//
+// Far from crossings nothing is done, which saves most of the time.
 #pragma once
 
 #include <cstdint>

@@ -1,9 +1,10 @@
 // The winding number beside a point, by a ray.
 //
-//     ────────────────────────•     west from the point, a hair north of it, so that it passes no
-//                                    corner; every edge that it meets adds or takes its weight
+//     ────────────────────────•     The ray runs west from the point, a hair north of it, so that
+//                                    it passes no corner. Every edge that it meets adds its weight
+//                                    or takes it away.
 //
-// The edges are those that snap rounding leaves: bent ones count as they are bent. Edges through
+// The edges are those that snap rounding leaves: bent edges count as they are bent. Edges through
 // the point itself don't count.
 #pragma once
 
@@ -32,7 +33,7 @@ inline constexpr std::uint32_t kOperandInCommon = 2;
 
 class WindingRay {
  public:
-  // What is passed is kept by reference until the next reset. Memory is kept.
+  // Keeps references to its arguments until the next reset. Memory is kept, too.
   void reset(const ContourEdges& edges, const EdgeGrid& grid, const SnapRounding& snapped,
              const OperandWeights& weights);
 

@@ -71,7 +71,7 @@ void ArcFitter::take(const std::vector<Point>& points, bool closed) {
   }
 }
 
-// Where the longest run is as good as straight, its second half may be the begin of a round one.
+// Where the longest run is as good as straight, its second half may be the start of a round one.
 void ArcFitter::find_runs() {
   runs_.clear();
   std::size_t first = 0;

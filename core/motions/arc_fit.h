@@ -1,15 +1,15 @@
 // Arcs of circles that stand for runs of a road's short segments.
 //
-//     o──o                         ╭──╮     one arc for five segments: it ends where they end,
-//    o    o──────o     ──>        ╭    ╰──────o    passes each of their points within the
-//   o                             o             tolerance, and their chords' middles, too
+//     o──o                         ╭──╮     One arc for five segments: it ends where they end, and
+//    o    o──────o     ──>        ╭    ╰────o   passes each of their points, and the middle of each
+//   o                             o             segment, within the tolerance.
 //
-// Greedy: from each point the longest run that one arc fits, found by doubling and halving. The arc
-// through the run's ends has one free number, its centre's place on their bisector; least squares
-// of the points' distances from the circle give it in one pass.
+// Greedy: from each point, the longest run that one arc fits, found by doubling and halving. The
+// arc through the run's ends has one free number, where its centre lies on their bisector. Least
+// squares of the points' distances from the circle give it in one pass.
 //
-// Because the points' angles about the centre grow from one to the next, what holds for radii holds
-// for the lines: each is within the tolerance of the other (their Hausdorff distance).
+// The points' angles about the centre grow from one to the next. So what holds for the radii holds
+// for the lines: each is within the tolerance of the other (Hausdorff distance).
 #pragma once
 
 #include <cstddef>
@@ -27,10 +27,10 @@ inline constexpr double kArcRadiusMin_mm = 0.1;
 inline constexpr double kArcLengthMin_mm = 0.2;
 // Beyond this, a controller's 32-bit floats move the arc.
 inline constexpr double kArcRadiusMax_mm = 1'000;
-// Two arcs make any circle, and none ends near where it begins.
+// Two arcs make any circle, and none ends near where it starts.
 inline constexpr double kArcSweepMax_degrees = 240;
 
-// One piece of the way: straight, or an arc.
+// One piece of the path: straight, or an arc.
 struct RoadPiece {
   Point to;
   bool is_arc = false;

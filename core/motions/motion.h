@@ -10,15 +10,15 @@
 
 namespace core {
 
-// Marks a layer's begin; nothing moves.
-struct BeginLayer {
+// Marks the start of a layer; nothing moves.
+struct LayerStart {
   LayerIndex index = 0;
   Length top;
   Length height;
 };
 
-// Marks a road's begin; nothing moves.
-struct BeginRoad {
+// Marks the start of a road; nothing moves.
+struct RoadStart {
   RoadKind kind = RoadKind::kSolid;
   Length width;
 };
@@ -77,7 +77,7 @@ struct Verbatim {
   std::string line;
 };
 
-using Motion = std::variant<BeginLayer, BeginRoad, Travel, Lift, Extrude, ExtrudeArc, MoveFilament,
+using Motion = std::variant<LayerStart, RoadStart, Travel, Lift, Extrude, ExtrudeArc, MoveFilament,
                             SetFan, SetNozzleTemperature, SetBedTemperature, Verbatim>;
 
 }  // namespace core

@@ -35,17 +35,17 @@ MotionBuilder::MotionBuilder(const Settings& settings)
 }
 
 void MotionBuilder::decide_arcs(bool drawn) {
-  RIND_CHECK(!state_.arcs && !state_.begun);
+  RIND_CHECK(!state_.arcs && !state_.started);
   state_.arcs = drawn;
 }
 
-void MotionBuilder::go_on_from(const MotionState& state) {
-  RIND_CHECK(!state_.preheated && !state_.begun);
+void MotionBuilder::resume_from(const MotionState& state) {
+  RIND_CHECK(!state_.preheated && !state_.started);
   state_ = state;
 }
 
 void MotionBuilder::preheat(const Sink& sink) {
-  RIND_CHECK(!state_.preheated && !state_.begun);
+  RIND_CHECK(!state_.preheated && !state_.started);
   state_.preheated = true;
   sink(SetBedTemperature{settings_.bed_celsius, false});
   sink(SetNozzleTemperature{settings_.nozzle_first_layer_celsius, false});
@@ -53,7 +53,7 @@ void MotionBuilder::preheat(const Sink& sink) {
 
 void MotionBuilder::preamble(const Sink& sink) {
   if (!state_.preheated) preheat(sink);
-  state_.begun = true;
+  state_.started = true;
   state_.nozzle_celsius = settings_.nozzle_first_layer_celsius;
   for (const std::string& line : settings_.start_gcode) sink(Verbatim{line});
   sink(SetBedTemperature{settings_.bed_celsius, true});
@@ -61,12 +61,12 @@ void MotionBuilder::preamble(const Sink& sink) {
   sink(SetFan{0});
 }
 
-void MotionBuilder::begin_layer(const Slice& slice, const Sink& sink) {
+void MotionBuilder::start_layer(const Slice& slice, const Sink& sink) {
   index_ = slice.index;
   top_ = slice.top();
   height_ = slice.height;
   ++totals_.layers;
-  sink(BeginLayer{index_, top_, height_});
+  sink(LayerStart{index_, top_, height_});
 }
 
 void MotionBuilder::set_up_layer(double fan_share, const Sink& sink) {
@@ -81,8 +81,8 @@ void MotionBuilder::set_up_layer(double fan_share, const Sink& sink) {
 void MotionBuilder::layer(const Slice& slice, const std::vector<Road>& roads, const Sink& sink) {
   RIND_CHECK(!ended_);
   if (roads.empty()) return;
-  if (!state_.begun) preamble(sink);
-  begin_layer(slice, sink);
+  if (!state_.started) preamble(sink);
+  start_layer(slice, sink);
   const LayerCooling cooling =
       layer_cooling(settings_, index_, roads, [this](RoadKind kind) { return speed_mm_s(kind); });
   set_up_layer(cooling.fan_share, sink);
@@ -102,7 +102,7 @@ void MotionBuilder::road(const Road& road, double slowdown, const Sink& sink) {
   const double filament_per_mm = settings_.extrusion_multiplier *
                                  bead_area_mm2(road.width, height_) /
                                  (std::numbers::pi * d * d / 4);
-  sink(BeginRoad{road.kind, road.width});
+  sink(RoadStart{road.kind, road.width});
   ++totals_.roads;
   if (takes_pieces(road)) {
     ArcFitter& fitter = state_.arcs.value_or(false) ? fitter_ : segments_;
@@ -193,7 +193,7 @@ void MotionBuilder::unretract(const Sink& sink) {
 }
 
 void MotionBuilder::finish(const Sink& sink) {
-  if (!state_.begun || ended_) return;
+  if (!state_.started || ended_) return;
   ended_ = true;
   retract(sink);
   const Length here = state_.nozzle_z.value_or(top_);

@@ -2,7 +2,7 @@
 //
 //     preheat    heaters on, and nothing else: as soon as a print is likely
 //     preamble   once, before the first layer that has roads: heaters, start G-code
-//     layer      BeginLayer, (retract) Lift Travel (return), then BeginRoad Extrude … for each road
+//     layer      LayerStart, then for each road (retract) Lift Travel (return) RoadStart Extrude …
 //     finish     retract, lift, heaters and fan off, end G-code
 //
 // Filament laid by a piece of road:  length · bead area / (π d² / 4),  relative. An arc lays as
@@ -23,7 +23,7 @@
 
 namespace core {
 
-// What was asked for since the begin of the print.
+// What was asked for since the start of the print.
 struct MotionTotals {
   std::array<double, kRoadKindCount> filament_mm{};  // by RoadKind; retractions don't count
   double travel_mm = 0;
@@ -38,7 +38,7 @@ struct MotionTotals {
 // roads.
 struct MotionState {
   bool preheated = false;
-  bool begun = false;
+  bool started = false;
   bool retracted = false;
   bool position_known = false;
   Point position;                  // where the nozzle is, once known
@@ -60,9 +60,9 @@ class MotionBuilder {
   [[nodiscard]] bool arcs_undecided() const { return !state_.arcs; }
   void decide_arcs(bool drawn);
 
-  // Turns the heaters on before the first layer is known, so that they are warm by then; the first
-  // layer's preamble leaves that out then. At most once, before any layer(). What comes out in all
-  // is the same with it and without it.
+  // Turns the heaters on before the first layer is known, so that they are warm by then. The first
+  // layer's preamble leaves that out then, so that the motions in all are the same. Call it at most
+  // once, before any layer().
   void preheat(const Sink& sink);
 
   // The roads of the next layer up, in this order. A layer without roads gives no motion, and a
@@ -71,22 +71,22 @@ class MotionBuilder {
   void layer(const Slice& slice, const std::vector<Road>& roads, const Sink& sink);
 
   // Ends the print: retracts, lifts the nozzle off the part, heaters and fan off, end G-code.
-  // Nothing when it never began.
+  // Nothing when no layer had roads.
   void finish(const Sink& sink);
 
   [[nodiscard]] const MotionTotals& totals() const { return totals_; }
 
-  // Between two layers. A builder of the same settings that gets this state goes on with the very
-  // motions that this one would; its totals begin anew.
+  // Between two layers. A builder of the same settings that resumes from this state gives the same
+  // motions as this one would. Its totals start from 0.
   [[nodiscard]] const MotionState& state() const { return state_; }
   // REQUIRES: nothing was built yet.
-  void go_on_from(const MotionState& state);
+  void resume_from(const MotionState& state);
 
  private:
   class Boundary;
 
   void preamble(const Sink& sink);
-  void begin_layer(const Slice& slice, const Sink& sink);
+  void start_layer(const Slice& slice, const Sink& sink);
   void set_up_layer(double fan_share, const Sink& sink);
   void road(const Road& road, double slowdown, const Sink& sink);
   [[nodiscard]] bool takes_pieces(const Road& road) const;

@@ -99,7 +99,7 @@ void MotionClock::push(const Move& move) {
     const Move oldest = *moves_.pop();
     seconds_done_ += trapezoid_seconds(oldest.length_mm, oldest.entry_speed_mm_s, oldest.speed_mm_s,
                                        moves_[0].entry_speed_mm_s, oldest.acceleration_mm_s2);
-    // The move that now comes first has begun: its entry speed stands.
+    // The move that now comes first has started: its entry speed is fixed.
     moves_[0].entry_speed_max_mm_s = moves_[0].entry_speed_mm_s;
   }
   Move planned = move;

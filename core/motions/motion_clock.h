@@ -10,7 +10,7 @@
 // in its planner, δ = 0.013 mm, 16 blocks.)
 //
 // An arc of radius r is one move along its length, no faster than v² = a · r (what Marlin's planner
-// makes of an arc's short segments), that leaves in another direction than it begins in.
+// makes of an arc's short segments), that leaves in another direction than it starts in.
 //
 //     speed │      ╭───────╮           ╭──
 //           │     ╱         ╲__________╱        the corner's speed bounds both neighbours
@@ -52,9 +52,9 @@ class MotionClock {
     double speed_mm_s = 0;  // wanted
     double acceleration_mm_s2 = 0;
     double entry_speed_max_mm_s = 0;  // what the corner before it allows
-    double braking_speed_mm_s = -1;   // entered no faster, it comes to rest at the last move's end
+    double braking_speed_mm_s = -1;   // the fastest entry from which the last move ends at rest
     double entry_speed_mm_s = 0;      // planned
-    Direction direction;              // at its begin
+    Direction direction;              // at its start
     Direction direction_end;
   };
 

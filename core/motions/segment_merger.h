@@ -1,12 +1,13 @@
-// Roads for lines that are slow: no more pieces in a second than the line carries.
+// Fits roads to a slow serial line: no more pieces in a second than the line carries.
 //
-//     1  straight pieces that would be laid sooner than a line is sent are merged, as far as all
-//        their points stay within the tolerance of the longer one
-//     2  where the next kSegmentWindow pieces are still too many for their time, the whole road is
-//        laid slower: a planner that runs dry stops at every piece, and leaves a blob there
+//     1  Straight pieces that would be laid faster than a line of G-code is sent are merged, as
+//        long as all their points stay within the tolerance of the longer piece.
 //
-//            o──o─o──o──o──o          o────────────o
-//        The whole road, because each change of speed makes a line longer.
+//            o──o─o──o──o──o    ──>   o────────────o
+//
+//     2  Where the next kSegmentWindow pieces are still too many for their time, the whole road is
+//        laid slower. Otherwise the planner would run dry, stop at every piece, and leave a blob
+//        there. The whole road, because each change of speed makes a line of G-code longer.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +25,7 @@ inline constexpr std::size_t kSegmentWindow = 16;
 inline constexpr std::size_t kArcLines = 2;
 
 // Merges straight pieces shorter than length_min_mm into ones of about that length.
-// REQUIRES: the pieces begin at `from`; length_min_mm and tolerance_mm >= 0.
+// REQUIRES: the pieces start at `from`; length_min_mm and tolerance_mm >= 0.
 // ENSURES: points left out are within the tolerance of the pieces that stand for them, laid_over_mm
 // sums up as before, arcs stay. COSTS: O(n k), k pieces merged into one.
 void merge_short_pieces(Point from, std::vector<RoadPiece>& pieces, double length_min_mm,

@@ -1,7 +1,9 @@
-// Offsets without a Voronoi diagram: slow, but right for any clean region.
+// Polygon offset without a Voronoi diagram: slow, but right for any clean region. The last resort
+// of voronoi_mountain.h.
 //
-// Everything nearer to a contour than the depth is a union of capsules, one about each edge; an
-// inner offset is the region without them, an outer one the region with them.
+// All points nearer to a contour than the depth form a union of capsules, one around each edge (a
+// Minkowski sum of the contour and a disc). An inner offset is the region without them, an outer
+// offset the region with them.
 #pragma once
 
 #include "core/regions/region.h"  // Region

@@ -1,4 +1,5 @@
-// What passes from the offsets to all later stages: a slice with what was cut from its mountain.
+// What passes from the offsets to all later stages: a slice with the offsets that were cut from
+// it.
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,7 @@
-// What an offset really is: straight pieces and circular arcs.
+// The exact shape of a polygon offset: straight pieces and circular arcs.
 //
-// Inside an offset, straight contour edges give straight pieces and reflex vertices give arcs about
-// the vertex. They stay arcs here; flatten() makes a region of polygons where one is needed.
+// Straight contour edges give straight pieces, and reflex corners give arcs around the corner.
+// Arcs are kept; flatten() makes polygons of them where a region is needed.
 #pragma once
 
 #include <vector>

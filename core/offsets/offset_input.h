@@ -1,17 +1,17 @@
-// A region's contours as the foot of the mountain reads them: edges and corners in double
-// coordinates, all seen from one side.
+// A region's contours as the polygon offset reads them: edges and corners in double coordinates,
+// all seen from one side.
 //
 // Offsets always go to the left of the edges. For outward offsets the plane is mirrored (y -> -y)
-// when the contours are loaded, which brings the outside to the left; nothing else differs.
+// when the contours are loaded, which puts the outside on the left. Nothing else differs.
 //
-// What is exact: coordinates are integers relative to the region's box, so differences are exact in
-// a double. exact_cross() and exact_dot() of them are rounded once at most: their sign, and whether
-// they are 0, is always right.
+// Some decisions are exact. Coordinates are integers relative to the region's box, so differences
+// are exact in a double. exact_cross() and exact_dot() round once at most, so that their sign, and
+// whether they are 0, is always right:
 //   corner of e -> g     cross(e, g) < 0: reflex, it raises an arc; > 0: convex, it raises nothing
 //   collinear run        cross = 0: the corner is dropped, one edge stands for the run
-//   equal points         contours that touch at a corner are linked anew by mend_touching() so that
-//                        each corner is one true wedge of the inside; of the wedges at a point at
-//                        most one is reflex, and it owns the point's arc
+//   equal points         where contours touch at a corner, mend_touching() links them again, so
+//                        that each corner is one true wedge of the inside; at most one of the
+//                        wedges at a point is reflex, and it owns the point's arc
 #pragma once
 
 #include <cstdint>
@@ -26,13 +26,13 @@ struct OffsetEdge {
   double x, y;    // from here
   double dx, dy;  // to the end
   double length, inverse_length;
-  std::int32_t end_corner;  // where it ends: corner i is where edge i begins
+  std::int32_t end_corner;  // where it ends: corner i is where edge i starts
   std::int32_t previous;    // edge before it along the contour
   std::int32_t next;        // edge after it
   std::int32_t run;         // edges of one run never trim one another (offset_runs.h)
 };
 
-// The corner where the edge of the same index begins.
+// The corner where the edge of the same index starts.
 struct OffsetCorner {
   double half_tangent;  // tan(turn / 2), the turn counted from 0 to 180° either way
   std::int32_t owner;   // the corner whose arc stands for this point's
@@ -74,7 +74,7 @@ class OffsetInput {
   [[nodiscard]] const std::vector<OffsetCorner>& corners() const { return corners_; }
   // REQUIRES: the corner is reflex.
   [[nodiscard]] OffsetArc arc(std::int32_t corner) const;
-  // Corners were linked anew: neighbouring edges need not follow one another in memory.
+  // Corners were linked again: neighbouring edges need not follow one another in memory.
   [[nodiscard]] bool mended() const { return mended_; }
   // Differences of coordinates need the wide products.
   [[nodiscard]] bool wide() const { return wide_; }

@@ -1,23 +1,23 @@
-// Runs: stretches of a contour whose offset elements cannot trim one another.
+// Runs: stretches of a contour whose offset elements cannot trim one another. Edges of one run are
+// never tested against one another, at none of the depths.
 //
-// Chains. Let consecutive edges have directions within less than 180° of one another, and at depth
-// D let every edge keep a positive length between the crossings with its neighbours at convex
-// corners:
+// Chains. Consider consecutive edges whose directions lie within less than 180° of one another.
+// Let every edge keep a positive length at depth D between its crossings with the neighbours at
+// convex corners:
 //
 //     length − D · tan(θ/2) at either end where the chain turns left  > 0
 //
-// Then at any depth 0 < d <= D no edge of the chain comes nearer than d to what neighbours leave of
-// another's element. For: some axis has a positive component along all directions, so the chain,
-// prolonged straight at both ends, is a graph over it, and so is its offset chain at every depth up
-// to d (same directions, positive lengths). These graphs rise strictly with the depth, since all
-// normals point upward. A point p of the chain at d whose nearest point of the (prolonged) base
-// were at a distance d' < d would also lie on the chain at d': no two of the graphs share a point.
+// Then at any depth 0 < d <= D no edge of the chain comes nearer than d to what the neighbours
+// leave of another edge's element. Proof: some axis has a positive component along all directions,
+// so the chain, prolonged straight at both ends, is a graph over that axis. So is its offset chain
+// at every depth up to d, with the same directions and positive lengths. These graphs rise
+// strictly with the depth, because all normals point upward. Now let p be a point of the chain at
+// d whose nearest point of the (prolonged) base is at a distance d' < d. Then p also lies on the
+// chain at d', but no two of the graphs share a point.
 //
 // Rings. A contour that turns right throughout is a convex obstacle: no edge trims another's
-// element at any depth. One that turns left throughout, all its edges left positive at D, shrinks
-// to convex polygons one inside the other: again only neighbours trim.
-//
-// So edges of one run are never tested against one another, at none of the depths.
+// element at any depth. A contour that turns left throughout, with all its edges positive at D,
+// shrinks to convex polygons one inside the other: again only neighbours trim.
 #pragma once
 
 #include "core/offsets/offset_input.h"  // OffsetInput

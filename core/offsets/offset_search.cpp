@@ -55,7 +55,7 @@ void OffsetSearch::gather_chunks(const OffsetInput& contours) {
     const bool same_run = i > 0 && edges[i - 1].run == edge.run;
     const std::int32_t run_before = same_run ? 0 : run_length;
     run_length = same_run ? run_length + 1 : 1;
-    // A chunk's edges lie behind one another in memory, each ending where the next begins.
+    // A chunk's edges lie behind one another in memory, each ending where the next starts.
     const bool follows = i > 0 && edges[i - 1].end_corner == index;
     if (!follows || index - chunks_.back().first >= kChunkEdgesMax || run_before >= kLongRun ||
         (!same_run && starts_long_run(edges, i))) {

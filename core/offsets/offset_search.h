@@ -1,9 +1,10 @@
-// Which edges can reach which offset elements: the one neighbour search that all depths share.
+// Which edges can reach which offset elements: one neighbour search for all depths.
 //
-// Consecutive edges are gathered in chunks of up to 8 with a box. The elements that a chunk raises
-// up to the deepest depth D lie in its raised box; a site can trim them only from within D of it. A
-// uniform grid over the chunks' boxes finds, for every chunk, all chunks that are so near and not
-// of the same run: a superset of what is needed, never less, so the grid decides nothing.
+// Consecutive edges are gathered in chunks of up to 8, each with a box. The elements that a chunk
+// raises up to the deepest depth D lie in its raised box, and an edge can trim them only from
+// within D of that box. A uniform grid over the chunks' boxes finds all chunks that are so near
+// and not of the same run. It may find more than are needed, never fewer, so the grid decides
+// nothing.
 //
 //       raised box  ┌───────────┐   D
 //                   │  ‾‾‾‾‾‾   │◄─────► box of another chunk: a neighbour

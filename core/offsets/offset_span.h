@@ -1,15 +1,15 @@
 // What is left of one offset element while capsules are cut from it.
 //
 // An element is an interval of its parameter. Every other edge removes the open interval that its
-// capsule (all points nearer than the depth) covers; each end of an interval is named by the site
-// that makes it, an edge or a corner, because contours are linked by those names.
+// capsule (all points nearer than the depth) covers. Each end of an interval is named by the site
+// that makes it, an edge or a corner, because contours are linked by these names.
 //
 //      lo                                        hi       the window: nothing is left beyond it
 //      ├──────────(gap a)─────(gap  b)───────────┤        gaps: intervals that touch neither end
 //
-// An edge and a corner at its end touch smoothly, so where the one takes over from the other their
-// ends agree to second order. The edge says (to first order, by where the foot of the point lies)
-// whether the end is still its own: when both name the same place, the edge is right.
+// An edge and a corner at its end touch smoothly: where the one takes over from the other, their
+// ends agree to second order. There the edge decides, because it can tell to first order, by where
+// the foot of the point lies, whether the end is still its own.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,7 @@
 
 namespace core {
 
-// Edge i is site 2i, the corner where it begins is site 2i + 1. An edge's offset line and a reflex
+// Edge i is site 2i, the corner where it starts is site 2i + 1. An edge's offset line and a reflex
 // corner's arc carry the same numbers as elements.
 using OffsetSite = std::int32_t;
 

@@ -23,7 +23,7 @@ double half_tangent(double x, double y, double radius) {
 
 }  // namespace
 
-void OffsetTrim::begin(const OffsetInput& contours) {
+void OffsetTrim::start(const OffsetInput& contours) {
   covered_.assign(2 * contours.edges().size(), 0);
 }
 
@@ -33,7 +33,7 @@ bool OffsetTrim::trim(const OffsetInput& contours, const OffsetSearch& search, d
   corners_ = &contours.corners();
   search_ = &search;
   depth_ = depth;
-  killer_ = -1;
+  last_coverer_ = -1;
   pieces_.clear();
   first_.resize(2 * edges_->size() + 1);
   return contours.wide() ? trim_all<true>() : trim_all<false>();
@@ -78,7 +78,7 @@ void OffsetTrim::trim_line(std::int32_t index, std::span<const std::int32_t> nea
     return;
   }
   span_.reset({from, before}, {to, after}, tolerance_of(e.length + depth_));
-  if (killer_ >= 0 && killer_ != index) cut_line<kWide>(a, killer_);
+  if (last_coverer_ >= 0 && last_coverer_ != index) cut_line<kWide>(a, last_coverer_);
   if (!start_in_run && !corner(index).reflex) cut_line<kWide>(a, e.previous);
   if (!end_in_run && !corner(e.next).reflex) cut_line<kWide>(a, e.next);
   const double reach_squared = (depth_ + 1) * (depth_ + 1);
@@ -175,7 +175,7 @@ void OffsetTrim::cut_line(const Frame& a, std::int32_t other) {
     const OffsetEnd outer = end(foot0 + cotangent, t0 + cotangent, -side);
     span_.remove(turn < 0 ? outer : inner, turn < 0 ? inner : outer);
   }
-  if (span_.dead()) killer_ = other;
+  if (span_.dead()) last_coverer_ = other;
 }
 
 template <bool kWide>
@@ -189,7 +189,8 @@ bool OffsetTrim::trim_arc(std::int32_t index, std::span<const std::int32_t> near
   const Frame v{g.x, g.y, arc.middle_x, arc.middle_y, index};
   const double k = arc.quarter_tangent;
   span_.reset({-k, 2 * g.previous}, {k, 2 * index}, tolerance_of(depth_) / (2 * depth_));
-  if (killer_ >= 0 && killer_ != index && killer_ != g.previous && !cut_arc<kWide>(v, killer_)) {
+  if (last_coverer_ >= 0 && last_coverer_ != index && last_coverer_ != g.previous &&
+      !cut_arc<kWide>(v, last_coverer_)) {
     return false;
   }
   // The arc's box: its ends and how far it bulges over their chord.
@@ -256,7 +257,7 @@ bool OffsetTrim::cut_arc(const Frame& v, std::int32_t other) {
   }
   if (rise == 0 && own_foot > 0 && own_foot < f.length) {  // the corner lies on f
     span_.remove({-kFar, 2 * other}, {kFar, 2 * other});
-    killer_ = other;
+    last_coverer_ = other;
     return true;
   }
   const auto parameter = [&](double x, double y) {
@@ -281,7 +282,7 @@ bool OffsetTrim::cut_arc(const Frame& v, std::int32_t other) {
   };
   const double left = rise > 0 ? half_chord : -half_chord;
   remove_from_arc(end(left, 1), end(-left, -1));
-  if (span_.dead()) killer_ = other;
+  if (span_.dead()) last_coverer_ = other;
   return true;
 }
 

@@ -1,25 +1,28 @@
-// Trims every offset element of a region's contours at one depth d: of an edge's line and of a
-// reflex corner's arc only those points stay that no capsule covers.
+// Trims every offset element of a region's contours at one depth d. Of an edge's line and of a
+// reflex corner's arc, only the points stay that no capsule covers.
 //
 // Each other edge f cuts one interval out of an element, because its capsule (all points nearer
-// than d) is convex. Its ends, in closed form, for the line at height d over edge a:
+// than d) is convex. The ends of the interval are known in closed form. For the line at height d
+// over edge a:
 //
-//      the line of f: with O where the lines of a and f meet, t0 and τ0 its places along a and f,
-//      θ the angle from a to f, the offset lines meet at t0 − d·tan(θ/2) on a, τ0 + d·tan(θ/2) on
-//      f, and f's line across on its other side at t0 + d·cot(θ/2), τ0 + d·cot(θ/2);
-//      where that foot τ lies beyond f's end q: the circle about q, at s ± sqrt(h·(2d − h)), with
-//      (s, h) q's place along and above a. h <= 0: q is behind the line and never reaches it.
+//   the line of f: let O be where the lines of a and f meet, t0 and τ0 the coordinates of O along a
+//   and f, and θ the angle from a to f. The offset lines meet at t0 − d·tan(θ/2) on a and
+//   τ0 + d·tan(θ/2) on f. The line on f's other side is met at t0 + d·cot(θ/2), τ0 + d·cot(θ/2).
 //
-// and for the arc about v, at height c over f's line: feet at ± sqrt(c·(2d − c)) from v's own;
-// where they lie beyond f's end q: where the circles about v and q meet.
+//   an end of f: where that foot τ lies beyond f's end q, the circle about q counts. It is met at
+//   s ± sqrt(h·(2d − h)), with s along a and h above a the coordinates of q. If h <= 0, q is behind
+//   the line and never reaches it.
 //
-// t0, τ0, s, h and c come from crosses and dots of exact integers, rounded once: convex or not,
-// parallel or not, on the line or not is decided right. Both elements that meet at an end compute
-// it from the same numbers.
+// For the arc about v, with c the height of v over f's line: the feet are ± sqrt(c·(2d − c)) from
+// the foot of v. Where they lie beyond f's end q, the circles about v and q meet.
+//
+// t0, τ0, s, h and c are computed from exact integer crosses and dots, and rounded once: whether
+// corners are convex, edges parallel or points on a line is decided right. Both elements that meet
+// at an end compute it from the same numbers.
 //
 // What is covered at one depth is covered at all greater ones: the straight way from a point of an
 // element back to its own site is nearest to that site all along. So depths are trimmed in
-// ascending order, and an element of which nothing stayed is never looked at again.
+// ascending order, and an element of which nothing stayed is not looked at again.
 #pragma once
 
 #include <cstdint>
@@ -34,9 +37,9 @@ namespace core {
 
 class OffsetTrim {
  public:
-  // Elements covered at the depths of earlier calls are left out: REQUIRES that none was greater,
-  // nor of other contours, since begin().
-  void begin(const OffsetInput& contours);
+  // Forgets what earlier depths covered. REQUIRES of the calls of trim() after it: these contours,
+  // depths in ascending order.
+  void start(const OffsetInput& contours);
 
   // Returns false when contours touch at a corner that raises an arc and were not mended yet.
   // COSTS: O(n · sites within 2d of what survives).
@@ -87,7 +90,8 @@ class OffsetTrim {
   const std::vector<OffsetCorner>* corners_ = nullptr;
   const OffsetSearch* search_ = nullptr;
   double depth_ = 0;
-  std::int32_t killer_ = -1;  // the edge that covered an element last: likely the next one's too
+  // The edge that covered an element last: likely the next element, too.
+  std::int32_t last_coverer_ = -1;
   OffsetSpan span_;
   TrimmedPieces pieces_;
   std::vector<std::int32_t> first_;

@@ -1,9 +1,10 @@
-// The paper's walk ("Our Offset Implementation"): along the Voronoi edges that cross a height.
+// Polygon offset from a Voronoi diagram: walks along the Voronoi edges that cross a height. (The
+// paper's walk, DETC2000/DAC-14285, "Our Offset Implementation".)
 //
-//        far from the contours      Within a cell the offset runs from the crossing where its
-//      2 ._________. 1              counter-clockwise border comes down (1), back along the border,
-//       /           \               to the one where it went up (2); then over that edge into the
-//      /  the cell   \              next cell. Which vertices are far is decided once for all, so
+//        far from the contours      In a cell, walk from the crossing where its counter-clockwise
+//      2 ._________. 1              border comes down (1) back along the border to the crossing
+//       /           \               where it went up (2). Then step over that edge into the next
+//      /  the cell   \              cell. Which vertices are far is decided once for all cells, so
 //     o———— site —————o             every walk closes.
 //
 // Crossing points are computed from the two sites (parallel lines, circles), not from vertices.

@@ -113,10 +113,10 @@ void PolygonOffsetter::Scratch::cut_side(const Region& region, std::span<const L
     int attempt = 0;
     while (attempt < kDepthTriesMax && !cut(nudged(depth, attempt))) {
       ++attempt;
-      trim.begin(contours);  // what rounding decided may have been part of it
+      trim.start(contours);  // what rounding decided may have been part of it
     }
     // A tried depth may be greater than the next one asked for.
-    if (attempt > 0) trim.begin(contours);
+    if (attempt > 0) trim.start(contours);
     retries += attempt;
     if (attempt < kDepthTriesMax) {
       write(nudged(depth, attempt), outwards, out[i]);
@@ -130,7 +130,7 @@ void PolygonOffsetter::Scratch::cut_side(const Region& region, std::span<const L
 void PolygonOffsetter::Scratch::prepare(double deepest) {
   find_runs(contours, deepest);
   search.prepare(contours, deepest);
-  trim.begin(contours);
+  trim.start(contours);
 }
 
 bool PolygonOffsetter::Scratch::cut(double depth) {

@@ -61,7 +61,7 @@ std::int64_t OffsetCutter::fill(const Slice& slice, SliceOffsets& cut) const {
   return offsetter.retries() + offsetter.fallbacks() - tries_before;
 }
 
-OffsetCutter::Place OffsetCutter::place(const Slice& slice) {
+OffsetCutter::Reservation OffsetCutter::reserve(const Slice& slice) {
   if (last_ && slice.height == last_height_ && slice.region == last_region_) {
     ++reused_;
     return {last_, false};
@@ -75,7 +75,7 @@ OffsetCutter::Place OffsetCutter::place(const Slice& slice) {
 }
 
 std::shared_ptr<const SliceOffsets> OffsetCutter::cut(const Slice& slice) {
-  Place at = place(slice);
+  Reservation at = reserve(slice);
   if (at.to_fill) static_cast<void>(fill(slice, *at.offsets));
   return at.offsets;
 }

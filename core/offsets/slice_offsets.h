@@ -1,4 +1,5 @@
-// Cuts from a slice's mountain, once, all that later stages need.
+// Cuts all offsets of a slice that later stages need, at once: the wall's, the perimeters' centre
+// lines, and the interior.
 //
 // With w the road's width and s the distance of neighbouring roads,
 //
@@ -9,6 +10,8 @@
 //
 //     slice's edge │←w/2→┆←── s ──→┆← s/2→│ interior
 //                       1st       2nd
+//
+// Keywords: inset, extrusion spacing, perimeter.
 #pragma once
 
 #include <cstdint>
@@ -35,31 +38,31 @@ inline constexpr double kNarrowShare = 0.6;
 // Half of that distance: how much deeper than its centre line a perimeter's core lies.
 [[nodiscard]] Length narrow_half(const Settings& settings, Length layer_height);
 
-// Depth below the wall's edge at which its rows end, as a share of their distance (wall_fill.h);
-// half would lay exactly what joined rows need, and leave notches between two joins.
+// Depth below the wall's edge at which its rows end, as a share of their distance (wall_fill.h).
+// A share of one half would lay exactly what joined rows need, but leave notches between two joins.
 inline constexpr double kRowEndShare = 0.05;
 
-// Cuts slice after slice. One that equals the slice before it, point by point, shares its offsets,
-// so that a prismatic part costs one mountain.
+// Cuts slice after slice. A slice that equals the one before it, point by point, shares its
+// offsets, so that a prismatic part is cut once.
 //
-//     slices in order ──> place() ──┬── a new place ──> fill() in any thread ──┐
-//                                   └── the last one's place ──────────────────┴──> offsets
+//     slices in order ──> reserve() ──┬── new offsets ──> fill() in any thread ──┐
+//                                     └── those of the slice before ─────────────┴──> offsets
 class OffsetCutter {
  public:
-  struct Place {
+  struct Reservation {
     std::shared_ptr<SliceOffsets> offsets;  // never null; shared with an equal slice
-    bool to_fill = false;                   // nobody has been told so before
+    bool to_fill = false;                   // this caller has to call fill(), nobody else does
   };
 
   // REQUIRES: settings in their ranges.
   explicit OffsetCutter(const Settings& settings) : settings_(settings) {}
 
   // COSTS: a comparison.
-  [[nodiscard]] Place place(const Slice& slice);
+  [[nodiscard]] Reservation reserve(const Slice& slice);
 
   // Returns how many depths needed more than one try. Each thread keeps its scratch memory.
-  // COSTS: one cut of the mountain's foot at all depths: the wall's (wall_depths.h), two a
-  // perimeter, the interior's. REQUIRES: a place of this slice.
+  // COSTS: one polygon offset at all depths: the wall's (wall_depths.h), two a perimeter, the
+  // interior's. REQUIRES: offsets that were reserved for this slice.
   [[nodiscard]] std::int64_t fill(const Slice& slice, SliceOffsets& offsets) const;
 
   // Both at once.

@@ -1,9 +1,9 @@
-// Whether a diagram can be believed: Boost.Polygon's are not always right (boostorg/polygon#43).
+// Whether a Voronoi diagram is right: Boost.Polygon's are not always (boostorg/polygon#43).
 //
 // Checked: every edge of the contours has a cell that runs through both its ends; cells close and
 // twins agree; every vertex is as far from each of its sites as from the others, and no nearer to
-// the sites of the vertices next to it; no edge crosses a contour. A diagram that is right in all
-// these places is right everywhere, as a triangulation that is locally Delaunay is Delaunay.
+// the sites of the vertices next to it; no edge crosses a contour. A diagram that is right at all
+// these points is right everywhere, as a triangulation that is locally Delaunay is Delaunay.
 #pragma once
 
 #include <vector>

@@ -7,7 +7,7 @@
 //    o------------------>o      positive inside, negative outside, 0 on them.
 //     site of the edge
 //
-// Used by voronoi_mountain (offsets) and medial_axis; nobody else should need it.
+// Used by voronoi_mountain (offsets) and medial_axis only.
 #pragma once
 
 #include <cstdint>
@@ -54,9 +54,8 @@ struct VoronoiDiagram {
   }
 };
 
-// The diagram of a clean region's rings, built anew from rings turned by other angles until one
-// passes all checks; tries turns first_turn, first_turn + 1, … up to kDiagramTurnsMax, then gives
-// up with nullopt.
+// The diagram of a clean region's rings. It is built from rings turned by other angles until one
+// passes all checks: turns first_turn, first_turn + 1, … up to kDiagramTurnsMax; then nullopt.
 [[nodiscard]] std::optional<VoronoiDiagram> make_voronoi_diagram(const std::vector<Ring>& rings,
                                                                  int first_turn);
 

@@ -1,12 +1,17 @@
 // The Voronoi mountain of a region and its offsets (DETC2000/DAC-14285, "Generating offset
-// contours").
+// contours"). It is what others know as the roof of a straight skeleton, but with round edges.
 //
-// The Voronoi diagram of all contours (islands and holes, inside and outside), every point lifted
-// by its signed distance to the contours. The offset at depth d is the mountain's cut at z = d:
+// Take the Voronoi diagram of all contours (islands and holes, inside and outside), and lift every
+// point by its signed distance to the contours. The offset at depth d is the cut at z = d:
 //
 //        /\      z = d > 0: an inner offset          one diagram serves any number of depths,
 //     __/__\__   z = 0: the contours                 each cut costs O(edges)
 //      /    \    z = d < 0: an outer offset
+//
+// Slower than polygon_offset.h, but independent of it: the reference in tests, and the fallback
+// where polygon_offset.h finds no consistent result.
+//
+// Keywords: straight skeleton, medial axis, signed distance field.
 #pragma once
 
 #include <memory>
@@ -34,9 +39,9 @@ class VoronoiMountain {
   // REQUIRES: not called on one mountain by two threads at a time.
   [[nodiscard]] OffsetContours offset(Length depth) const;
 
-  // Diagrams that failed their check and were turned, since birth.
+  // How many diagrams failed their check so far, and were turned.
   [[nodiscard]] int retries() const;
-  // Offsets that were made the slow way, since birth.
+  // How many offsets so far were made of capsules.
   [[nodiscard]] int fallbacks() const;
 
  private:
@@ -44,8 +49,8 @@ class VoronoiMountain {
   std::unique_ptr<Diagram> diagram_;
 };
 
-// The flattened offset of `region` at `depth`, for callers that need only one. The foot of the
-// mountain does it (polygon_offset.h): no diagram is built unless that fails.
+// The flattened offset of `region` at `depth`, for callers that need only one. polygon_offset.h
+// makes it; no diagram is built unless that fails.
 [[nodiscard]] Region offset(const Region& region, Length depth, Length arc_tolerance);
 
 }  // namespace core

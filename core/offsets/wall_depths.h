@@ -1,12 +1,12 @@
-// How deep the wall reaches into a slice, by how far away the slice is.
+// How deep the wall (shell) reaches into a slice, by how far away the slice is.
 //
-//     cylinder   d, at every distance up to T layers       ▛▀▀▀▜
+//     cylinder   w, at every distance up to T layers       ▛▀▀▀▜
 //                                                          ▙▄▄▄▟
 //     ball       sqrt(w² − z²), z from the mid-plane of    ▗▛▀▜▖
 //                the layer in question to the near face    ▝▙▄▟▘
 //                of the other one; w for the layer itself
 //
-// With layers of one height h the near face of the layer i away is at z = (i − ½) h. The ball's
+// With layers of one height h, the near face of the layer i away is at z = (i − ½) h. The ball's
 // wall is the exact inner offset, by a ball of radius w, of the stack of slabs that is built.
 #pragma once
 

@@ -21,10 +21,10 @@ struct Chain {
 };
 
 // What a ring's lowest, of those its leftmost corner tells.
-struct Foot {
+struct LowestCorner {
   Point corner;
   bool counter_clockwise;
-  bool placed = false;
+  bool nesting_checked = false;
 };
 
 class Sweep {
@@ -33,7 +33,7 @@ class Sweep {
   bool clear(std::span<const Ring> rings) {
     rings_ = rings;
     chains_.clear();
-    feet_.clear();
+    lowest_corners_.clear();
     for (std::uint32_t i = 0; i < rings_.size(); ++i) {
       if (!add_ring(i)) return false;
     }
@@ -80,7 +80,7 @@ class Sweep {
     }
     const Point before = ring[lowest > 0 ? lowest - 1 : size - 1];
     const std::int64_t turn = cross(before, ring[lowest], corner(index, lowest + 1));
-    feet_.push_back({ring[lowest], turn > 0});
+    lowest_corners_.push_back({ring[lowest], turn > 0});
     return true;
   }
 
@@ -110,11 +110,12 @@ class Sweep {
     return static_cast<std::size_t>((std::int64_t{x} - west_) >> shift_);
   }
 
-  // Tests a chain against those that reach up to it, and places its ring among them.
+  // Tests a chain against those that reach up to it, and its ring for how it nests.
   bool enter(std::uint32_t index) {
     const Chain& chain = chains_[index];
-    const Foot& foot = feet_[chain.ring];
-    if (!foot.placed && chain.box.min.y == foot.corner.y && !place(chain.ring)) return false;
+    const LowestCorner& lowest = lowest_corners_[chain.ring];
+    if (!lowest.nesting_checked && chain.box.min.y == lowest.corner.y && !nests(chain.ring))
+      return false;
     const std::size_t first = column_of(chain.box.min.x), last = column_of(chain.box.max.x);
     for (std::size_t column = first; column <= last; ++column) {
       std::vector<Reach>& reaching = reaching_[column];
@@ -134,17 +135,17 @@ class Sweep {
   }
 
   // Whether the ring stands where one that turns its way may stand.
-  bool place(std::uint32_t ring) {
-    Foot& foot = feet_[ring];
-    foot.placed = true;
+  bool nests(std::uint32_t ring) {
+    LowestCorner& lowest = lowest_corners_[ring];
+    lowest.nesting_checked = true;
     int winding = 0;
-    for (std::size_t column = 0; column <= column_of(foot.corner.x); ++column) {
+    for (std::size_t column = 0; column <= column_of(lowest.corner.x); ++column) {
       for (const Reach& reach : reaching_[column]) {
-        if (column_of(reach.left) != column || reach.left > foot.corner.x) continue;
-        winding += winding_about(reach.chain, foot.corner);
+        if (column_of(reach.left) != column || reach.left > lowest.corner.x) continue;
+        winding += winding_about(reach.chain, lowest.corner);
       }
     }
-    return winding == (foot.counter_clockwise ? 0 : 1);
+    return winding == (lowest.counter_clockwise ? 0 : 1);
   }
 
   // What the chain adds to the winding number about p, counted along the ray to the left.
@@ -192,7 +193,7 @@ class Sweep {
 
   std::span<const Ring> rings_;
   std::vector<Chain> chains_;
-  std::vector<Foot> feet_;
+  std::vector<LowestCorner> lowest_corners_;
   // Chains that reach up to the sweep, or did, in every column of x that they pass.
   std::array<std::vector<Reach>, kColumnsMax> reaching_;
   std::int32_t west_ = 0;

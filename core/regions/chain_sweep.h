@@ -1,9 +1,9 @@
 // Whether contours keep clear of themselves and of one another, exactly and fast.
 //
 // Contours are cut into chains of at most 16 edges that go one way in x and one way in y. A chain
-// cannot meet itself, and two chains only where their boxes overlap, which for the chains of one
-// smooth contour is nowhere but at their common corner. Chains are swept upward by the lower sides
-// of their boxes. The winding number about each ring's lowest corner is counted on the way.
+// cannot meet itself. Two chains can meet only where their boxes overlap, and those of one smooth
+// contour overlap only at their common corner. Chains are swept upward by the lower sides of their
+// boxes. On the way, the winding number about each ring's lowest corner is counted.
 #pragma once
 
 #include <vector>

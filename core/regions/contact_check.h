@@ -1,8 +1,9 @@
-// A cheap exact answer to "is this clean already?", so that the costly way is taken only when it
-// must be.
+// Whether rings are clean already: a cheap exact answer, which spares most of them the costly
+// cleaning.
 //
-// Two edges may meet only in the corner they share (chain_sweep.h). Where contours may touch, edges
-// are laid into a uniform grid of about one cell an edge. Integer products, so all is exact.
+// Two edges may meet only in the corner they share (chain_sweep.h). Where contours may touch,
+// edges are entered in a uniform grid of about one cell an edge. All products are of integers, so
+// all is exact.
 #pragma once
 
 #include <vector>
@@ -11,7 +12,8 @@
 
 namespace core {
 
-// True: from_clean_rings(rings) holds. False: not known; rings that merely touch give false too.
+// True: the rings meet what from_clean_rings() requires. False: not known; rings that merely touch
+// give false, too.
 // REQUIRES: coordinates within ±kCoordinateMax.
 // COSTS: as keep_clear() in chain_sweep.h.
 [[nodiscard]] bool surely_clean(const std::vector<Ring>& rings);

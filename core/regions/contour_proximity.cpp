@@ -56,7 +56,7 @@ class Walker {
 
 // Goes on to the next corner of `ahead`, and with `beside` as near to it as it may. False when the
 // leash is too short for that.
-bool go_on(Walker& ahead, Walker& beside, double share, double reach2) {
+bool advance(Walker& ahead, Walker& beside, double share, double reach2) {
   if (squared_distance(ahead.next(), beside.ahead(share)) > reach2) return false;
   beside.go_to(share);
   ahead.pass();
@@ -87,12 +87,12 @@ bool frechet_within(const Ring& ring, const Ring& other, double reach2) {
   const std::size_t steps_max = 2 * (ring.size() + other.size());
   std::size_t passed = 0;
   for (std::size_t i = 0; i < steps_max && passed < ring.size(); ++i) {
-    // Whoever's corner comes first goes there; the other one when the leash is too short.
+    // The walker whose corner comes first goes there; if that is too far, the other one.
     const double b_share = b.share_at(a.next());
-    if (b_share < 1 && go_on(a, b, b_share, reach2)) {
+    if (b_share < 1 && advance(a, b, b_share, reach2)) {
       ++passed;
-    } else if (!go_on(b, a, a.share_at(b.next()), reach2)) {
-      if (b_share < 1 || !go_on(a, b, b_share, reach2)) return false;
+    } else if (!advance(b, a, a.share_at(b.next()), reach2)) {
+      if (b_share < 1 || !advance(a, b, b_share, reach2)) return false;
       ++passed;
     }
   }

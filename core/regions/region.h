@@ -1,11 +1,11 @@
 // A part of the plane bounded by rings: a slice, an offset, a wall.
 //
-// A region is always clean, from its birth on:
+// A region is always clean:
 //   - every point of the plane has winding number 0 (outside) or 1 (inside);
 //   - outer contours run counter-clockwise, holes clockwise;
 //   - contours do not cross or overlap, themselves or one another; they may touch at points;
 //   - no ring has fewer than 3 points, repeated neighbours, or zero area.
-// Whoever makes one out of anything less goes through clean() in boolean.h.
+// clean() in boolean.h makes a region of any other rings.
 #pragma once
 
 #include <utility>

@@ -1,8 +1,8 @@
-// Finds segments near a place, by a uniform grid: is anything within reach of this point, does
-// this straight line cross a contour, what is in this box?
+// Finds segments near a point, by a uniform grid. Is anything within reach of this point? Does this
+// straight line cross a contour? What is in this box?
 //
-// Each segment is entered in every cell that its own line passes; a query looks only at the cells
-// it reaches. Cells lie row by row in one array, with a bound of some cells a segment.
+// Each segment is entered in every cell that its own line passes. A query looks only at the cells
+// that it reaches. Cells lie row by row in one array; their number is bounded by the segments'.
 #pragma once
 
 #include <cstdint>

@@ -160,7 +160,7 @@ Ring with_chords(const Ring& ring, double tolerance) {
     splitter.split(fixed[i], i + 1 < fixed.size() ? fixed[i + 1] : ring.size());
   }
   std::vector<std::size_t> kept = splitter.kept();
-  // The points it began with were kept unasked.
+  // The points it started with were kept without being asked for.
   for (std::size_t i = 0; i < kept.size() && kept.size() > 3;) {
     const bool unasked = std::binary_search(fixed.begin(), fixed.end(), kept[i]);
     const std::size_t before = i > 0 ? kept[i - 1] : kept.back();

@@ -1,9 +1,9 @@
-// Leaves out points that a contour doesn't need.
+// Leaves out points that a contour doesn't need (polyline simplification).
 //
-// Two steps. First, points that lie on a straight line but for the rounding to the grid go, such as
-// facets in one slanted plane leave. Then Ramer–Douglas–Peucker (Ramer 1972; Douglas and Peucker
-// 1973): a run of points is replaced by its chord where all of it lies within the tolerance, and is
-// split at its farthest point where not.
+// There are two steps. The first leaves out points that lie on a straight line except for rounding
+// to the grid: the facets of one slanted plane leave such points. The second is
+// Ramer–Douglas–Peucker (Ramer 1972; Douglas and Peucker 1973): a run of points is replaced by its
+// chord where all of it lies within the tolerance; otherwise it is split at its farthest point.
 #pragma once
 
 #include "core/geometry.h"  // Ring

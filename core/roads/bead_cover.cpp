@@ -23,7 +23,7 @@ Point moved(Point p, Vector d, double by) {
           static_cast<std::int32_t>(std::lround(p.y + d.y * by))};
 }
 
-// Where one piece of road ends and the next one begins.
+// Where one piece of road ends and the next one starts.
 struct Corner {
   Vector in;
   Vector out;
@@ -66,7 +66,7 @@ class BeadOutline {
         add_alone(i);
         continue;
       }
-      if (right_.empty()) begin(i);
+      if (right_.empty()) start(i);
       if (i + 1 < pieces_ && !inverted(i + 1)) {
         go_round({along_[i], along_[i + 1]}, to(i));
       } else {
@@ -97,14 +97,14 @@ class BeadOutline {
     return std::max(left, right) > lengths_[piece];
   }
 
-  void begin(std::size_t piece) {
+  void start(std::size_t piece) {
     const bool joins = closed_ && piece == 0 && !inverted(before(piece));
     const Corner corner{along_[before(piece)], along_[piece]};
     const Vector side = joins && !corner.sharp() ? corner.mitre() : left_of(along_[piece]);
     add_both(points_[piece], side);
   }
 
-  // The last piece of a closed road meets the first one's begin.
+  // The last piece of a closed road meets the start of the first one.
   void end(std::size_t piece) {
     const bool joins = closed_ && piece + 1 == pieces_ && !inverted(0);
     const Corner corner{along_[piece], along_[after(piece)]};

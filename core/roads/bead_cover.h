@@ -1,4 +1,4 @@
-// The part of a layer that roads cover: what is left of a region after them is still to be filled.
+// The area that roads cover. What is left of a region without it is still to be filled.
 #pragma once
 
 #include <vector>
@@ -10,13 +10,13 @@
 
 namespace core {
 
-// Beads that bound a rest are taken to be wider than their spacing by this, so that rounding and
-// the corners of curves leave no hairs between them; their round sides really reach farther.
+// Beads that bound a gap are taken to be wider than their spacing by this, so that rounding and
+// the corners of curves leave no hairs between them. Their round sides really reach farther.
 inline constexpr Length kBeadSeam = Length::from_units(300);
 
 // Adds the outline of a road at `width`: mitred where it bends a little, round (to 45°) outside
-// where it turns, ends cut off square. ENSURES: winding numbers of 0 and more; covered is what has
-// 1 or more. The outline crosses itself where the road does, and on the inner side of sharp turns.
+// where it turns, with square ends. ENSURES: winding numbers of 0 and more; an area with 1 or more
+// is covered. The outline crosses itself where the road does, and inside sharp turns.
 void add_bead_outlines(const Road& road, Length width, std::vector<Ring>& outlines);
 
 // What of the region is farther than `width` / 2 from the roads.

@@ -1,7 +1,8 @@
-// How large discs that touch a site from inside can grow, as curves along that site.
+// The radius of the largest disc that touches a site from inside, as a curve along the site.
 //
-// In the cell of a site, the disc that touches it at a place grows until it touches another site:
-// the lowest of these curves is the clearance there, the disc's centre lies on the medial axis.
+// In the cell of a site, the disc that touches the site at one point grows until it touches
+// another site. So the lowest of these curves is the clearance there, and the disc's centre lies
+// on the medial axis.
 //
 //      the site is an edge               the site is a reflex corner
 //      ╲   other edge                          ╱ other edge
@@ -11,8 +12,8 @@
 //     ────╲___╱──────▶ u                 o        1/r = 2 n·w / |w|²      w: to the other corner
 //      other corner: a parabola
 //
-// Both kinds are of a form in which any two meet at most twice, and the meetings are in closed
-// form.
+// Both kinds have a form of which any two meet at most twice, and where they meet is known in
+// closed form.
 #pragma once
 
 #include <cmath>

@@ -31,17 +31,17 @@ constexpr double kBlobSquaresMin = 3;
 // Pieces with more corners are no blobs.
 constexpr std::size_t kBlobPointsMax = 64;
 
-// Pieces of rest of less area than this many squares of the narrowest road stay empty.
+// Gaps of less area than this many squares of the narrowest road stay empty.
 constexpr double kCrumbSquares = 1.5;
 
 // Pieces thinner than this share of the narrowest road, on the whole, are hairs.
 constexpr double kHairShare = 0.1;
 
 // Pieces worth a road: not thin hairs, not crumbs.
-std::vector<Region> pieces_of(const Region& rest, const Settings& settings) {
+std::vector<Region> pieces_of(const Region& gaps, const Settings& settings) {
   const double narrowest = settings.road_width_min.mm();
   std::vector<Region> kept;
-  for (Island& island : islands(simplified(rest, settings.simplify_tolerance * 2))) {
+  for (Island& island : islands(simplified(gaps, settings.simplify_tolerance * 2))) {
     std::vector<Ring> rings;
     append_rings(std::move(island), rings);
     // The outer ring last: the lines along the medial axis come in this order.
@@ -92,9 +92,9 @@ void add_blob(const Region& piece, Length widest, const Settings& settings,
 
 class Cutter {
  public:
-  Cutter(GapEdges edges, Length height, const Settings& settings)
+  Cutter(GapBoundary edges, Length height, const Settings& settings)
       : settings_(settings), edges_(edges) {
-    if (edges == GapEdges::kRoads)
+    if (edges == GapBoundary::kRoads)
       side_mm_ = height.mm() * (1 - std::numbers::pi / 4) + kBeadSeam.mm();
   }
 
@@ -150,7 +150,7 @@ class Cutter {
     const double narrowest = settings_.road_width_min.mm();
     if (points_.size() < 2 || room_mm2_ < kCrumbSquares * narrowest * narrowest) return;
     // At the part's contour a road is nowhere wider than its room.
-    const double room = edges_ == GapEdges::kPart ? low_ : room_mm2_ / length_mm_;
+    const double room = edges_ == GapBoundary::kPart ? low_ : room_mm2_ / length_mm_;
     const double width = std::max(room + side_mm_, narrowest);
     if (closed && points_.back() == points_.front()) points_.pop_back();
     closed = closed && points_.size() >= 3;
@@ -158,7 +158,7 @@ class Cutter {
   }
 
   const Settings& settings_;
-  GapEdges edges_;
+  GapBoundary edges_;
   double side_mm_ = 0;  // what a bead's round sides need beyond the room
   std::vector<Point> points_;
   double low_ = 0;
@@ -169,26 +169,26 @@ class Cutter {
 
 }  // namespace
 
-Length rest_room_min(const Settings& settings, GapEdges edges) {
-  if (edges == GapEdges::kPart) return settings.road_width_min - kRoomSlack;
+Length gap_width_min(const Settings& settings, GapBoundary edges) {
+  if (edges == GapBoundary::kPart) return settings.road_width_min - kRoomSlack;
   return Length::from_mm(kRoomMinShare * settings.road_width_min.mm());
 }
 
-std::vector<Road> gap_fill_roads(const Region& rest, GapEdges edges, Length layer_height,
+std::vector<Road> gap_fill_roads(const Region& gaps, GapBoundary edges, Length layer_height,
                                  const Settings& settings) {
   std::vector<Road> roads;
-  const Length narrowest = rest_room_min(settings, edges);
+  const Length narrowest = gap_width_min(settings, edges);
   const Length widest = Length::from_mm(kRoomMaxWidths * settings.road_width.mm());
   Cutter cutter(edges, layer_height, settings);
   PolygonOffsetter offsetter;
-  for (const Region& piece : pieces_of(rest, settings)) {
-    // Asking the foot whether there is room anywhere costs a small part of an axis.
+  for (const Region& piece : pieces_of(gaps, settings)) {
+    // An offset tells whether there is room anywhere, for a small part of an axis's cost.
     if (offsetter.offset(piece, Length::from_units(narrowest.units() / 2)).empty()) continue;
     const std::size_t before = roads.size();
     for (const ThickPolyline& line : medial_axis(piece, narrowest, widest)) {
       cutter.cut(line, roads);
     }
-    if (roads.size() == before && edges == GapEdges::kRoads &&
+    if (roads.size() == before && edges == GapBoundary::kRoads &&
         piece.point_count() <= kBlobPointsMax) {
       add_blob(piece, widest, settings, roads);
     }

@@ -1,8 +1,11 @@
-// Fills what whole roads leave with roads of their own width, so that the wall is dense.
+// Gap fill: fills the gaps that whole roads leave with roads of fitting width, so that the wall is
+// dense.
 //
-//     ▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒      the rest's medial axis is the centre line, twice its distance to the
-//     ────┈┈┈┈════════      rest's boundary the room; a line is cut into roads of one width each
-//     ▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒      where the room changes by more than kWidthStep
+//     ▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒      The gap's medial axis is the centre line. Twice its distance to the
+//     ────┈┈┈┈════════      gap's boundary is the gap's width. A line is cut into roads of one
+//     ▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒      width each where that width changes by more than kWidthStep.
+//
+// Keywords: thin walls, variable extrusion width, medial axis.
 #pragma once
 
 #include <vector>
@@ -14,23 +17,23 @@
 
 namespace core {
 
-// How beads lie against what bounds the rest.
-enum class GapEdges {
+// What bounds a gap, and so how beads lie against it.
+enum class GapBoundary {
   kRoads,  // other roads: the bead's round sides reach into the gaps that theirs leave
   kPart,   // the part's own contour: the bead does not reach beyond it
 };
 
-// Widths of one road differ from the room it has by at most about half this share.
+// A road's width differs from the gap's by at most about half this share.
 inline constexpr double kWidthStep = 0.2;
 
 // What the grid and its roundings may take from a wall that is as wide as the narrowest road.
 inline constexpr Length kRoomSlack = Length::from_units(10);
 
-// Narrower room gets no road.
-[[nodiscard]] Length rest_room_min(const Settings& settings, GapEdges edges);
+// Narrower gaps get no road.
+[[nodiscard]] Length gap_width_min(const Settings& settings, GapBoundary edges);
 
-// COSTS: a medial axis of the rest; crumbs too small for any road are sorted out before.
-[[nodiscard]] std::vector<Road> gap_fill_roads(const Region& rest, GapEdges edges,
+// COSTS: a medial axis of the gaps. Crumbs too small for any road are sorted out before.
+[[nodiscard]] std::vector<Road> gap_fill_roads(const Region& gaps, GapBoundary edges,
                                                Length layer_height, const Settings& settings);
 
 }  // namespace core

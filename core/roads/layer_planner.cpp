@@ -13,7 +13,7 @@ bool alike(const SplitLayer& a, const SplitLayer& b) {
 
 }  // namespace
 
-LayerPlanner::Place LayerPlanner::place(SplitLayer split) {
+LayerPlanner::Reservation LayerPlanner::reserve(SplitLayer split) {
   std::shared_ptr<LayerPlan>& last = last_[static_cast<std::size_t>(split.slice.index % 2)];
   if (last && alike(last->split, split)) {
     ++reused_;

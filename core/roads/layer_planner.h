@@ -1,10 +1,10 @@
-// What becomes of a layer that is split: its style applied, its roads planned. Once only for layers
-// that are alike, so that a prismatic part is planned twice in all:
+// Plans a layer that is split: applies the style, then plans the roads. Layers that are alike share
+// one plan, so that a prismatic part is planned twice in all:
 //
-//     layers in order ──> place() ──┬── a new place ──> fill() in any thread ──┐
-//                                   └── the place of the one two below ────────┴──> plan
+//     layers in order ──> reserve() ──┬── a new plan ──> fill() in any thread ──┐
+//                                     └── that of the layer two below ──────────┴──> plan
 //
-// Two below, because the fill of the one below is turned.
+// Two below, because the fill of the layer below is turned.
 #pragma once
 
 #include <array>
@@ -29,16 +29,16 @@ struct LayerPlan {
 
 class LayerPlanner {
  public:
-  struct Place {
+  struct Reservation {
     std::shared_ptr<LayerPlan> plan;  // never null; its layer's index is that of who came first
-    bool to_fill = false;             // nobody has been told so before
+    bool to_fill = false;             // this caller has to call fill(), nobody else does
   };
 
   // REQUIRES: with_style() was applied.
   explicit LayerPlanner(const Settings& settings) : style_(settings), roads_(settings) {}
 
   // COSTS: a comparison.
-  [[nodiscard]] Place place(SplitLayer split);
+  [[nodiscard]] Reservation reserve(SplitLayer split);
 
   // COSTS: as WallStyle and, where roads are wanted, RoadPlanner.
   void fill(LayerPlan& plan, bool with_roads) const;

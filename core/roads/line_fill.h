@@ -1,13 +1,13 @@
-// Fills an area with parallel straight roads, turned by 90° from layer to layer, neighbours joined
-// at their ends.
+// Rectilinear infill: parallel straight roads, turned by 90° from layer to layer. Neighbours can be
+// joined at their ends (zigzag).
 //
 //     ╱╲  ╱╱╲          rows of one grid, turned by the fill angle, at the area's distance;
 //    ╱╱ ╲╱╱  ╲         a row's stretches `inset` deep inside `region` become roads, drawn
 //    ╲╱  ╲╲  ╱         on by `anchor` inside `within`; the next row's nearest end is joined to a
 //     ╲╱  ╲╲╱          road's end where the join is short and stays inside the region
 //
-// The grid is fixed to the plane, not to the area: rows of one layer lie over those of the next
-// but one.
+// The grid is fixed to the plane, not to the area: rows of one layer lie over those of the layer
+// two below.
 #pragma once
 
 #include <vector>

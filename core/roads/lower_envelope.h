@@ -1,12 +1,12 @@
-// The lower envelope of a few curves over one parameter: which is the lowest where.
+// The lower envelope of a few curves over one parameter: which curve is the lowest where.
 //
 //     ╲      ╱╲                A curve type offers
 //      ╲____╱  ╲___ ╱            double value(double t)             what is compared
-//     1 ┆ 2 ┆ 1 ┆ 3 ┆            double low, high                   where it counts
-//                                two members that look at pairs     below
+//     1 ┆ 2 ┆ 1 ┆ 3 ┆            double low, high                   where the curve is defined
+//                                two members for pairs of curves    below
 //
-// Exact in the sense that no dip of one curve below another is missed: within the limits of all
-// curves, any two of a type meet at most twice.
+// No dip of one curve below another is missed. That needs curves of which any two meet at most
+// twice where both are defined.
 #pragma once
 
 #include <algorithm>
@@ -31,7 +31,7 @@ struct EnvelopePiece {
 template <typename Curve>
 class LowerEnvelope {
  public:
-  // REQUIRES: from < to; at every parameter at least one curve counts.
+  // REQUIRES: from < to; at every parameter at least one curve is defined.
   // COSTS: O(curves²) at worst; keeps its memory.
   const std::vector<EnvelopePiece>& find(const std::vector<Curve>& curves, double from, double to) {
     curves_ = &curves;
@@ -49,7 +49,7 @@ class LowerEnvelope {
   }
 
  private:
-  // Breaks that rounding makes up are cut short here: true ones are fewer.
+  // True breaks are fewer. Rounding may seem to make more: they are cut short here.
   static constexpr std::size_t kSplitsPerCurve = 8;
 
   // No curve's limit lies between.
@@ -80,7 +80,7 @@ class LowerEnvelope {
   }
 
   void split(double from, std::uint32_t first, double to, std::uint32_t last) {
-    // Curves that touch where one of them ceases to count are no crossing.
+    // Curves that touch where one of them ends do not cross.
     if (value(first, to) <= value(last, to) + Curve::kSame) {
       last = first;
     } else if (value(last, from) <= value(first, from) + Curve::kSame) {

@@ -21,7 +21,7 @@ constexpr double kOpenShare = 1.1;
 // Pieces that one curved edge is split into at most.
 constexpr int kPiecesMax = 64;
 
-struct Place {
+struct Disc {
   double x = 0;
   double y = 0;
   double radius = 0;
@@ -72,7 +72,7 @@ class Curve {
     last_ = parameter_of(to);
   }
 
-  [[nodiscard]] Place at(double u) const {
+  [[nodiscard]] Disc at(double u) const {
     if (kind_ == Kind::kLinear) {
       return {origin_.x + u * along_.x, origin_.y + u * along_.y,
               origin_.radius + u * along_.radius};
@@ -129,7 +129,7 @@ class Curve {
   }
 
   Kind kind_ = Kind::kLinear;
-  Place origin_, along_, normal_;
+  Disc origin_, along_, normal_;
   double height_ = 0;
   double first_ = 0;
   double last_ = 1;
@@ -139,7 +139,7 @@ constexpr std::uint32_t kFreeEnd = UINT32_MAX;
 
 // A stretch of an edge that is neither too narrow nor too wide.
 struct Run {
-  std::size_t begin = 0;  // of its places, one after another
+  std::size_t begin = 0;  // of its discs, one after another
   std::size_t end = 0;
   std::uint32_t from = kFreeEnd;  // vertices, where the run goes right up to them
   std::uint32_t to = kFreeEnd;
@@ -148,7 +148,7 @@ struct Run {
 
 struct Runs {
   std::vector<Run> runs;
-  std::vector<Place> places;
+  std::vector<Disc> discs;
 };
 
 Runs runs_of(const VoronoiDiagram& diagram, const Ridge& ridge, double radius_min,
@@ -169,13 +169,13 @@ Runs runs_of(const VoronoiDiagram& diagram, const Ridge& ridge, double radius_mi
         continue;
       }
       if (!open) {
-        all.runs.push_back({all.places.size(), 0, kFreeEnd, kFreeEnd, false});
-        all.places.push_back(curve.at(stops[i]));
+        all.runs.push_back({all.discs.size(), 0, kFreeEnd, kFreeEnd, false});
+        all.discs.push_back(curve.at(stops[i]));
         if (i == 0) all.runs.back().from = vertex_or_end(diagram.edges[edge].from);
       }
       open = true;
-      all.places.push_back(curve.at(stops[i + 1]));
-      all.runs.back().end = all.places.size();
+      all.discs.push_back(curve.at(stops[i + 1]));
+      all.runs.back().end = all.discs.size();
       if (i + 2 == stops.size()) all.runs.back().to = vertex_or_end(diagram.to(edge));
     }
   }
@@ -186,7 +186,7 @@ Runs runs_of(const VoronoiDiagram& diagram, const Ridge& ridge, double radius_mi
 class Chains {
  public:
   Chains(Runs all, std::size_t vertices)
-      : runs_(std::move(all.runs)), places_(std::move(all.places)), at_(vertices) {
+      : runs_(std::move(all.runs)), discs_(std::move(all.discs)), at_(vertices) {
     for (std::uint32_t i = 0; i < runs_.size(); ++i) {
       meet(runs_[i].from, i);
       meet(runs_[i].to, i);
@@ -228,15 +228,15 @@ class Chains {
 
   void add_line(std::uint32_t run, bool backwards, std::vector<ThickPolyline>& lines) {
     if (runs_[run].used) return;
-    std::vector<Place> places;
+    std::vector<Disc> discs;
     bool closed = false;
     for (;;) {
       Run& current = runs_[run];
       current.used = true;
-      const auto first = places_.begin() + static_cast<std::ptrdiff_t>(current.begin);
-      const auto last = places_.begin() + static_cast<std::ptrdiff_t>(current.end);
+      const auto first = discs_.begin() + static_cast<std::ptrdiff_t>(current.begin);
+      const auto last = discs_.begin() + static_cast<std::ptrdiff_t>(current.end);
       if (backwards) std::reverse(first, last);
-      places.insert(places.end(), first, last);
+      discs.insert(discs.end(), first, last);
       const std::uint32_t vertex = backwards ? current.from : current.to;
       if (!passes(vertex)) break;
       const std::uint32_t next = at_[vertex].first == run ? at_[vertex].second : at_[vertex].first;
@@ -245,19 +245,19 @@ class Chains {
       run = next;
       backwards = runs_[run].from != vertex;
     }
-    append(places, closed, lines);
+    append(discs, closed, lines);
   }
 
-  static void append(const std::vector<Place>& places, bool closed,
+  static void append(const std::vector<Disc>& discs, bool closed,
                      std::vector<ThickPolyline>& lines) {
     ThickPolyline line;
     line.closed = closed;
-    for (const Place& place : places) {
-      const Point p{static_cast<std::int32_t>(std::lround(place.x)),
-                    static_cast<std::int32_t>(std::lround(place.y))};
+    for (const Disc& disc : discs) {
+      const Point p{static_cast<std::int32_t>(std::lround(disc.x)),
+                    static_cast<std::int32_t>(std::lround(disc.y))};
       if (!line.points.empty() && line.points.back() == p) continue;
       line.points.push_back(p);
-      line.widths.push_back(Length::from_units(std::llround(2 * place.radius)));
+      line.widths.push_back(Length::from_units(std::llround(2 * disc.radius)));
     }
     if (closed && line.points.size() > 1 && line.points.front() == line.points.back()) {
       line.points.pop_back();
@@ -268,7 +268,7 @@ class Chains {
   }
 
   std::vector<Run> runs_;
-  std::vector<Place> places_;
+  std::vector<Disc> discs_;
   std::vector<Meeting> at_;  // by vertex
 };
 

@@ -32,7 +32,7 @@ struct Edge {
   double length = 0;
   std::uint32_t before = 0;  // edges on the same ring
   std::uint32_t after = 0;
-  std::uint32_t corner = UINT32_MAX;  // site of the reflex corner that it begins at, if it does
+  std::uint32_t corner = UINT32_MAX;  // site of the reflex corner that it starts at, if it does
 };
 
 class NarrowDiagram {
@@ -113,24 +113,24 @@ class NarrowDiagram {
     }
     from = 0;
     for (const auto& [to, curve] : edge_border_) {
-      // The cell's border runs with the region on the other side: from a piece's end to its begin.
+      // The cell's border runs with the region on the other side: from a piece's end to its start.
       add_border(site, curve.site, edge_centre(edge, curve, to), edge_centre(edge, curve, from));
       from = to;
     }
   }
 
-  static Vector place_on(const Edge& edge, double u) {
+  static Vector point_on(const Edge& edge, double u) {
     return {edge.from.x + u * edge.along.x, edge.from.y + u * edge.along.y};
   }
 
   static VoronoiVertex edge_centre(const Edge& edge, const EdgeCurve& curve, double u) {
-    const Vector touched = place_on(edge, u), normal = left_of(edge.along);
+    const Vector touched = point_on(edge, u), normal = left_of(edge.along);
     const double r = std::max(0.0, curve.value(u));
     return {touched.x + r * normal.x, touched.y + r * normal.y, r};
   }
 
   void find_edge_border(std::uint32_t site, double from, double to) {
-    find_near(place_on(edges_[site], from), place_on(edges_[site], to));
+    find_near(point_on(edges_[site], from), point_on(edges_[site], to));
     edge_curves_.assign(1, {0, 0, clearance_max_});
     edge_curves_.back().site = UINT32_MAX;
     for (const std::uint32_t other : near_) {
@@ -146,7 +146,7 @@ class NarrowDiagram {
     }
   }
 
-  // What the inner side of another edge, and the reflex corner that it begins at, allow.
+  // What the inner side of another edge, and the reflex corner that it starts at, allow.
   void add_edge_curves(std::uint32_t site, std::uint32_t other, double from, double end) {
     const Edge& edge = edges_[site];
     const Edge& to = edges_[other];
@@ -183,7 +183,7 @@ class NarrowDiagram {
   }
 
   // Adds the curve unless it stays above the clearance between. It is lowest at `lowest`, or where
-  // it begins or ceases to count.
+  // it starts or ends.
   void add_low(const EdgeCurve& curve, double lowest, double from, double to) {
     const double low = std::max(curve.low, from), high = std::min(curve.high, to);
     if (!(low < high)) return;

@@ -69,9 +69,9 @@ void NearestPoint::remove_owner(std::size_t owner) {
     if (entries_[i].owner != owner) continue;
     const std::size_t cell = cell_of(entries_[i].point);
     const auto end = in_cells_.begin() + ends_[cell];
-    const auto place = std::find(in_cells_.begin() + starts_[cell], end, i);
-    if (place == end) continue;
-    *place = *(end - 1);
+    const auto found = std::find(in_cells_.begin() + starts_[cell], end, i);
+    if (found == end) continue;
+    *found = *(end - 1);
     --ends_[cell];
   }
   of_owner_[owner] = {0, 0};

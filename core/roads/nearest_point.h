@@ -1,5 +1,5 @@
-// The nearest of a set of points from which points are taken away: a uniform grid, searched in
-// growing squares about the place that asks.
+// The nearest of a set of points that only shrinks: a uniform grid, searched in growing squares
+// about the point that is asked for.
 #pragma once
 
 #include <cstddef>
@@ -16,13 +16,13 @@ class NearestPoint {
   struct Entry {
     Point point;
     std::size_t owner = 0;  // what the caller knows it by
-    std::size_t place = 0;  // which of the owner's points
+    std::size_t index = 0;  // which of the owner's points
   };
 
   // COSTS: O(entries). REQUIRES: fewer than 2^32; best, but not needed, an owner's in one run.
   explicit NearestPoint(std::vector<Entry> entries);
 
-  // Takes all of an owner's points away. REQUIRES: the owner had a point at the begin.
+  // Takes all of an owner's points away. REQUIRES: the owner had a point at first.
   void remove_owner(std::size_t owner);
 
   // The nearest that is left; of equally near ones the first as they were given.

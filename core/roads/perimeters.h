@@ -1,7 +1,9 @@
-// Perimeters: roads along the contour, as far as the part is wide enough for them.
+// Perimeters (also called walls or shells): roads along the contour, as far as the part is wide
+// enough for them.
 //
-// A centre line comes from the mountain at the perimeter's depth, its core a little deeper. Where
-// the part narrows, the core ends before the two sides of the centre line come too near:
+// A centre line is the slice's offset at the perimeter's depth, its core the offset a little
+// deeper. Where the part narrows, the core ends before the two sides of the centre line come too
+// near:
 //
 //     ──────────────────╮                 line: kept where the core is near,
 //     ┄┄┄┄┄┄┄┄┄┄┄┄┄┄┄┄┄ ╰──────────────   cut open where it is not

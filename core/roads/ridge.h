@@ -11,8 +11,8 @@ namespace core {
 // A graph on the diagram's vertices; edges are named by one of their halves.
 class Ridge {
  public:
-  // Lines that reach `open_height` go on where the diagram does not: no end of theirs is free, and
-  // what ends there is a spur as if it ended in a fork.
+  // The diagram is cut off at `open_height`. Lines that reach it are not free ends: what ends there
+  // is treated as if it ended in a fork.
   // REQUIRES: diagram outlives the ridge.
   Ridge(const VoronoiDiagram& diagram, double open_height);
 
@@ -26,7 +26,7 @@ class Ridge {
   // Halves of the edges that are left, one for each.
   [[nodiscard]] std::vector<std::uint32_t> edges() const;
 
-  // On the region's contour, where no line goes on even if another begins there.
+  // On the region's contour, where a line ends even if another one starts there.
   [[nodiscard]] bool on_contour(std::uint32_t vertex) const;
 
  private:

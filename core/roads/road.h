@@ -1,4 +1,5 @@
-// A road: one line of deposited material, with a width.
+// A road: one line of deposited material, with a width. Others call it line, bead, track or
+// extrusion.
 #pragma once
 
 #include <vector>

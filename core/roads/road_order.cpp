@@ -59,14 +59,14 @@ void add_begins(const Road& road, std::size_t owner, std::vector<NearestPoint::E
   for (std::size_t i = 0; i < points.size(); ++i) entries.push_back({points[i], owner, i});
 }
 
-// Turns the road so that it begins at its point `place`; returns where it ends.
-Point begin_at(Road& road, std::size_t place) {
+// Turns the road so that it starts at its point `index`; returns where it ends.
+Point start_at(Road& road, std::size_t index) {
   if (road.closed) {
-    std::rotate(road.points.begin(), road.points.begin() + static_cast<std::ptrdiff_t>(place),
+    std::rotate(road.points.begin(), road.points.begin() + static_cast<std::ptrdiff_t>(index),
                 road.points.end());
     return road.points.front();
   }
-  if (place != 0) std::reverse(road.points.begin(), road.points.end());
+  if (index != 0) std::reverse(road.points.begin(), road.points.end());
   return road.points.back();
 }
 
@@ -100,14 +100,14 @@ std::size_t island_at(Point point, const std::vector<Outline>& outlines) {
 std::vector<Road> nearest_order(std::vector<Road> roads, Point& at) {
   std::vector<NearestPoint::Entry> entries;
   for (std::size_t i = 0; i < roads.size(); ++i) add_begins(roads[i], i, entries);
-  NearestPoint begins(std::move(entries));
+  NearestPoint starts(std::move(entries));
   std::vector<Road> ordered;
   ordered.reserve(roads.size());
   for (std::size_t count = 0; count < roads.size(); ++count) {
-    const auto next = begins.nearest(at);
+    const auto next = starts.nearest(at);
     RIND_CHECK(next.has_value());
-    begins.remove_owner(next->owner);
-    at = begin_at(roads[next->owner], next->place);
+    starts.remove_owner(next->owner);
+    at = start_at(roads[next->owner], next->index);
     ordered.push_back(std::move(roads[next->owner]));
   }
   return ordered;

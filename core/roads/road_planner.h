@@ -5,8 +5,8 @@
 //     ┌───────────────┐   perimeters    closed roads along the contour, cut open where the part is
 //     │ ┌───────────┐ │                 too narrow for them (perimeters.h)
 //     │ │╱╱╱╱╱╱╱╱╱╱╱│ │   the wall      parallel roads, joined at their ends (line_fill.h)
-//     │ │╱╱╱     ╱╱╱│ │   its rests     roads of their own width where whole ones don't fit, so
-//     │ │╱╱╱  ╱  ╱╱╱│ │                 that the wall is dense (gap_fill.h)
+//     │ │╱╱╱     ╱╱╱│ │   its gaps      roads of fitting width where whole ones don't fit, so that
+//     │ │╱╱╱  ╱  ╱╱╱│ │                 the wall is dense (gap_fill.h)
 //     │ │╱╱╱ ╱   ╱╱╱│ │   the inside    straight roads farther apart, anchored in the wall
 //
 // Islands and roads follow one another by nearest end (road_order.h).
@@ -21,11 +21,11 @@
 
 namespace core {
 
-// The wall is filled so far beyond its inner edge: what rounding, notches between rows and slivers
-// too thin for a road would leave open there, is dense as well.
+// The wall is filled this far beyond its inner edge. So what rounding, notches between rows and
+// slivers too thin for a road would leave open is dense as well.
 inline constexpr Length kWallGrace = Length::from_units(500);
 
-// Half a bead's seam (bead_cover.h): the wall's outline needs no point that moves it by less.
+// Half of kBeadSeam (bead_cover.h): the wall's outline needs no point that moves it by less.
 inline constexpr Length kWallSimplify = Length::from_units(150);
 
 class RoadPlanner {

@@ -1,4 +1,4 @@
-// The skirt: loops round the first layer that prime the nozzle before the part begins.
+// The skirt: loops round the first layer that prime the nozzle before the part starts.
 #pragma once
 
 #include <vector>

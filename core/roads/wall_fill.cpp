@@ -115,11 +115,11 @@ class WallFill {
     const Region rest = rings.empty() ? band : uncovered(band, rings, distance + kBeadSeam);
     // Rings that share a narrow band overlap already.
     if (!rest.empty() && breadth_mm(band) >= 2 * distance.mm()) {
-      const Length hair = rest_room_min(settings_, GapEdges::kRoads);
+      const Length hair = gap_width_min(settings_, GapBoundary::kRoads);
       for (std::size_t i = innermost; i < rings.size(); ++i) rings[i].width += hair;
     }
     add(std::move(rings));
-    add(gap_fill_roads(rest, GapEdges::kRoads, height_, settings_));
+    add(gap_fill_roads(rest, GapBoundary::kRoads, height_, settings_));
   }
 
   // Where the innermost rings leave too little for one more road, all rings share it.
@@ -157,7 +157,7 @@ class WallFill {
       for (Road& row : rows) row.width = fitted;
     }
     add(std::move(rows));
-    add(gap_fill_roads(rest, GapEdges::kRoads, height_, settings_));
+    add(gap_fill_roads(rest, GapBoundary::kRoads, height_, settings_));
   }
 
   void add(std::vector<Road> roads) {

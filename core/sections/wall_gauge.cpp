@@ -34,22 +34,22 @@ class Gauge {
         }
         const double distance = hypotenuse((to - from).mm(), rise);
         if (thinnest_ && thinnest_->thickness_mm <= distance) continue;
-        thinnest_ = WallPlace{distance, from, height_, to, height};
+        thinnest_ = ThinnestWall{distance, from, height_, to, height};
       }
     }
   }
 
-  [[nodiscard]] const std::optional<WallPlace>& thinnest() const { return thinnest_; }
+  [[nodiscard]] const std::optional<ThinnestWall>& thinnest() const { return thinnest_; }
 
  private:
   Intervals loose_;
   Length height_;
-  std::optional<WallPlace> thinnest_;
+  std::optional<ThinnestWall> thinnest_;
 };
 
 }  // namespace
 
-std::optional<WallPlace> thinnest_wall(const LayerWindow& window, const SectionLine& line) {
+std::optional<ThinnestWall> thinnest_wall(const LayerWindow& window, const SectionLine& line) {
   const Slice& slice = window.layer().slice;
   Intervals loose = section_of(window.layer().loose, line);
   if (loose.empty()) return std::nullopt;

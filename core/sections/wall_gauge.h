@@ -17,7 +17,7 @@
 
 namespace core {
 
-struct WallPlace {
+struct ThinnestWall {
   double thickness_mm = 0;
   // Along the line and above the bed: the loose point, and the point outside.
   Length loose_along, loose_height;
@@ -27,7 +27,7 @@ struct WallPlace {
 // The wall's thinnest place in window.layer(), nothing where it has no loose region on the line.
 // Only what lies within reach of the wall, and the bed, is looked at: the part's end is not.
 // COSTS: O(points of the window's slices), and the product of intervals.
-[[nodiscard]] std::optional<WallPlace> thinnest_wall(const LayerWindow& window,
-                                                     const SectionLine& line);
+[[nodiscard]] std::optional<ThinnestWall> thinnest_wall(const LayerWindow& window,
+                                                        const SectionLine& line);
 
 }  // namespace core

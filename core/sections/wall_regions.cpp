@@ -10,7 +10,7 @@
 namespace core {
 namespace {
 
-// I(S) of the neighbour at its depth, as it was cut; or cut anew, into `made`.
+// I(S) of the neighbour at its depth, as it was cut; or made again, into `made`.
 const Region& inner_of(const LayerWindow::Neighbour& neighbour, Length arc_tolerance,
                        Region& made) {
   const Layer& layer = *neighbour.layer;

@@ -10,7 +10,7 @@
 namespace core {
 namespace {
 
-using End = std::size_t;  // 2i: where chain i begins; 2i + 1: where it ends
+using End = std::size_t;  // 2i: where chain i starts; 2i + 1: where it ends
 
 constexpr End kFree = std::numeric_limits<End>::max();
 
@@ -115,11 +115,10 @@ class GapCloser {
     std::vector<Pair> pairs;
     for (const Cell& cell : cells) {
       for (std::int64_t column = cell.column - 1; column <= cell.column + 1; ++column) {
-        auto place = std::lower_bound(cells.begin(), cells.end(), Cell{column, cell.row - 1, 0});
-        for (; place != cells.end() && place->column == column && place->row <= cell.row + 1;
-             ++place) {
-          if (place->end <= cell.end) continue;
-          const Pair found = pair(cell.end, place->end);
+        auto near = std::lower_bound(cells.begin(), cells.end(), Cell{column, cell.row - 1, 0});
+        for (; near != cells.end() && near->column == column && near->row <= cell.row + 1; ++near) {
+          if (near->end <= cell.end) continue;
+          const Pair found = pair(cell.end, near->end);
           if (found.squared <= reach * reach) pairs.push_back(found);
         }
       }

@@ -24,7 +24,7 @@
 
 namespace core {
 
-// Places that are looked at along one contour.
+// Points that are looked at along one contour.
 inline constexpr int kTurnSamples = 64;
 // Of them, so many must stand out: fewer are noise where contours touch.
 inline constexpr int kTurnSamplesOut = 2;

@@ -53,9 +53,9 @@ bool on_one_wall(const Triangle& a, const Triangle& b) {
   const auto flat = [](const Vertex& v) { return Point{v.x, v.y}; };
   const auto& [p, q, r] = a.corners;
   if (cross(flat(p), flat(q), flat(r)) != 0) return false;
-  const Point begin = flat(p), end = flat(q) == begin ? flat(r) : flat(q);
+  const Point start = flat(p), end = flat(q) == start ? flat(r) : flat(q);
   return std::all_of(b.corners.begin(), b.corners.end(),
-                     [&](const Vertex& corner) { return cross(begin, end, flat(corner)) == 0; });
+                     [&](const Vertex& corner) { return cross(start, end, flat(corner)) == 0; });
 }
 
 // A mesh that is inside out gives the same part, and the same rings. Returns whether it is.

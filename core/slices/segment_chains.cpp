@@ -77,8 +77,8 @@ class Links {
 
  private:
   [[nodiscard]] Node node(Point point) const {
-    const auto place = std::lower_bound(points_.begin(), points_.end(), point);
-    return static_cast<Node>(place - points_.begin());
+    const auto found = std::lower_bound(points_.begin(), points_.end(), point);
+    return static_cast<Node>(found - points_.begin());
   }
 
   void drop_copies() {
@@ -102,8 +102,8 @@ class Links {
     const auto before = [](const Link& link, std::pair<Node, Node> key) {
       return std::pair(link.from, link.to) < key;
     };
-    const auto place = std::lower_bound(links_.begin(), links_.end(), std::pair(from, to), before);
-    return place != links_.end() && place->from == from && place->to == to;
+    const auto link = std::lower_bound(links_.begin(), links_.end(), std::pair(from, to), before);
+    return link != links_.end() && link->from == from && link->to == to;
   }
 
   void drop_reversed_pairs() {

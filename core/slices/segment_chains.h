@@ -59,7 +59,7 @@ struct Chains {
 
 // Joins ends of open chains, nearest first:
 //   - up to `gap_max` any two ends;
-//   - beyond it, only where one chain ends and another (or itself) begins, so that the part stays
+//   - beyond it, only where one chain ends and another (or itself) starts, so that the part stays
 //     on its side, among the kWideGapChainsMax longest chains;
 //   - no chain onto itself, and beyond gap_max nothing at all, where the gaps would be longer than
 //     kGapShareMax of what is there: that would make a body out of a sheet. One facet missing from

@@ -1,18 +1,19 @@
-// The window of a ball-shaped wall: which layers matter for which, and how deep.
+// The window of a ball-shaped wall (shell): which layers decide a layer's inside, and how deep.
 //
 //     loose(n) = ⋂ over the layers j near n of I_{d(n,j)}(S_j)       d(n,j): wall_depths.h
 //
-//     ┄┄┄┄┄┄┄┄┄┄┄┄┄┄┄ j      near: less than w from n's mid-plane, so layers of different heights
-//        ╭─────╮  ↕z         are counted by their millimetres; the bed and the part's end count as
-//     ───│──n──│─────        outside, so that layers nearer than w to them are all solid
+//     ┄┄┄┄┄┄┄┄┄┄┄┄┄┄┄ j      near: within the wall's reach (wall_reach.h), counted in millimetres,
+//        ╭─────╮  ↕z         so that layers may differ in height. The bed and the end of the part
+//     ───│──n──│─────        count as outside: layers nearer to them than w are all solid.
 //        ╰─────╯ w
 //
-// Unlike the cylinder's (wall_fold.h), these intersections share no partial results, since every
-// layer wants its neighbours at depths of its own: 2T of them at most. What cannot matter is left
-// out first: a slice that equals a nearer one adds nothing, for its offset is no deeper; and a
-// layer whose operands are those of the layer before costs nothing at all. (All operands in one
-// sweep, by Boost.Polygon with winding numbers counted, took ten times as long: every contour runs
-// along all the others.)
+// The cylinder's window (wall_fold.h) shares partial results between layers. A ball's can't, since
+// every layer needs its neighbours at other depths: it takes up to 2T intersections a layer. Two
+// shortcuts save most of them. A slice that equals a nearer one adds nothing, because its offset
+// is not deeper. A layer with the same operands as the layer before has the same result.
+//
+// Not done: all operands in one sweep with counted winding numbers. Measured with Boost.Polygon,
+// it took ten times as long, because every contour runs along all the others.
 #pragma once
 
 #include <cstddef>
@@ -36,8 +37,8 @@ class BallWall {
   // REQUIRES: wall_thickness > 0, arc_tolerance > 0.
   BallWall(Length wall_thickness, Length arc_tolerance);
 
-  // REQUIRES: room: layers are not lower than w / kWallLayersMax; the layer lies on the last one;
-  // next() has returned nothing since the last push().
+  // REQUIRES: no layer is lower than w / kWallLayersMax; the layer lies on the last one; next() has
+  // returned nothing since the last push().
   void push(Layer layer);
 
   // No layer follows.
@@ -51,9 +52,9 @@ class BallWall {
   [[nodiscard]] std::size_t layers_held_peak() const { return layers_held_peak_; }
   // Region operations of the last next().
   [[nodiscard]] int operations() const { return operations_; }
-  // Inner offsets that had to be cut anew, because neighbours differ in height.
+  // Inner offsets that were not prepared and had to be made, because neighbours differ in height.
   [[nodiscard]] std::int64_t offsets_cut() const { return offsets_cut_; }
-  // Layers that were split as the one before, for nothing.
+  // Layers that were split as the one before, without an operation.
   [[nodiscard]] std::int64_t layers_reused() const { return layers_reused_; }
 
  private:

@@ -1,13 +1,15 @@
-// Makes of the inside what can be printed as an inside.
+// Makes the inside printable: what is too narrow or too small for loose roads becomes solid.
 //
-// The splitter's loose region can have tongues narrower than any loose road and crumbs smaller than
-// one: printed loosely they would be nearly empty, with the wall around them hanging in the air.
-// They become solid. Nothing ever goes the other way: the wall is never thinned.
+// The splitter's loose region can have tongues narrower than any loose road, and crumbs smaller
+// than one. Filled loosely, they would be nearly empty, and the wall around them would hang in the
+// air. Loose becomes solid, never the other way: the wall is not thinned anywhere.
 //
-//     loose ──open by width_min──> what is wide enough
-//       └── minus that: tongues and crumbs -> solid; the bits that opening cuts off a sharp corner
-//           stay loose (they lie beside a wide place, and a wall that grew there could not be
-//           filled)
+//     loose ──opened by width_min──> what is wide enough
+//       └── the difference: tongues and crumbs become solid. What opening cuts off a sharp corner
+//           stays loose: it lies beside a wide part, and a wall that grew there could not be
+//           filled.
+//
+// Keywords: morphological opening, minimum infill area, narrow infill.
 #pragma once
 
 #include "core/regions/region.h"  // Region
@@ -23,7 +25,7 @@ struct RegulariseOptions {
 
 // The part of `loose` that stays loose.
 // ENSURES: a subset of `loose`, to 2 units (boolean.h).
-// COSTS: a mountain of `loose` where no place is narrow, else two and three region operations.
+// COSTS: one offset of `loose` where nothing is narrow, else two and three region operations.
 [[nodiscard]] Region regularise_loose(const Region& loose, const RegulariseOptions& options);
 
 }  // namespace core

@@ -1,9 +1,9 @@
 // Folds the last w values with an idempotent associative operation, in bounded work a step.
 //
-//     push(v_n) -> v_{n-w+1} ∘ … ∘ v_n       (nothing before w values have come)
+//     push(v_n) -> v_{n-w+1} ∘ … ∘ v_n       (nothing until w values have come)
 //
-// Doubling: the fold of the last 2, 4, 8 … values is made of two folds of half that width, the
-// older of which was kept; the last two overlap, which an idempotent operation does not mind:
+// Method: doubling. The fold of the last 2, 4, 8 … values is made of two folds of half that width;
+// the older of them was kept. The last two overlap, which an idempotent operation allows:
 //
 //     w = 7    1 │             ■     v_n
 //              2 │           □ ■     □: the fold that was kept, ■: the one just made
@@ -11,10 +11,9 @@
 //              7 │ □ □ □ □
 //                │       ■ ■ ■ ■
 //
-// Every step costs the same. A queue of two stacks needs fewer operations on average, but now and
-// then a whole window at once; whoever waits for the result, a printer, would feel exactly that.
-// Method: sparse table turned into a stream (Bender and Farach-Colton 2000 use the overlap for
-// range minima).
+// Every step costs the same. A queue of two stacks needs fewer operations on average, but
+// sometimes a whole window of them in one step, and then the printer would wait.
+// SOURCE: the sparse table for range minima (Bender and Farach-Colton 2000), made a stream.
 #pragma once
 
 #include <cstddef>
@@ -67,7 +66,7 @@ class SlidingFold {
  private:
   Combine combine_;
   // kept_[k] holds the folds of 2^k values that ended 1 … size steps ago. Its oldest ends where the
-  // newest begins; in the last ring it reaches as much further down as the window asks.
+  // newest starts; in the last ring it reaches down as far as the window does.
   std::vector<RingBuffer<Value>> kept_;
   int operations_ = 0;
   std::size_t partials_held_ = 0;

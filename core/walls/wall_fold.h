@@ -1,14 +1,15 @@
-// The window's bookkeeping: when a layer is settled, and what all layers around it share.
+// The window of a cylinder-shaped wall: when a layer is settled, and what all layers around it
+// share.
 //
 //     shared(n) = inner(n-T) ∩ … ∩ inner(n+T),     inner(outside the part) = ∅
 //
-//     push(0 … T-1)   -> 0 … T-1, sharing nothing: below them the part has ended
+//     push(0 … T-1)   -> 0 … T-1, which share nothing: the part ends below them
 //     push(T … 2T-1)  -> nothing
 //     push(n >= 2T)   -> n-T
-//     finish(), until it returns nothing -> the last T layers, sharing nothing
+//     finish(), until it returns nothing -> the last T layers, which share nothing
 //
-// It knows neither layers nor regions, so that it can be held against the definition on bitmasks
-// (tests/core/walls/wall_fold_test.cpp); wall_splitter.h is its use on regions.
+// Layers and regions are template parameters, so that a test can run it on bitmasks against the
+// definition (tests/core/walls/wall_fold_test.cpp). wall_splitter.h uses it on regions.
 #pragma once
 
 #include <algorithm>

@@ -12,7 +12,7 @@ WallSplitter::WallSplitter(const Settings& settings)
   if (wall_counts_layers(settings)) wall_.emplace<Cylinder>(wall_layers(settings));
 }
 
-void WallSplitter::begin_at(LayerIndex first) {
+void WallSplitter::start_at(LayerIndex first) {
   RIND_CHECK(next_index_ == 0 && first >= 0);
   next_index_ = first;
 }

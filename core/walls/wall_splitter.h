@@ -1,7 +1,8 @@
-// Decides, layer by layer, which part must be a dense wall and which may be loose.
+// Decides, layer by layer, which part must be a dense wall (shell) and which may be loose
+// (infill).
 //
-// A spot may be loose only where the part goes on for T layers above it and T below it, at least
-// the wall's depth away from every contour:
+// A point may be loose only where it is at least the wall's depth away from every contour of its
+// own layer, of T layers above it and of T layers below it:
 //
 //     loose(n) = I(S_{n-T}) ∩ … ∩ I(S_{n+T})          solid(n) = S_n − loose(n)
 //
@@ -16,12 +17,15 @@
 //     Offset(S_n) ∪ S_n ∩ ⋃_{i=1..T} [(S_{n+i-1} − S_{n+i}) ∪ (S_{n-i+1} − S_{n-i})
 //                                      ∪ Offset(S_{n+i}) ∪ Offset(S_{n-i})],   Offset(S) = S − I(S)
 //
-// Both say the same. Take p in S_n outside the paper's region: p is in no S_{n+i-1} − S_{n+i}, so
-// by induction p is in every S_{n+i}, and likewise downwards; p is in none of their offsets, so it
-// is in every I(S_{n±i}). tests/core/walls/wall_splitter_test.cpp holds one against the other.
+// Both are the same. Take a point p of S_n outside the paper's region. p is in no S_{n+i-1} −
+// S_{n+i}, so by induction it is in every S_{n+i}, and in the same way in every S_{n-i}. p is in
+// none of their offsets, so it is in every I(S_{n±i}). tests/core/walls/wall_splitter_test.cpp
+// compares the two.
 //
-// That is the wall as a cylinder of the wall's depth, T layers up and down. A ball (ball_wall.h)
-// wants every layer of the window at a depth of its own; both come out of this one door.
+// That is a wall in the shape of a cylinder: one depth, T layers up and down. A ball (ball_wall.h)
+// needs every layer of the window at a depth of its own. This class serves both.
+//
+// Keywords: shell, top and bottom layers, vertical shell thickness, infill region.
 #pragma once
 
 #include <cstddef>
@@ -53,8 +57,8 @@ class WallSplitter {
     int operations_last = 0;   // region operations of the last layer
     int operations_worst = 0;  // of any layer: at most kFoldCostMax + 1, ball: kBallOperationsMax
     std::int64_t operations = 0;     // of all layers
-    std::int64_t layers_reused = 0;  // split as the layer before, for nothing
-    std::int64_t offsets_cut = 0;    // anew, because neighbours differ in height (ball_wall.h)
+    std::int64_t layers_reused = 0;  // split as the layer before, without an operation
+    std::int64_t offsets_cut = 0;    // not prepared: neighbours differ in height (ball_wall.h)
   };
 
   // A cylinder; wall_layers is T (settings.h). REQUIRES: 1 <= wall_layers <= kWallLayersMax.
@@ -63,29 +67,29 @@ class WallSplitter {
   // The shape that the settings ask for. REQUIRES: settings validated.
   explicit WallSplitter(const Settings& settings);
 
-  // Begins in the middle of a part: what is below `first` is not known, and layers whose wall
+  // Starts in the middle of a part: what is below `first` is not known, and layers whose wall
   // reaches there are split as if the part ended below it. REQUIRES: nothing was pushed.
-  void begin_at(LayerIndex first);
+  void start_at(LayerIndex first);
 
   // Takes the next layer up, with its offsets (slice_offsets.h); returns a layer that this settles,
   // if any, offsets and all.
   //
   // COSTS: cylinder: at most ⌈log2(2T+1)⌉ <= kFoldCostMax intersections and one subtraction; ball:
-  // 2T intersections. On any call: the link is fed from here, and a rare
-  // slow one would be a blob of plastic, however good the mean.
+  // 2T intersections. That bounds every call, not the mean: the printer is fed from here, and one
+  // slow call leaves a blob of plastic.
   //
   // REQUIRES: layer.slice.index == next_index(); finish() was never called.
   // ENSURES: loose is bounded by the slice and by its own inner offset, to 2 units (boolean.h).
   [[nodiscard]] std::optional<SplitLayer> push(Layer layer);
 
-  // A further layer that the last push() settled; more than one is only where heights differ.
-  // To be called until it returns nothing. COSTS: as push().
+  // A further layer that the last push() settled: there can be several where heights differ. Call
+  // it until it returns nothing. COSTS: as push().
   [[nodiscard]] std::optional<SplitLayer> next();
 
   // Says that no layer follows; returns one of those still held, or nothing when all have left.
   [[nodiscard]] std::optional<SplitLayer> finish();
 
-  // The index that push() takes next. Counts from 0, or begin_at(), without gaps.
+  // The index that push() takes next. Counts from 0, or start_at(), without gaps.
   [[nodiscard]] LayerIndex next_index() const { return next_index_; }
 
   [[nodiscard]] Usage usage() const;

@@ -1,11 +1,11 @@
-// The last word on what of a layer is loose, by the build style.
+// Decides by the build style what of a layer stays loose: the last step before roads.
 //
 //     thin-wall   what the window says, made printable (regularise.h)
 //     regular     nothing
-//     fast        all within the three perimeters where the whole layer is hidden, otherwise
-//                 nothing. Hidden: covered by every slice up to T layers above and below, but for
-//                 slivers narrower than kHiddenSliverMax. (The straightforward method of
-//                 QuickSlice 6.2 that DETC2000/DAC-14285 compares with, figure 1.)
+//     fast        where the whole layer is hidden: all within three perimeters. Elsewhere: nothing.
+//                 Hidden: every slice up to T layers above and below covers it, except for slivers
+//                 narrower than kHiddenSliverMax. This is the simple method of QuickSlice 6.2, with
+//                 which DETC2000/DAC-14285 compares (figure 1).
 #pragma once
 
 #include "core/regions/region.h"     // Region
@@ -18,8 +18,8 @@ namespace core {
 inline constexpr Length kHiddenSliverMax = Length::from_units(1'000);  // 0.1 mm
 inline constexpr int kFastPerimeters = 3;
 
-// The settings as the style wants them: the fast style has three perimeters. To be applied once,
-// before any stage sees them.
+// The settings with what the style fixes: the fast style has three perimeters. Apply it once,
+// before any stage sees the settings.
 [[nodiscard]] Settings with_style(Settings settings);
 
 class WallStyle {
@@ -31,7 +31,7 @@ class WallStyle {
   // COSTS: thin-wall: as regularise_loose().
   [[nodiscard]] SplitLayer apply(SplitLayer layer) const;
 
-  // What apply() takes from the inside is what regularisation costs; the other styles do more.
+  // Whether regularisation alone accounts for what apply() takes from the inside.
   [[nodiscard]] bool only_regularises() const { return settings_.style == BuildStyle::kThinWall; }
 
  private:

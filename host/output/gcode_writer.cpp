@@ -30,10 +30,10 @@ const char* prusa_type_name(core::RoadKind kind) {
 void GcodeWriter::write(const core::Motion& motion,
                         const std::optional<firmware_link::Command>& command, std::string& into) {
   const auto out = std::back_inserter(into);
-  if (const auto* layer = std::get_if<core::BeginLayer>(&motion)) {
+  if (const auto* layer = std::get_if<core::LayerStart>(&motion)) {
     fmt::format_to(out, ";LAYER_CHANGE\n;Z:{}\n;HEIGHT:{}\n", layer->top.mm(), layer->height.mm());
     kind_.reset();
-  } else if (const auto* road = std::get_if<core::BeginRoad>(&motion)) {
+  } else if (const auto* road = std::get_if<core::RoadStart>(&motion)) {
     if (kind_ != road->kind) fmt::format_to(out, ";TYPE:{}\n", prusa_type_name(road->kind));
     if (!kind_ || width_ != road->width) fmt::format_to(out, ";WIDTH:{}\n", road->width.mm());
     kind_ = road->kind;

@@ -248,7 +248,7 @@ std::string SectionPicture::layer(const core::LayerWindow& window) {
     highest_loose_ = slice.bottom + core::Length::from_units(slice.height.units() / 2);
     highest_loose_along_ = widest->from + (widest->to - widest->from) / 2;
   }
-  const std::optional<core::WallPlace> place = core::thinnest_wall(window, options_.line);
+  const std::optional<core::ThinnestWall> place = core::thinnest_wall(window, options_.line);
   if (place && (!thinnest_ || place->thickness_mm < thinnest_->thickness_mm)) thinnest_ = place;
   if (in_view(slice)) note_balls(slice, in_view(section.loose));
   return svg;
@@ -387,7 +387,7 @@ std::string SectionPicture::end() {
   const double over_mm = (options_.height - highest_loose_).mm();
   if (thinnest_ && over_mm < thinnest_->thickness_mm) {
     const core::Length along = core::Length::from_units(highest_loose_along_);
-    thinnest_ = core::WallPlace{over_mm, along, highest_loose_, along, options_.height};
+    thinnest_ = core::ThinnestWall{over_mm, along, highest_loose_, along, options_.height};
   }
   append_measures(svg);
   append_legend(svg);

@@ -22,7 +22,7 @@
 #include "core/roads/road.h"             // Road
 #include "core/sections/layer_window.h"  // LayerWindow
 #include "core/sections/section.h"       // SectionLine
-#include "core/sections/wall_gauge.h"    // WallPlace
+#include "core/sections/wall_gauge.h"    // ThinnestWall
 #include "core/settings.h"               // Settings
 #include "core/units.h"                  // Length
 #include "host/output/picture_style.h"   // Colours
@@ -65,7 +65,7 @@ class SectionPicture {
   [[nodiscard]] std::string end();
 
   // What was measured so far; nothing where the cut has met no loose region.
-  [[nodiscard]] const std::optional<core::WallPlace>& thinnest() const { return thinnest_; }
+  [[nodiscard]] const std::optional<core::ThinnestWall>& thinnest() const { return thinnest_; }
   // Of the cut, mm².
   [[nodiscard]] double solid_mm2() const { return solid_mm2_; }
   [[nodiscard]] double loose_mm2() const { return loose_mm2_; }
@@ -116,7 +116,7 @@ class SectionPicture {
   RowPieces row_;
   core::Length row_bottom_, row_top_;
 
-  std::optional<core::WallPlace> thinnest_;
+  std::optional<core::ThinnestWall> thinnest_;
   core::Length highest_loose_;            // the middle of that layer
   std::int64_t highest_loose_along_ = 0;  // the middle of its widest interval
   std::vector<Ball> balls_;               // two at each of kBallHeights heights, and the highest

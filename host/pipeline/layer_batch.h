@@ -18,7 +18,7 @@ namespace host {
 struct SettledLayer {
   core::LayerIndex index = 0;
   core::Length bottom;
-  core::LayerPlanner::Place place;
+  core::LayerPlanner::Reservation reserved;
   std::optional<std::string> pause;  // why to pause before it
 };
 
@@ -26,7 +26,7 @@ struct LayerBatch {
   std::optional<core::Slice> slice;  // none: the source has ended, the window is emptied
   std::optional<core::Error> error;  // why there is none
   std::optional<std::string> pause;  // why to pause before its layer
-  core::OffsetCutter::Place offsets;
+  core::OffsetCutter::Reservation offsets;
   std::int64_t offset_retries = 0;
   std::vector<SettledLayer> settled;
   StageUse use;

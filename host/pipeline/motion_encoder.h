@@ -45,11 +45,11 @@ class MotionEncoder {
 
   // An encoder that gets this state goes on with the very commands that this one would give.
   [[nodiscard]] const State& state() const { return state_; }
-  void go_on_from(const State& state) { state_ = state; }
+  void resume_from(const State& state) { state_ = state; }
 
  private:
-  std::optional<firmware_link::Command> encode_one(const core::BeginLayer&) { return {}; }
-  std::optional<firmware_link::Command> encode_one(const core::BeginRoad&) { return {}; }
+  std::optional<firmware_link::Command> encode_one(const core::LayerStart&) { return {}; }
+  std::optional<firmware_link::Command> encode_one(const core::RoadStart&) { return {}; }
   std::optional<firmware_link::Command> encode_one(const core::Travel& motion);
   std::optional<firmware_link::Command> encode_one(const core::Lift& motion);
   std::optional<firmware_link::Command> encode_one(const core::Extrude& motion);

@@ -49,8 +49,8 @@ class Pipeline {
         encoder_(settings_),
         sink_([this](const core::Motion& motion) { send(motion); }) {
     if (!job.start) return;
-    builder_.go_on_from(job.start->motions);
-    encoder_.go_on_from(job.start->encoder);
+    builder_.resume_from(job.start->motions);
+    encoder_.resume_from(job.start->encoder);
     commands_ = job.start->commands;
     filament_before_mm_ = job.start->filament_mm;
   }
@@ -120,7 +120,7 @@ class Pipeline {
     signals_.slices_cut.fetch_add(1);
     ++statistics_.layers;
     statistics_.defects.add(slice);
-    batch.offsets = cutter_.place(slice);
+    batch.offsets = cutter_.reserve(slice);
     batch.slice = std::move(slice);
     return {};
   }
@@ -152,10 +152,10 @@ class Pipeline {
     if (!batch.slice) {
       std::optional<core::SplitLayer> settled = splitter_.finish();
       window_emptied_ = !settled;
-      if (settled && !below_start(*settled)) batch.settled.push_back(place(*std::move(settled)));
+      if (settled && !below_start(*settled)) batch.settled.push_back(reserve(*std::move(settled)));
       return;
     }
-    if (splitter_.next_index() == 0) splitter_.begin_at(batch.slice->index);
+    if (splitter_.next_index() == 0) splitter_.start_at(batch.slice->index);
     if (batch.pause) pauses_.emplace_back(batch.slice->index, *std::move(batch.pause));
     const LayerWatch::Look look(watch_, batch.slice->index, batch.slice->top(),
                                 size_of(batch.slice->region), batch.watched_s);
@@ -163,14 +163,14 @@ class Pipeline {
         splitter_.push({*std::move(batch.slice), std::move(batch.offsets.offsets)});
     for (; settled; settled = splitter_.next()) {
       if (below_start(*settled)) continue;
-      batch.settled.push_back(place(*std::move(settled)));
+      batch.settled.push_back(reserve(*std::move(settled)));
     }
   }
 
-  SettledLayer place(core::SplitLayer layer) {
+  SettledLayer reserve(core::SplitLayer layer) {
     const core::LayerIndex index = layer.slice.index;
     const core::Length bottom = layer.slice.bottom;
-    return {index, bottom, planner_.place(std::move(layer)), pause_before(index)};
+    return {index, bottom, planner_.reserve(std::move(layer)), pause_before(index)};
   }
 
   std::optional<std::string> pause_before(core::LayerIndex index) {
@@ -185,11 +185,11 @@ class Pipeline {
   void plan(LayerBatch& batch) {
     const StageMeter meter(Stage::kRoads, batch.use);
     for (SettledLayer& settled : batch.settled) {
-      if (!settled.place.to_fill) continue;
-      const core::Slice& slice = settled.place.plan->split.slice;
+      if (!settled.reserved.to_fill) continue;
+      const core::Slice& slice = settled.reserved.plan->split.slice;
       const LayerWatch::Look look(watch_, settled.index, settled.bottom + slice.height,
                                   &slice.region, batch.watched_s);
-      planner_.fill(*settled.place.plan, wants_roads());
+      planner_.fill(*settled.reserved.plan, wants_roads());
     }
   }
 
@@ -217,7 +217,7 @@ class Pipeline {
 
   core::Status give(const SettledLayer& settled) {
     if (settled.pause && outputs_.on_pause) outputs_.on_pause(*settled.pause);
-    const core::LayerPlan& plan = *settled.place.plan;
+    const core::LayerPlan& plan = *settled.reserved.plan;
     core::SplitLayer layer = plan.layer;
     core::Slice& slice = layer.slice;
     slice.index = settled.index;

@@ -74,7 +74,7 @@ void pass(Stream& stream, core::Length& length) {
 template <typename Stream>
 void pass(Stream& stream, core::MotionState& motions) {
   stream.number(motions.preheated);
-  stream.number(motions.begun);
+  stream.number(motions.started);
   stream.number(motions.retracted);
   stream.number(motions.position_known);
   stream.number(motions.position.x);

@@ -40,7 +40,7 @@ void QueueFiller::add_way(core::Point to, double speed_mm_s) {
 
 void QueueFiller::note(const core::Motion& motion) {
   next_.lays_road = false;
-  if (const auto* layer = std::get_if<core::BeginLayer>(&motion)) {
+  if (const auto* layer = std::get_if<core::LayerStart>(&motion)) {
     next_.layer = layer->index + 1;
     next_.top = layer->top;
   } else if (const auto* extrude = std::get_if<core::Extrude>(&motion)) {

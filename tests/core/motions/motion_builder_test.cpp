@@ -81,7 +81,7 @@ TEST_CASE("the preamble comes once, with the first layer that has roads, before 
   CHECK(std::get<SetBedTemperature>(motions[4]).wait);
   CHECK(std::get<SetNozzleTemperature>(motions[5]).wait);
   CHECK_EQ(recorder.all<Verbatim>().size(), 2);
-  CHECK_EQ(recorder.all<BeginLayer>().size(), 2);
+  CHECK_EQ(recorder.all<LayerStart>().size(), 2);
 }
 
 TEST_CASE("filament is length times the bead's cross-section, by kind of road") {
@@ -241,7 +241,7 @@ TEST_CASE("what was decided about arcs goes on with a print") {
   Recorder recorder;
   first.layer(slice_of(0, kSquare), {line(1, 1, 5, 1)}, recorder.sink());
   MotionBuilder second{Settings()};
-  second.go_on_from(first.state());
+  second.resume_from(first.state());
   CHECK_FALSE(second.arcs_undecided());
   CHECK(second.state().arcs == true);
 }

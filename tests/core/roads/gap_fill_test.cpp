@@ -10,7 +10,7 @@
 #include "tests/support/region_checks.h"
 #include "tests/support/region_text.h"
 
-using core::GapEdges;
+using core::GapBoundary;
 using core::Length;
 using core::Point;
 using core::Region;
@@ -59,7 +59,8 @@ double farthest_outside(const Region& region, const std::vector<Road>& roads) {
 
 TEST_CASE("a strip gets one road that holds what the strip holds") {
   const Region strip = test::region_from_text("0:0 10:0 10:0.3 0:0.3");
-  const std::vector<Road> roads = core::gap_fill_roads(strip, GapEdges::kPart, kHeight, Settings());
+  const std::vector<Road> roads =
+      core::gap_fill_roads(strip, GapBoundary::kPart, kHeight, Settings());
   REQUIRE_EQ(roads.size(), 1u);
   CHECK_EQ(roads[0].width.mm(), doctest::Approx(0.3).epsilon(0.001));
   CHECK_GT(core::length_mm(roads[0]), 9.6);
@@ -67,7 +68,7 @@ TEST_CASE("a strip gets one road that holds what the strip holds") {
 
 TEST_CASE("a square too short for an axis gets a blot, a crumb nothing") {
   const auto roads = [](const char* text) {
-    return core::gap_fill_roads(test::region_from_text(text), GapEdges::kRoads, kHeight,
+    return core::gap_fill_roads(test::region_from_text(text), GapBoundary::kRoads, kHeight,
                                 Settings());
   };
   CHECK_EQ(roads("0:0 0.45:0 0.45:0.4 0:0.4").size(), 1u);
@@ -82,7 +83,7 @@ TEST_CASE("no road leads out of a crescent along its chord") {
       CAPTURE(half_angle);
       const Region region = crescent(9, thick, half_angle, 8);
       const std::vector<Road> roads =
-          core::gap_fill_roads(region, GapEdges::kRoads, kHeight, Settings());
+          core::gap_fill_roads(region, GapBoundary::kRoads, kHeight, Settings());
       roads_seen += static_cast<int>(roads.size());
       CHECK_LE(farthest_outside(region, roads), 100);
     }
@@ -99,7 +100,7 @@ TEST_CASE("random rests: roads stay within them") {
     CAPTURE(i);
     const Region region = test::random_region(random, 60, 4);
     const std::vector<Road> roads =
-        core::gap_fill_roads(region, GapEdges::kRoads, kHeight, Settings());
+        core::gap_fill_roads(region, GapBoundary::kRoads, kHeight, Settings());
     roads_seen += roads.size();
     // Pieces are simplified by 10 µm before.
     CHECK_LE(farthest_outside(region, roads), 110);

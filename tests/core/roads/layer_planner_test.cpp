@@ -31,21 +31,21 @@ class Plans {
 
   // Whether the layer got the plan of one below.
   bool reuses(const SplitLayer& layer) {
-    LayerPlanner::Place place = planner_.place(layer);
-    if (place.to_fill) planner_.fill(*place.plan, true);
+    LayerPlanner::Reservation reserved = planner_.reserve(layer);
+    if (reserved.to_fill) planner_.fill(*reserved.plan, true);
     LayerPlanner afresh(settings_);
-    const LayerPlanner::Place own = afresh.place(layer);
+    const LayerPlanner::Reservation own = afresh.reserve(layer);
     REQUIRE(own.to_fill);
     afresh.fill(*own.plan, true);
-    REQUIRE_EQ(place.plan->roads.size(), own.plan->roads.size());
+    REQUIRE_EQ(reserved.plan->roads.size(), own.plan->roads.size());
     for (std::size_t i = 0; i < own.plan->roads.size(); ++i) {
-      CHECK_EQ(place.plan->roads[i].points, own.plan->roads[i].points);
-      CHECK_EQ(place.plan->roads[i].width, own.plan->roads[i].width);
+      CHECK_EQ(reserved.plan->roads[i].points, own.plan->roads[i].points);
+      CHECK_EQ(reserved.plan->roads[i].width, own.plan->roads[i].width);
     }
-    CHECK_EQ(place.plan->layer.loose, own.plan->layer.loose);
-    CHECK_EQ(place.plan->layer.solid, own.plan->layer.solid);
-    CHECK_EQ(place.plan->regularised_mm3, own.plan->regularised_mm3);
-    return !place.to_fill;
+    CHECK_EQ(reserved.plan->layer.loose, own.plan->layer.loose);
+    CHECK_EQ(reserved.plan->layer.solid, own.plan->layer.solid);
+    CHECK_EQ(reserved.plan->regularised_mm3, own.plan->regularised_mm3);
+    return !reserved.to_fill;
   }
 
   [[nodiscard]] std::int64_t reused() const { return planner_.reused(); }
@@ -80,22 +80,22 @@ TEST_CASE("without roads only the style is applied") {
   Settings settings;
   settings.style = BuildStyle::kRegular;
   LayerPlanner planner(settings);
-  const LayerPlanner::Place place = planner.place(split(kSquare, kInside, settings, 3));
-  planner.fill(*place.plan, false);
-  CHECK(place.plan->roads.empty());
-  CHECK(place.plan->layer.loose.empty());
-  CHECK_EQ(place.plan->layer.solid, kSquare);
-  CHECK_EQ(place.plan->regularised_mm3, 0);
+  const LayerPlanner::Reservation reserved = planner.reserve(split(kSquare, kInside, settings, 3));
+  planner.fill(*reserved.plan, false);
+  CHECK(reserved.plan->roads.empty());
+  CHECK(reserved.plan->layer.loose.empty());
+  CHECK_EQ(reserved.plan->layer.solid, kSquare);
+  CHECK_EQ(reserved.plan->regularised_mm3, 0);
 }
 
 TEST_CASE("what regularisation moves is told") {
   Settings settings;
   settings.loose_area_min_mm2 = 1'000;
   LayerPlanner planner(settings);
-  const LayerPlanner::Place place = planner.place(split(kSquare, kInside, settings, 3));
-  planner.fill(*place.plan, false);
-  CHECK(place.plan->layer.loose.empty());
-  CHECK_EQ(place.plan->regularised_mm3, doctest::Approx(20 * 10 * 0.2));
+  const LayerPlanner::Reservation reserved = planner.reserve(split(kSquare, kInside, settings, 3));
+  planner.fill(*reserved.plan, false);
+  CHECK(reserved.plan->layer.loose.empty());
+  CHECK_EQ(reserved.plan->regularised_mm3, doctest::Approx(20 * 10 * 0.2));
 }
 
 }  // namespace

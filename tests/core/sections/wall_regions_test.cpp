@@ -119,10 +119,10 @@ LayerStack half_ball(double radius_mm) {
 
 SectionLine across_y(double mm) { return {SectionLine::Across::kY, Length::from_mm(mm)}; }
 
-std::optional<core::WallPlace> thinnest(const LayerStack& stack, const Settings& settings,
-                                        const SectionLine& line,
-                                        const std::function<SplitLayer(SplitLayer)>& edit) {
-  std::optional<core::WallPlace> found;
+std::optional<core::ThinnestWall> thinnest(const LayerStack& stack, const Settings& settings,
+                                           const SectionLine& line,
+                                           const std::function<SplitLayer(SplitLayer)>& edit) {
+  std::optional<core::ThinnestWall> found;
   visit(stack, settings, edit, [&](const LayerWindow& window) {
     const auto place = core::thinnest_wall(window, line);
     if (place && (!found || place->thickness_mm < found->thickness_mm)) found = place;

@@ -21,16 +21,16 @@ std::string written(const std::vector<core::Motion>& motions) {
   return text;
 }
 
-const core::BeginRoad kPerimeter{RoadKind::kOuterPerimeter, Length::from_mm(0.45)};
-const core::BeginRoad kGapFill{RoadKind::kGapFill, Length::from_mm(0.3)};
+const core::RoadStart kPerimeter{RoadKind::kOuterPerimeter, Length::from_mm(0.45)};
+const core::RoadStart kGapFill{RoadKind::kGapFill, Length::from_mm(0.3)};
 
 }  // namespace
 
 TEST_CASE("layers and roads carry the comments that PrusaSlicer's viewer reads") {
-  CHECK_EQ(written({core::BeginLayer{0, Length::from_mm(0.2), Length::from_mm(0.2)}, kPerimeter,
+  CHECK_EQ(written({core::LayerStart{0, Length::from_mm(0.2), Length::from_mm(0.2)}, kPerimeter,
                     core::Extrude{{10'000, 0}, 0.05, 30}, kPerimeter, kGapFill,
                     core::Extrude{{20'000, 0}, 0.05, 30},
-                    core::BeginLayer{1, Length::from_mm(0.4), Length::from_mm(0.2)}, kGapFill}),
+                    core::LayerStart{1, Length::from_mm(0.4), Length::from_mm(0.2)}, kGapFill}),
            ";LAYER_CHANGE\n;Z:0.2\n;HEIGHT:0.2\n"
            ";TYPE:External perimeter\n;WIDTH:0.45\nG1 X1 Y0 E0.05 F1800\n"
            ";TYPE:Gap fill\n;WIDTH:0.3\nG1 X2 E0.05\n"
@@ -38,7 +38,7 @@ TEST_CASE("layers and roads carry the comments that PrusaSlicer's viewer reads")
 }
 
 TEST_CASE("heights are exact however tall the part") {
-  CHECK_EQ(written({core::BeginLayer{9, Length::from_mm(123'456.7891), Length::from_mm(0.05)}}),
+  CHECK_EQ(written({core::LayerStart{9, Length::from_mm(123'456.7891), Length::from_mm(0.05)}}),
            ";LAYER_CHANGE\n;Z:123456.7891\n;HEIGHT:0.05\n");
 }
 

@@ -34,8 +34,8 @@ core::Point at_mm(double x, double y) {
 
 TEST_CASE("each motion has its command") {
   MotionEncoder encoder;
-  CHECK_EQ(text_of(encoder.encode(core::BeginLayer{})), "");
-  CHECK_EQ(text_of(encoder.encode(core::BeginRoad{})), "");
+  CHECK_EQ(text_of(encoder.encode(core::LayerStart{})), "");
+  CHECK_EQ(text_of(encoder.encode(core::RoadStart{})), "");
   CHECK_EQ(text_of(encoder.encode(core::Travel{at_mm(10.5, -3), 130})), "G0 X10.5 Y-3 F7800");
   CHECK_EQ(text_of(encoder.encode(core::Lift{Length::from_mm(0.2), 10})), "G0 Z0.2 F600");
   CHECK_EQ(text_of(encoder.encode(core::Extrude{at_mm(20, 7), 0.5, 60})), "G1 X20 Y7 E0.5 F3600");
