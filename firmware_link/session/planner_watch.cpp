@@ -15,24 +15,19 @@ std::size_t planner_blocks_of(const Move& move) {
   return std::clamp<std::size_t>(static_cast<std::size_t>(std::max(blocks, 1)), 1, kPlannerBlocks);
 }
 
-void PlannerWatch::drop_oldest() {
-  first_ = (first_ + 1) % ends_.size();
-  --count_;
-}
-
 void PlannerWatch::add_block(Duration nominal, Instant now) {
-  const Instant begin = count_ == 0 ? now : ends_[(first_ + count_ - 1) % ends_.size()];
-  ends_[(first_ + count_++) % ends_.size()] = begin + nominal;
-  armed_ = armed_ || count_ >= kHalf;
+  const Instant start = ends_.empty() ? now : ends_.back();
+  ends_.push(start + nominal);
+  armed_ = armed_ || ends_.size() >= kHalf;
 }
 
 void PlannerWatch::advance(Instant now) {
-  while (count_ > 0 && ends_[first_] <= now) {
-    if (armed_ && count_ < kHalf && ends_[first_] > at_) low_ += ends_[first_] - at_;
-    at_ = std::max(at_, ends_[first_]);
-    drop_oldest();
+  while (!ends_.empty() && ends_.front() <= now) {
+    if (armed_ && ends_.size() < kHalf && ends_.front() > at_) low_ += ends_.front() - at_;
+    at_ = std::max(at_, ends_.front());
+    (void)ends_.pop();
   }
-  if (armed_ && count_ < kHalf && now > at_) low_ += now - at_;
+  if (armed_ && ends_.size() < kHalf && now > at_) low_ += now - at_;
   at_ = std::max(at_, now);
 }
 
@@ -42,7 +37,7 @@ void PlannerWatch::accepted_move(Duration nominal, Instant now, std::size_t bloc
   last_nominal_ = nominal / static_cast<Duration::rep>(blocks);
   for (; blocks > 0; --blocks) {
     // It was accepted, so there was room: the oldest has ended, whatever was thought of it.
-    if (count_ == ends_.size()) drop_oldest();
+    if (ends_.full()) (void)ends_.pop();
     add_block(last_nominal_, now);
   }
 }
@@ -52,16 +47,16 @@ void PlannerWatch::told_free(std::int32_t blocks_free, Instant now) {
   if (blocks_free < 0 || blocks_free > 255) return;
   free_max_ = std::max(free_max_, blocks_free);
   const std::size_t used =
-      std::min(ends_.size(), static_cast<std::size_t>(free_max_ - blocks_free));
-  while (count_ > used) drop_oldest();
+      std::min(kPlannerBlocks, static_cast<std::size_t>(free_max_ - blocks_free));
+  while (ends_.size() > used) (void)ends_.pop();
   // Blocks that should have ended by now, and have not.
-  while (count_ < used) add_block(last_nominal_, now);
+  while (ends_.size() < used) add_block(last_nominal_, now);
 }
 
 void PlannerWatch::expect_gap(Instant now) {
   advance(now);
   armed_ = false;
-  count_ = 0;
+  ends_.clear();
 }
 
 }  // namespace firmware_link

@@ -13,13 +13,13 @@
 // empty (M400, G4, G28, M109): such a gap was asked for.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 
-#include "firmware_link/wire/command.h"  // Move
-#include "firmware_link/wire/instant.h"  // Instant
-#include "firmware_link/wire/limits.h"   // kPlannerBlocks
+#include "firmware_link/wire/command.h"      // Move
+#include "firmware_link/wire/instant.h"      // Instant
+#include "firmware_link/wire/limits.h"       // kPlannerBlocks
+#include "firmware_link/wire/ring_buffer.h"  // RingBuffer
 
 namespace firmware_link {
 
@@ -46,21 +46,16 @@ class PlannerWatch {
   [[nodiscard]] Duration low() const { return low_; }
 
   // When the last of its blocks is taken to end; long ago when it is empty.
-  [[nodiscard]] Instant end() const {
-    return count_ == 0 ? Instant{} : ends_[(first_ + count_ - 1) % ends_.size()];
-  }
+  [[nodiscard]] Instant end() const { return ends_.empty() ? Instant{} : ends_.back(); }
 
   // How full it is taken to be. ENSURES: at most kPlannerBlocks.
-  [[nodiscard]] std::size_t blocks() const { return count_; }
+  [[nodiscard]] std::size_t blocks() const { return ends_.size(); }
 
  private:
-  void drop_oldest();
   void add_block(Duration nominal, Instant now);
 
   // When each block that is taken to be in the planner ends, oldest first.
-  std::array<Instant, kPlannerBlocks> ends_{};
-  std::size_t first_ = 0;
-  std::size_t count_ = 0;
+  RingBuffer<Instant, kPlannerBlocks> ends_;
   Instant at_{};
   Duration low_{0};
   Duration last_nominal_{0};

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstring>
 #include <utility>
 
 #include "firmware_link/wire/check.h"
@@ -69,20 +68,14 @@ void Session::finish(Instant now) {
   settle(now);
 }
 
-std::span<const std::byte> Session::output() const {
-  return std::span(output_).subspan(output_begin_, output_end_ - output_begin_);
-}
+std::span<const std::byte> Session::output() const { return output_.pending(); }
 
 void Session::written(std::size_t count, Instant now) {
-  LINK_CHECK(count <= output_end_ - output_begin_);
   bridge_gap(now);
-  output_begin_ += count;
+  output_.written(count);
   statistics_.bytes_sent += static_cast<std::int64_t>(count);
-  if (output_begin_ == output_end_) {
-    output_begin_ = output_end_ = 0;
-    // Quiet counts from when the last byte left, so that its answer can come.
-    if (count > 0) quiet_since_ = std::max(quiet_since_, now);
-  }
+  // Quiet counts from when the last byte left, so that its answer can come.
+  if (output_.empty() && count > 0) quiet_since_ = std::max(quiet_since_, now);
 }
 
 void Session::tick(Instant now) {
@@ -98,7 +91,7 @@ void Session::tick(Instant now) {
   } else if (phase_ == Phase::kReadying) {
     tick_readying(now);
   } else {
-    if (recovering_ && output().empty() && now - quiet_since_ >= rules_.quiet_after_resend) {
+    if (recovering_ && output_.empty() && now - quiet_since_ >= rules_.quiet_after_resend) {
       recovering_ = false;
       if (may_unpack_) stop_packing();
       last_life_ = last_progress_ = now;
@@ -180,39 +173,28 @@ void Session::fault(FaultKind kind, const std::string& why, bool controller_may_
   state_ = SessionState::kFaulted;
   reason_ = why;
   controller_may_live_ = controller_may_live;
-  output_begin_ = output_end_ = 0;
-}
-
-void Session::put(std::string_view bytes) {
-  if (output_end_ + bytes.size() > output_.size()) {
-    std::memmove(output_.data(), output_.data() + output_begin_, output_end_ - output_begin_);
-    output_end_ -= output_begin_;
-    output_begin_ = 0;
-  }
-  LINK_CHECK(output_end_ + bytes.size() <= output_.size());
-  std::memcpy(output_.data() + output_end_, bytes.data(), bytes.size());
-  output_end_ += bytes.size();
+  output_.clear();
 }
 
 // In plain characters, as whatever acts before its turn.
 void Session::put_wait_no_more() {
   if (may_unpack_) stop_packing();
-  put(kWaitNoMore);
+  output_.put(kWaitNoMore);
 }
 
 void Session::put_safe_sequence() {
-  if (may_unpack_) put(kMeatPackReset);
-  put("\n");
+  if (may_unpack_) output_.put(kMeatPackReset);
+  output_.put("\n");
   std::size_t bytes = 1;
   for (std::size_t i = 0; i < safe_count_; ++i) {
     const std::string_view text(safe_texts_[i].data(), safe_sizes_[i]);
     bytes += text.size() + 1;
     if (bytes > kWindowBytesMax) break;
-    put(text);
-    put("\n");
+    output_.put(text);
+    output_.put("\n");
   }
   // Its answer tells that all before it was obeyed.
-  put("M105\n");
+  output_.put("M105\n");
 }
 
 // Moves to the next state when all that this one waits for is there.
@@ -290,7 +272,7 @@ bool Session::send_next(Instant now) {
   if (!ahead && (window_.lines_in_flight() >= window_lines(now) || waiting_line_in_flight())) {
     return false;
   }
-  if (output_end_ - output_begin_ + 2 * kLineBytesMax > output_.size()) return false;
+  if (!output_.has_room_for(2 * kLineBytesMax)) return false;
   if (!packing_settled(now)) return false;
   PackedBuffer packed;
   const std::string_view wire = on_the_wire(line, packed);
@@ -299,7 +281,7 @@ bool Session::send_next(Instant now) {
   if (!ahead && window_.bytes_in_flight() + bytes > rules_.window_bytes) return false;
   if (window_.lines_in_flight() == 0) last_life_ = last_progress_ = now;
   if (sequence < window_.sent_end()) ++statistics_.lines_repeated;
-  put(wire);
+  output_.put(wire);
   ++statistics_.lines_sent;
   statistics_.lines_packed += packing_ == Packing::kOn ? 1 : 0;
   window_.sent(bytes);

@@ -30,6 +30,7 @@
 #include "firmware_link/dialects/dialect.h"        // Dialect
 #include "firmware_link/session/account_watch.h"   // AccountWatch
 #include "firmware_link/session/heater_watch.h"    // HeaterWatch
+#include "firmware_link/session/output_buffer.h"   // OutputBuffer
 #include "firmware_link/session/planner_watch.h"   // PlannerWatch
 #include "firmware_link/session/position_watch.h"  // PositionWatch
 #include "firmware_link/session/send_window.h"     // SendWindow
@@ -273,7 +274,6 @@ class Session {
   void settle(Instant now);
   void pump(Instant now);
   [[nodiscard]] bool send_next(Instant now);
-  void put(std::string_view bytes);
   void put_safe_sequence();
   void put_wait_no_more();
   [[nodiscard]] bool ended() const;
@@ -347,9 +347,7 @@ class Session {
   bool safe_confirmed_ = false;
 
   LineSplitter splitter_;
-  std::array<std::byte, kOutputBytesMax> output_{};
-  std::size_t output_begin_ = 0;
-  std::size_t output_end_ = 0;
+  OutputBuffer output_;
 
   Instant phase_began_;
   Instant stop_began_;

@@ -224,12 +224,12 @@ void Session::put_forced_mismatch() {
     return;
   }
   resync_pending_ = true;
-  if (output_end_ - output_begin_ + kLineBytesMax + 2 > output_.size()) return;
+  if (!output_.has_room_for(kLineBytesMax + 2)) return;
   LineBuffer buffer;
   stop_packing();
-  put("\n");
-  put(number_line(kResyncLineNumber, kQuestion, buffer));
-  put("\n");
+  output_.put("\n");
+  output_.put(number_line(kResyncLineNumber, kQuestion, buffer));
+  output_.put("\n");
 }
 
 }  // namespace firmware_link

@@ -1,14 +1,13 @@
 // What a session wants its host to know: things that came from the controller by themselves.
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
 
-#include "firmware_link/wire/limits.h"  // kEventsMax
+#include "firmware_link/wire/limits.h"       // kEventsMax
+#include "firmware_link/wire/ring_buffer.h"  // RingBuffer
 
 namespace firmware_link {
 
@@ -37,27 +36,22 @@ struct SessionEvent {
 class EventQueue {
  public:
   void push(SessionEvent::Kind kind, std::string text) {
-    if (count_ == events_.size()) {
-      (void)pop();
+    if (events_.full()) {
+      (void)events_.pop();
       ++dropped_;
     }
-    events_[(first_ + count_++) % events_.size()] = {kind, std::move(text)};
+    events_.push({kind, std::move(text)});
   }
 
   [[nodiscard]] std::optional<SessionEvent> pop() {
-    if (count_ == 0) return std::nullopt;
-    SessionEvent event = std::move(events_[first_]);
-    first_ = (first_ + 1) % events_.size();
-    --count_;
-    return event;
+    if (events_.empty()) return std::nullopt;
+    return events_.pop();
   }
 
   [[nodiscard]] std::int64_t dropped() const { return dropped_; }
 
  private:
-  std::array<SessionEvent, kEventsMax> events_;
-  std::size_t first_ = 0;
-  std::size_t count_ = 0;
+  RingBuffer<SessionEvent, kEventsMax> events_;
   std::int64_t dropped_ = 0;
 };
 

@@ -71,16 +71,17 @@ void Session::greet(Instant now) {
   asking_line_ = ask_line;
   lines_asked_ += ask_line ? 1 : 0;
   if (!ask_line) ++greetings_;
-  if (output_end_ - output_begin_ + 2 * kLineBytesMax > output_.size()) return;
+  if (!output_.has_room_for(2 * kLineBytesMax)) return;
   LineBuffer buffer;
   // The end of line first finishes whatever half line the controller may hold. The number is that
   // of the line itself, which Marlin sets as it reads it; "M110 N0" would set it again when its
   // turn in the queue comes, behind lines that an `ok` too many has let in, which were then run
   // twice. It is numbered for all dialects: those that number nothing read over it.
-  if (maybe_packed && options_.pack) put(kMeatPackReset);
-  put("\n");
-  put(ask_line ? number_line(kResyncLineNumber, "M105", buffer) : number_line(0, "M110", buffer));
-  put("\n");
+  if (maybe_packed && options_.pack) output_.put(kMeatPackReset);
+  output_.put("\n");
+  output_.put(ask_line ? number_line(kResyncLineNumber, "M105", buffer)
+                       : number_line(0, "M110", buffer));
+  output_.put("\n");
 }
 
 void Session::reply_while_greeting(const Reply& reply, Meaning meaning, Instant now) {

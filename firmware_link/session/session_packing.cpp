@@ -46,8 +46,8 @@ void Session::ask_for_packing(Instant now) {
   packing_ = Packing::kAsked;
   packing_asked_ = now;
   may_unpack_ = true;
-  put(kMeatPackReset);
-  put(kMeatPackOn);
+  output_.put(kMeatPackReset);
+  output_.put(kMeatPackOn);
 }
 
 void Session::note_packing(std::string_view state) {
@@ -69,7 +69,7 @@ void Session::tick_packing(Instant now) {
 // Whatever state the controller is in, it takes plain characters after this.
 void Session::stop_packing() {
   if (!may_unpack_ && !may_pack()) return;
-  put(kMeatPackReset);
+  output_.put(kMeatPackReset);
   if (packing_ == Packing::kGivenUp) return;
   packing_ = Packing::kOff;
   packing_from_ = window_.sent_end() + kPlainLines;

@@ -145,12 +145,12 @@ void Session::shut_down_seen(std::string_view words, Instant now) {
   if (shut_down_since_) return;
   shut_down_since_ = now;
   shut_down_words_ = std::string(words);
-  output_begin_ = output_end_ = 0;
+  output_.clear();
   const std::string_view question = dialect_->state_question();
   if (question.empty()) return;
-  put("\n");
-  put(question);
-  put("\n");
+  output_.put("\n");
+  output_.put(question);
+  output_.put("\n");
 }
 
 void Session::reply_while_shut_down(const Reply& reply) {
@@ -163,7 +163,7 @@ void Session::place_lost(std::string_view words, Instant now) {
   if (is_still()) return;
   place_lost_since_ = now;
   shut_down_words_ = std::string(words);
-  output_begin_ = output_end_ = 0;
+  output_.clear();
 }
 
 void Session::tick_shut_down(Instant now) {

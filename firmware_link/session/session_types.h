@@ -14,10 +14,6 @@ namespace firmware_link {
 // Commands in the safe sequence of a stop, at most.
 inline constexpr std::size_t kSafeSequenceMax = 16;
 
-// Bytes waiting to be written, at most: a window, a forced mismatch, a greeting.
-inline constexpr std::size_t kOutputBytesMax = 512;
-static_assert(kOutputBytesMax >= kWindowBytesMax + 2 * (kLineBytesMax + 2));
-
 enum class SessionState {
   kConnecting,
   kStreaming,

@@ -27,7 +27,7 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 // Takes the first slot's line apart as Marlin's parser does, and begins what it says.
 void VirtualController::Firmware::begin_command() {
-  std::string_view text = slots_[slot_first_].line();
+  std::string_view text = slots_.front().line();
   while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
   current_number_.reset();
   const bool numbered = text.size() > 1 && text[0] == 'N' && (is_digit(text[1]) || text[1] == '-');
@@ -174,9 +174,8 @@ bool VirtualController::Firmware::heated(const VirtualHeater& heater) {
 void VirtualController::Firmware::end_command() {
   handling_ = false;
   if (silent_ && auto_report_) auto_report_next_ = now_ + *auto_report_;
-  slot_first_ = (slot_first_ + 1) % slots_.size();
-  const std::size_t slots_free = slots_.size() - slot_count_;
-  --slot_count_;
+  const std::size_t slots_free = slots_.room();
+  (void)slots_.pop();
   if (std::exchange(losing_, false)) {
     temperatures_asked_ = identity_asked_ = false;
     print(lose_instead_);

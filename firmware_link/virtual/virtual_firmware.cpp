@@ -82,7 +82,7 @@ bool VirtualController::Firmware::step() {
   if (halted_ || blocked()) return false;
   if (report() || klipper_turn()) return true;
   if (handling_ && finish_command()) return true;
-  if (!handling_ && slot_count_ > 0) {
+  if (!handling_ && !slots_.empty()) {
     begin_command();
     return true;
   }
@@ -113,7 +113,7 @@ void VirtualController::Firmware::advance(Instant now) {
 }
 
 void VirtualController::Firmware::note_standing() {
-  if (!laid_ || halted_ || handling_ || slot_count_ > 0 || !planner_.empty()) {
+  if (!laid_ || halted_ || handling_ || !slots_.empty() || !planner_.empty()) {
     standing_since_.reset();
     return;
   }
@@ -167,7 +167,7 @@ std::optional<Instant> VirtualController::Firmware::next_event() const {
 
 bool VirtualController::Firmware::owes_answer() const {
   if (klipper_ready_) return true;
-  return !halted_ && (wire_.size() > 0 || receive_.size() > 0 || slot_count_ > 0);
+  return !halted_ && (wire_.size() > 0 || receive_.size() > 0 || !slots_.empty());
 }
 
 void VirtualController::Firmware::reset(Instant now) {
@@ -184,7 +184,7 @@ void VirtualController::Firmware::forget_all() {
   assembling_.size = 0;
   in_comment_ = escaped_ = false;
   last_number_ = 0;
-  slot_count_ = 0;
+  slots_.clear();
   handling_ = laid_ = false;
   waiting_ = Waiting::kNothing;
   homing_ = false;
@@ -298,7 +298,7 @@ void VirtualController::Firmware::kill(std::string_view words) {
   print("Error:Printer halted. kill() called!\n");
   halted_ = true;
   handling_ = false;
-  slot_count_ = 0;
+  slots_.clear();
   receive_.clear();
   wire_.clear();
 }

@@ -22,8 +22,9 @@
 #include "firmware_link/virtual/virtual_heater.h"   // VirtualHeater
 #include "firmware_link/virtual/virtual_planner.h"  // VirtualPlanner
 #include "firmware_link/wire/check.h"
-#include "firmware_link/wire/line_codec.h"  // word
-#include "firmware_link/wire/meat_pack.h"   // MeatUnpacker
+#include "firmware_link/wire/line_codec.h"   // word
+#include "firmware_link/wire/meat_pack.h"    // MeatUnpacker
+#include "firmware_link/wire/ring_buffer.h"  // RingBuffer
 
 namespace firmware_link {
 
@@ -33,27 +34,6 @@ inline constexpr std::size_t kAnswerBytesMax = 8192;
 
 // How long a temperature must hold before M109 and M190 are done.
 inline constexpr Duration kResidency = std::chrono::seconds(10);
-
-// A fixed queue of bytes.
-template <std::size_t kSize>
-class ByteRing {
- public:
-  [[nodiscard]] std::size_t size() const { return size_; }
-  [[nodiscard]] std::size_t room() const { return kSize - size_; }
-  void push(char c) { bytes_[(first_ + size_++) % kSize] = c; }
-  char pop() {
-    const char c = bytes_[first_];
-    first_ = (first_ + 1) % kSize;
-    --size_;
-    return c;
-  }
-  void clear() { size_ = 0; }
-
- private:
-  std::array<char, kSize> bytes_{};
-  std::size_t first_ = 0;
-  std::size_t size_ = 0;
-};
 
 // Its members stand by what they belong to, not by size.
 // NOLINTNEXTLINE(clang-analyzer-optin.performance.Padding)
@@ -181,10 +161,10 @@ class VirtualController::Firmware {
   VirtualControllerTotals totals_;
   Instant now_;
 
-  ByteRing<kWireBytesMax> wire_;
+  RingBuffer<char, kWireBytesMax> wire_;
   Instant wire_ready_;  // when the wire's first byte has arrived
-  ByteRing<kControllerReceiveBytes> receive_;
-  ByteRing<kAnswerBytesMax> answers_;
+  RingBuffer<char, kControllerReceiveBytes> receive_;
+  RingBuffer<char, kAnswerBytesMax> answers_;
 
   MeatUnpacker unpacker_;
   Slot assembling_;
@@ -192,9 +172,7 @@ class VirtualController::Firmware {
   bool escaped_ = false;
   std::int64_t last_number_ = 0;
 
-  std::array<Slot, kControllerCommandSlots> slots_{};
-  std::size_t slot_first_ = 0;
-  std::size_t slot_count_ = 0;
+  RingBuffer<Slot, kControllerCommandSlots> slots_;
 
   // The command in its handler, always that of the first slot.
   bool handling_ = false;

@@ -126,7 +126,7 @@ void VirtualController::Firmware::restart(Duration ready_after, Instant now) {
   advance(now);
   if (blocked()) return;
   // Its motors are let go first, and what comes then is refused.
-  if (slot_count_ > 0) print("!! Must home axis first: 1.000 2.000 0.200 [3.000]\nok\n");
+  if (!slots_.empty()) print("!! Must home axis first: 1.000 2.000 0.200 [3.000]\nok\n");
   print("// Klipper state: Disconnect\n");
   forget_all();
   klipper_begin(std::max(ready_after, kShutdownTakes));

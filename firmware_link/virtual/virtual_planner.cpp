@@ -31,18 +31,19 @@ void VirtualPlanner::push(const PlannerMove& move, Instant now, bool pause_was_a
   LINK_CHECK(!full());
   LINK_CHECK(move.speed_mm_s > 0 && move.acceleration_mm_s2 > 0 && move.length_mm >= 0);
   double entry = 0;
-  if (count_ > 0) {
-    const PlannerMove& before = at(count_ - 1).move;
+  if (!blocks_.empty()) {
+    const PlannerMove& before = blocks_.back().move;
     entry = std::max(0.0, cosine(before, move)) * std::min(before.speed_mm_s, move.speed_mm_s);
   } else if (moved_before_ && !pause_was_asked && now > running_until_) {
     ++underruns_;
   }
-  at(count_++) = {move, entry};
-  count_max_ = std::max(count_max_, count_);
+  blocks_.push({move, entry});
+  count_max_ = std::max(count_max_, blocks_.size());
   moved_before_ = true;
-  if (count_ == 1) start(now);
+  if (blocks_.size() == 1) start(now);
   // The block that runs needn't stop at its end any more.
-  if (count_ == 2) running_until_ = std::max(now + Duration(1), end_of_first(running_since_));
+  if (blocks_.size() == 2)
+    running_until_ = std::max(now + Duration(1), end_of_first(running_since_));
 }
 
 void VirtualPlanner::start(Instant when) {
@@ -50,26 +51,25 @@ void VirtualPlanner::start(Instant when) {
   running_until_ = end_of_first(when);
 }
 
-Instant VirtualPlanner::end_of_first(Instant begin) {
-  const Block& block = at(0);
-  const double exit = count_ > 1 ? at(1).entry_speed_mm_s : 0;
+Instant VirtualPlanner::end_of_first(Instant start) {
+  const Block& block = blocks_.front();
+  const double exit = blocks_.size() > 1 ? blocks_[1].entry_speed_mm_s : 0;
   const double seconds = seconds_of(block.move.length_mm, block.entry_speed_mm_s,
                                     block.move.speed_mm_s, exit, block.move.acceleration_mm_s2);
-  return begin + Duration(std::max<std::int64_t>(1, std::llround(seconds * 1e6)));
+  return start + Duration(std::max<std::int64_t>(1, std::llround(seconds * 1e6)));
 }
 
 void VirtualPlanner::advance(Instant now) {
-  while (count_ > 0 && running_until_ <= now) {
-    if (count_ < kPlannerBlocks / 2) low_ += running_until_ - running_since_;
-    const std::int64_t ended = at(0).move.last_of;
-    first_ = (first_ + 1) % blocks_.size();
-    if (--count_ > 0) start(running_until_);
+  while (!blocks_.empty() && running_until_ <= now) {
+    if (blocks_.size() < kPlannerBlocks / 2) low_ += running_until_ - running_since_;
+    const std::int64_t ended = blocks_.pop().move.last_of;
+    if (!blocks_.empty()) start(running_until_);
     if (ended >= 0 && moved) moved(ended);
   }
 }
 
 std::optional<Instant> VirtualPlanner::next_event() const {
-  if (count_ == 0) return std::nullopt;
+  if (blocks_.empty()) return std::nullopt;
   return running_until_;
 }
 

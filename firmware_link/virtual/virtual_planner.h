@@ -13,8 +13,9 @@
 #include <functional>
 #include <optional>
 
-#include "firmware_link/wire/instant.h"  // Instant
-#include "firmware_link/wire/limits.h"   // kPlannerBlocks
+#include "firmware_link/wire/instant.h"      // Instant
+#include "firmware_link/wire/limits.h"       // kPlannerBlocks
+#include "firmware_link/wire/ring_buffer.h"  // RingBuffer
 
 namespace firmware_link {
 
@@ -28,9 +29,9 @@ struct PlannerMove {
 
 class VirtualPlanner {
  public:
-  [[nodiscard]] bool empty() const { return count_ == 0; }
-  [[nodiscard]] bool full() const { return count_ == kPlannerBlocks - 1; }
-  [[nodiscard]] std::size_t count() const { return count_; }
+  [[nodiscard]] bool empty() const { return blocks_.empty(); }
+  [[nodiscard]] bool full() const { return blocks_.size() == kPlannerBlocks - 1; }
+  [[nodiscard]] std::size_t count() const { return blocks_.size(); }
 
   // REQUIRES: !full(). `pause_was_asked`: a gap before this move is no underrun.
   void push(const PlannerMove& move, Instant now, bool pause_was_asked);
@@ -44,7 +45,7 @@ class VirtualPlanner {
   // When the running block ends.
   [[nodiscard]] std::optional<Instant> next_event() const;
 
-  void clear() { count_ = 0; }
+  void clear() { blocks_.clear(); }
 
   [[nodiscard]] std::int64_t underruns() const { return underruns_; }
   [[nodiscard]] Duration low() const { return low_; }
@@ -56,13 +57,10 @@ class VirtualPlanner {
     double entry_speed_mm_s = 0;
   };
 
-  [[nodiscard]] Block& at(std::size_t i) { return blocks_[(first_ + i) % blocks_.size()]; }
   void start(Instant when);
-  [[nodiscard]] Instant end_of_first(Instant begin);
+  [[nodiscard]] Instant end_of_first(Instant start);
 
-  std::array<Block, kPlannerBlocks> blocks_{};
-  std::size_t first_ = 0;
-  std::size_t count_ = 0;
+  RingBuffer<Block, kPlannerBlocks> blocks_;
   Instant running_since_;
   Instant running_until_;
   bool moved_before_ = false;

@@ -23,7 +23,7 @@ std::int64_t leading_integer(std::string_view text) {
 // Reads until a line has ended or nothing is left; false when there was nothing to do.
 bool VirtualController::Firmware::read_bytes() {
   bool any = false;
-  while (receive_.size() > 0 && slot_count_ < slots_.size()) {
+  while (receive_.size() > 0 && !slots_.full()) {
     any = true;
     const char byte = receive_.pop();
     if (!options_.meatpack) {
@@ -101,10 +101,7 @@ void VirtualController::Firmware::end_line() {
   take_slot(slot);
 }
 
-void VirtualController::Firmware::take_slot(const Slot& slot) {
-  slots_[(slot_first_ + slot_count_) % slots_.size()] = slot;
-  ++slot_count_;
-}
+void VirtualController::Firmware::take_slot(const Slot& slot) { slots_.push(slot); }
 
 // Those that number nothing: Klipper takes whatever comes, and reads over number and checksum;
 // RepRapFirmware drops a line with a number and a wrong checksum, without a word.
