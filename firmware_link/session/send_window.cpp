@@ -8,7 +8,7 @@ namespace firmware_link {
 
 static_assert(kLineBytesMax + 1 <= UINT8_MAX, "Line::wire_bytes must hold the longest line");
 
-void SendWindow::push(std::string_view text, bool is_command) {
+void SendWindow::push(std::string_view text, bool is_command, const LineEffort& effort) {
   LINK_CHECK(all_sent());
   LINK_CHECK(!text.empty() && text.size() <= kTextBytesMax);
   const std::int64_t commands = commands_before(end_);
@@ -22,6 +22,7 @@ void SendWindow::push(std::string_view text, bool is_command) {
   std::copy(text.begin(), text.end(), line.text.begin());
   line.size = static_cast<std::uint8_t>(text.size());
   line.wire_bytes = 0;
+  line.effort = effort;
 }
 
 std::int64_t SendWindow::commands_before(std::int64_t sequence) const {
@@ -61,6 +62,13 @@ void SendWindow::sent(std::size_t wire_bytes) {
   at(next_to_send_++).wire_bytes = static_cast<std::uint8_t>(wire_bytes);
   sent_end_ = std::max(sent_end_, next_to_send_);
   bytes_in_flight_ += wire_bytes;
+}
+
+bool SendWindow::lone_line_in_flight() const {
+  for (std::int64_t i = acknowledged_; i < next_to_send_; ++i) {
+    if (at(i).effort.goes_alone) return true;
+  }
+  return false;
 }
 
 bool SendWindow::acknowledge_one() {

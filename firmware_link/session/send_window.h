@@ -1,6 +1,6 @@
 // The lines between "taken" and "forgotten": which are to be sent, which are in flight, which can
 // still be repeated, and how many of the host's commands are among them. A pure state machine; it
-// knows sequence numbers, no wire format.
+// knows sequence numbers and line numbers, no wire format.
 //
 //     forgotten │ acknowledged, kept │ in flight   │ sent before, or new │
 //     ──────────┼────────────────────┼─────────────┼─────────────────────┼──> sequence number
@@ -15,8 +15,9 @@
 #include <cstdint>
 #include <string_view>
 
-#include "firmware_link/wire/limits.h"      // kHistoryLinesMax
-#include "firmware_link/wire/line_codec.h"  // TextBuffer
+#include "firmware_link/session/line_effort.h"  // LineEffort
+#include "firmware_link/wire/limits.h"          // kHistoryLinesMax
+#include "firmware_link/wire/line_codec.h"      // TextBuffer
 
 namespace firmware_link {
 
@@ -35,7 +36,7 @@ class SendWindow {
 
   // Adds a line behind all others; `is_command`: it is one of the host's, not the link's own.
   // REQUIRES: all_sent(), text.size() <= kTextBytesMax.
-  void push(std::string_view text, bool is_command);
+  void push(std::string_view text, bool is_command, const LineEffort& effort = {});
 
   // How many of the host's commands are before that line. REQUIRES: oldest() <= sequence <= end().
   [[nodiscard]] std::int64_t commands_before(std::int64_t sequence) const;
@@ -45,6 +46,14 @@ class SendWindow {
     const Line& line = at(sequence);
     return {line.text.data(), line.size};
   }
+
+  // What a kept line costs the controller. REQUIRES: as text().
+  [[nodiscard]] const LineEffort& effort(std::int64_t sequence) const {
+    return at(sequence).effort;
+  }
+
+  // Whether a line in flight forbids that another is sent behind it.
+  [[nodiscard]] bool lone_line_in_flight() const;
 
   // Adds a line of the link's own before the one that was never sent, if there is one.
   // REQUIRES: next_to_send() == sent_end(), end() - next_to_send() <= 1, as push().
@@ -79,6 +88,15 @@ class SendWindow {
   // Forgets what is acknowledged: it can no longer be asked for.
   void forget_acknowledged();
 
+  // Line numbers (N) start again: the next line to be sent is N1.
+  void restart_numbers() { numbering_base_ = next_to_send_ - 1; }
+  [[nodiscard]] std::int64_t number_of(std::int64_t sequence) const {
+    return sequence - numbering_base_;
+  }
+  [[nodiscard]] std::int64_t sequence_of(std::int64_t number) const {
+    return number + numbering_base_;
+  }
+
   // One behind the last line that was ever sent.
   [[nodiscard]] std::int64_t sent_end() const { return sent_end_; }
 
@@ -88,6 +106,7 @@ class SendWindow {
     std::uint8_t size = 0;
     std::uint8_t wire_bytes = 0;
     std::int64_t commands = 0;  // up to and with this line
+    LineEffort effort;
   };
 
   [[nodiscard]] Line& at(std::int64_t sequence) {
@@ -102,6 +121,7 @@ class SendWindow {
   std::int64_t next_to_send_ = 0;
   std::int64_t sent_end_ = 0;
   std::int64_t end_ = 0;
+  std::int64_t numbering_base_ = -1;  // the first line is N1
   std::size_t bytes_in_flight_ = 0;
   std::int64_t commands_forgotten_ = 0;  // before oldest_
   std::array<Line, kHistoryLinesMax> lines_{};

@@ -53,11 +53,11 @@ void Session::insert(const Command& command, Instant now) { give(command, false,
 
 std::int32_t Session::accepted_line() const {
   return static_cast<std::int32_t>(
-      std::max<std::int64_t>(0, wire_number(window_.acknowledged()) - 1));
+      std::max<std::int64_t>(0, window_.number_of(window_.acknowledged()) - 1));
 }
 
 std::optional<std::int64_t> Session::commands_through_line(std::int32_t line) const {
-  const std::int64_t sequence = line + numbering_base_ + 1;
+  const std::int64_t sequence = window_.sequence_of(line) + 1;
   if (sequence < window_.oldest() || sequence > window_.end()) return std::nullopt;
   return window_.commands_before(sequence);
 }
@@ -93,11 +93,11 @@ void Session::tick(Instant now) {
   } else {
     if (recovering_ && output_.empty() && now - quiet_since_ >= rules_.quiet_after_resend) {
       recovering_ = false;
-      if (may_unpack_) stop_packing();
+      if (packing_.may_unpack()) packing_.stop(packing_sight(), output_);
       last_life_ = last_progress_ = now;
     }
     tick_asking(now);
-    tick_packing(now);
+    packing_.tick(packing_sight(), now, output_);
     tick_silence(now);
     tick_watch(now);
   }
@@ -129,7 +129,7 @@ void Session::stop_now(std::span<const Command> safe_sequence, Instant now) {
   note_stop_behind(now);
   window_.drop_never_sent();
   // What waits for heat or for a user waits no longer; its own `ok` is met by the forced mismatch.
-  if (rules_.numbered && waiting_line_in_flight()) put_wait_no_more();
+  if (rules_.numbered && window_.lone_line_in_flight()) put_wait_no_more();
   // Which of the sent lines are accepted decides where the safe sequence begins: a line with a
   // number that the controller already has would be dropped in silence.
   if (rules_.numbered) {
@@ -178,12 +178,12 @@ void Session::fault(FaultKind kind, const std::string& why, bool controller_may_
 
 // In plain characters, as whatever acts before its turn.
 void Session::put_wait_no_more() {
-  if (may_unpack_) stop_packing();
+  if (packing_.may_unpack()) packing_.stop(packing_sight(), output_);
   output_.put(kWaitNoMore);
 }
 
 void Session::put_safe_sequence() {
-  if (may_unpack_) output_.put(kMeatPackReset);
+  if (packing_.may_unpack()) output_.put(kMeatPackReset);
   output_.put("\n");
   std::size_t bytes = 1;
   for (std::size_t i = 0; i < safe_count_; ++i) {
@@ -216,7 +216,7 @@ void Session::settle(Instant now) {
   if (recovering_ || resync_pending_ || window_.lines_in_flight() > 0) return;
 
   const bool out_of_numbers = rules_.numbered && !window_.all_sent() &&
-                              wire_number(window_.next_to_send()) > options_.line_number_max;
+                              window_.number_of(window_.next_to_send()) > options_.line_number_max;
   const bool finishing = state_ == SessionState::kFinishing && idle;
   const bool stopping =
       state_ == SessionState::kStopping && idle && end_of_commands_ && safe_next_ == safe_count_;
@@ -254,7 +254,7 @@ bool Session::send_next(Instant now) {
     ++safe_next_;
   }
   const std::int64_t sequence = window_.next_to_send();
-  const std::int64_t number = wire_number(sequence);
+  const std::int64_t number = window_.number_of(sequence);
   if (rules_.numbered && number > options_.line_number_max) {
     settle(now);
     return false;
@@ -269,21 +269,21 @@ bool Session::send_next(Instant now) {
   LINK_CHECK(line.size() <= kLineBytesMax);
   const bool ahead = is_ahead(sequence);
   if (!ahead && !goes_behind_others(sequence)) return false;
-  if (!ahead && (window_.lines_in_flight() >= window_lines(now) || waiting_line_in_flight())) {
+  if (!ahead && (window_.lines_in_flight() >= window_lines(now) || window_.lone_line_in_flight())) {
     return false;
   }
   if (!output_.has_room_for(2 * kLineBytesMax)) return false;
-  if (!packing_settled(now)) return false;
+  if (!packing_.may_send(packing_sight(), now, output_)) return false;
   PackedBuffer packed;
-  const std::string_view wire = on_the_wire(line, packed);
-  if (wire.empty()) return false;
-  const std::size_t bytes = wire.size();
+  const auto wire = packing_.bytes_of(line, packing_sight(), packed, output_);
+  if (!wire) return false;
+  const std::size_t bytes = wire->size();
   if (!ahead && window_.bytes_in_flight() + bytes > rules_.window_bytes) return false;
   if (window_.lines_in_flight() == 0) last_life_ = last_progress_ = now;
   if (sequence < window_.sent_end()) ++statistics_.lines_repeated;
-  output_.put(wire);
+  output_.put(*wire);
   ++statistics_.lines_sent;
-  statistics_.lines_packed += packing_ == Packing::kOn ? 1 : 0;
+  statistics_.lines_packed += packing_.on() ? 1 : 0;
   window_.sent(bytes);
   confirmed_ = false;
   statistics_.lines_in_flight_max =
@@ -293,25 +293,28 @@ bool Session::send_next(Instant now) {
   return true;
 }
 
-// Nothing goes behind a command that takes its time: a controller with free slots reads an M112 at
-// once, one whose slots are full not before the command ends (11 s were measured).
-bool Session::waiting_line_in_flight() const {
-  for (std::int64_t i = window_.acknowledged(); i < window_.next_to_send(); ++i) {
-    if (nominal_[static_cast<std::size_t>(i) % nominal_.size()].count() < 0) return true;
-  }
-  return false;
-}
-
 // A command that waits goes when all before it have been answered, so that an answer behind its
 // signs of work is its own. Where no checksum shows that two lines have run together, only moves go
 // behind others: that one is gone shows in the place and the filament. Any other line begins behind
 // an `ok`, on a line of its own.
 bool Session::goes_behind_others(std::int64_t sequence) const {
   if (window_.lines_in_flight() == 0 || state_ == SessionState::kStopping) return true;
-  if (nominal_[static_cast<std::size_t>(sequence) % nominal_.size()].count() < 0) return false;
+  if (window_.effort(sequence).goes_alone) return false;
   if (rules_.numbered) return true;
   const std::string_view word = word_of(window_.text(sequence));
   return word == "G0" || word == "G1" || word == "M105";
+}
+
+Packing::Sight Session::packing_sight() const {
+  Packing::Sight sight;
+  // A damaged line must be found by its checksum.
+  sight.allowed =
+      options_.pack && capabilities_.meatpack && rules_.numbered && phase_ == Phase::kOpen;
+  sight.calm = state_ == SessionState::kStreaming && calm_lines_missing_ == 0;
+  sight.next_to_send = window_.next_to_send();
+  sight.sent_end = window_.sent_end();
+  sight.in_flight = window_.lines_in_flight() > 0;
+  return sight;
 }
 
 // One line at a time where that is enough: what a flush cuts is then never a line of ours.

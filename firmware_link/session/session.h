@@ -31,6 +31,7 @@
 #include "firmware_link/session/account_watch.h"   // AccountWatch
 #include "firmware_link/session/heater_watch.h"    // HeaterWatch
 #include "firmware_link/session/output_buffer.h"   // OutputBuffer
+#include "firmware_link/session/packing.h"         // Packing
 #include "firmware_link/session/planner_watch.h"   // PlannerWatch
 #include "firmware_link/session/position_watch.h"  // PositionWatch
 #include "firmware_link/session/send_window.h"     // SendWindow
@@ -41,7 +42,6 @@
 #include "firmware_link/wire/capabilities.h"      // Capabilities
 #include "firmware_link/wire/command.h"           // Command
 #include "firmware_link/wire/instant.h"           // Instant
-#include "firmware_link/wire/meat_pack.h"         // PackedBuffer
 #include "firmware_link/wire/reply.h"             // LineSplitter
 
 namespace firmware_link {
@@ -100,7 +100,7 @@ class Session {
 
   // Whether the controller was ever asked to unpack lines (MeatPack), so that bytes past the
   // session need kMeatPackReset before them: one too many does no harm.
-  [[nodiscard]] bool may_unpack() const { return may_unpack_; }
+  [[nodiscard]] bool may_unpack() const { return packing_.may_unpack(); }
 
   // The line number (N) of the last line that was accepted, and how many of the print's commands
   // have been accepted with any line number of the last 32. With the answer of a controller that
@@ -231,7 +231,7 @@ class Session {
   // session_watch.cpp: the link's own lines and what it watches.
   void give(const Command& command, bool is_command, Instant now);
   void push_command(const Command& command, bool is_command);
-  void push_own(std::string_view text, Duration nominal = Duration(0));
+  void push_own(std::string_view text, const LineEffort& effort = {});
   [[nodiscard]] bool own_line_due() const;
   [[nodiscard]] bool push_own_line(Instant now);
   void tick_watch(Instant now);
@@ -241,15 +241,6 @@ class Session {
   void settle_position();
   void end_confirming();
   void filament_differs(std::int64_t excess_10nm);
-
-  // session_packing.cpp: MeatPack.
-  [[nodiscard]] bool may_pack() const;
-  [[nodiscard]] bool packing_settled(Instant now);
-  void note_packing(std::string_view state);
-  void tick_packing(Instant now);
-  void ask_for_packing(Instant now);
-  void stop_packing();
-  [[nodiscard]] std::string_view on_the_wire(std::string_view line, PackedBuffer& into);
 
   // session_asking.cpp: an answer is missing.
   void tick_silence(Instant now);
@@ -278,18 +269,8 @@ class Session {
   void put_wait_no_more();
   [[nodiscard]] bool ended() const;
   [[nodiscard]] std::size_t window_lines(Instant now) const;
-  [[nodiscard]] bool waiting_line_in_flight() const;
+  [[nodiscard]] Packing::Sight packing_sight() const;
   [[nodiscard]] bool goes_behind_others(std::int64_t sequence) const;
-  [[nodiscard]] std::int64_t wire_number(std::int64_t sequence) const {
-    return sequence - numbering_base_;
-  }
-
-  // kAsked: its answer is waited for, nothing is sent. kGivenUp: it did not answer.
-  enum class Packing { kOff, kAsked, kOn, kGivenUp };
-
-  // Marks in nominal_: nothing goes behind such a line until it is acknowledged.
-  static constexpr Duration kWaitsForPlanner{-1};
-  static constexpr Duration kGoesAlone{-2};
 
   std::unique_ptr<Dialect> dialect_;
   SessionOptions options_;
@@ -308,7 +289,6 @@ class Session {
   EventQueue events_;
 
   SendWindow window_;
-  std::int64_t numbering_base_ = -1;  // the first line is N1
   std::optional<std::int32_t> found_line_;
   std::optional<std::int64_t> end_of_commands_;  // where the safe sequence of a stop begins
   std::array<TextBuffer, kSafeSequenceMax> safe_texts_{};
@@ -326,9 +306,6 @@ class Session {
   PlannerWatch planner_;
   HeaterWatch nozzle_watch_{"the nozzle", nozzle_watch_limits()};
   HeaterWatch bed_watch_{"the bed", bed_watch_limits()};
-  // By sequence, as in the window: how long a move takes, or one of the marks below.
-  std::array<Duration, kHistoryLinesMax> nominal_{};
-  std::array<std::uint8_t, kHistoryLinesMax> blocks_{};  // likewise: of the planner
 
   std::optional<std::string> complaint_;  // until it is known whether it was about a mended line
 
@@ -348,6 +325,7 @@ class Session {
 
   LineSplitter splitter_;
   OutputBuffer output_;
+  Packing packing_;
 
   Instant phase_began_;
   Instant stop_began_;
@@ -364,11 +342,6 @@ class Session {
   Instant last_turn_;     // any call that told the time
   Instant last_awake_{};  // a paused print was kept awake
   int greetings_ = 0;
-  Packing packing_ = Packing::kOff;
-  Instant packing_asked_{};
-  int packing_tries_ = 0;
-  bool may_unpack_ = false;
-  std::int64_t packing_from_ = 0;  // no line before this one is packed
   bool start_seen_ = false;
   int starts_seen_ = 0;
   bool greeting_refused_ = false;

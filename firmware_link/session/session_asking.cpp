@@ -109,14 +109,7 @@ bool Session::may_ask_in_order(bool behind_long) const {
 // A line in its turn, before one that waits for room.
 void Session::push_question(Instant now) {
   const std::int64_t at = window_.next_to_send();
-  const auto place = [this](std::int64_t sequence) {
-    return static_cast<std::size_t>(sequence) % nominal_.size();
-  };
-  nominal_[place(at + 1)] = nominal_[place(at)];
-  blocks_[place(at + 1)] = blocks_[place(at)];
   if (question_ && question_->sequence == at) ++question_->sequence;
-  nominal_[place(at)] = Duration(0);
-  blocks_[place(at)] = 1;
   window_.push_ahead(kQuestion);
   ahead_ = at;
   pump(now);
@@ -226,7 +219,7 @@ void Session::put_forced_mismatch() {
   resync_pending_ = true;
   if (!output_.has_room_for(kLineBytesMax + 2)) return;
   LineBuffer buffer;
-  stop_packing();
+  packing_.stop(packing_sight(), output_);
   output_.put("\n");
   output_.put(number_line(kResyncLineNumber, kQuestion, buffer));
   output_.put("\n");

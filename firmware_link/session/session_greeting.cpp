@@ -116,7 +116,7 @@ void Session::reply_while_greeting(const Reply& reply, Meaning meaning, Instant 
 // Line numbers have begun anew; what is sent next is N1.
 void Session::greeted(Instant now) {
   window_.forget_acknowledged();
-  numbering_base_ = window_.next_to_send() - 1;
+  window_.restart_numbers();
   repeated_line_ = -1;
   last_life_ = last_progress_ = now;
   if (state_ == SessionState::kConnecting) {

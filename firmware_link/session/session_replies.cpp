@@ -54,7 +54,7 @@ void Session::reply(const Reply& reply, Instant now) {
     if (meaning == Meaning::kWorking) silence_.worked();
     if (meaning == Meaning::kAcknowledge) silence_.answered();
   }
-  if (reply.text.substr(0, kMeatPackAnswer.size()) == kMeatPackAnswer) note_packing(reply.text);
+  if (reply.text.substr(0, kMeatPackAnswer.size()) == kMeatPackAnswer) packing_.heard(reply.text);
   note_temperatures(reply, now);
   if (ended()) return;
   note_names(reply);
@@ -225,7 +225,7 @@ void Session::acknowledged(const Reply& reply, Instant now) {
   if (reply.number && rules_.numbered) {
     // Bounded before the sum, because any number may come.
     const std::int64_t number = std::clamp<std::int64_t>(*reply.number, 0, kResyncLineNumber);
-    const std::int64_t sequence = number + numbering_base_;
+    const std::int64_t sequence = window_.sequence_of(number);
     ours = sequence >= window_.acknowledged() && sequence < window_.next_to_send();
     if (ours) window_.acknowledge_before(sequence + 1);
   } else if (names_a_line(reply)) {
@@ -255,9 +255,9 @@ void Session::acknowledged(const Reply& reply, Instant now) {
 // What it means that lines from `from` on have been acknowledged.
 void Session::note_accepted(std::int64_t from, Instant now) {
   for (std::int64_t i = from; i < window_.acknowledged(); ++i) {
-    const std::size_t at = static_cast<std::size_t>(i) % nominal_.size();
-    if (nominal_[at] == kWaitsForPlanner) planner_.expect_gap(now);
-    if (nominal_[at].count() > 0) planner_.accepted_move(nominal_[at], now, blocks_[at]);
+    const LineEffort& effort = window_.effort(i);
+    if (effort.empties_planner) planner_.expect_gap(now);
+    if (effort.nominal.count() > 0) planner_.accepted_move(effort.nominal, now, effort.blocks);
   }
   settle_position();
 }
@@ -266,12 +266,12 @@ void Session::resend_asked(const Reply& reply, Instant now) {
   skip_next_ok_ = rules_.numbered;
   quiet_since_ = now;
   if (!rules_.numbered || !reply.number || *reply.number < 0 || *reply.number > kResyncLineNumber ||
-      !can_go_back_to(*reply.number + numbering_base_)) {
+      !can_go_back_to(window_.sequence_of(*reply.number))) {
     ++statistics_.resends_ignored;
     if (rules_.numbered && reply.number && accounts_.impossible(*reply.number)) {
       fault(FaultKind::kRefusals,
             "the controller says that it has had " + std::to_string(*reply.number - 1) +
-                " lines of " + std::to_string(wire_number(window_.next_to_send()) - 1) +
+                " lines of " + std::to_string(window_.number_of(window_.next_to_send()) - 1) +
                 ": it was reset, or counts wrong",
             true);
     } else if (accounts_.ask_again() && !recovering_) {
@@ -280,7 +280,7 @@ void Session::resend_asked(const Reply& reply, Instant now) {
     return;
   }
   accounts_.possible();
-  const std::int64_t sequence = *reply.number + numbering_base_;
+  const std::int64_t sequence = window_.sequence_of(*reply.number);
   confirmed_ = sequence == window_.sent_end();
   mismatches_ = 0;
   if (confirmed_) resyncs_in_a_row_ = 0;
@@ -319,7 +319,7 @@ bool Session::repeat_from(std::int64_t sequence) {
   }
   if (++repeats_of_a_line_ > options_.repeats_of_a_line_max) {
     fault(FaultKind::kRefusals,
-          "the controller refused line " + std::to_string(wire_number(sequence)) + " " +
+          "the controller refused line " + std::to_string(window_.number_of(sequence)) + " " +
               std::to_string(repeats_of_a_line_) + " times: " + quoted(last_refusal_),
           true);
     return false;

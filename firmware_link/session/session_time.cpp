@@ -23,11 +23,12 @@ void Session::bridge_gap(Instant now) {
   if (gap <= kTurnMax) return;
   const auto moved = [&](Instant since) { return std::min(now, since + gap); };
   for (Instant* since : {&phase_began_, &stop_began_, &last_heard_, &last_said_, &last_life_,
-                         &last_progress_, &quiet_since_, &packing_asked_}) {
+                         &last_progress_, &quiet_since_}) {
     *since = moved(*since);
   }
   if (place_lost_since_) place_lost_since_ = moved(*place_lost_since_);
   silence_.bridge(gap, now);
+  packing_.bridge(gap, now);
   if (shut_down_since_) shut_down_since_ = moved(*shut_down_since_);
 }
 
@@ -36,7 +37,7 @@ void Session::bridge_gap(Instant now) {
 void Session::note_stop_behind(Instant now) {
   stop_told_ = false;
   stop_behind_.reset();
-  if (!waiting_line_in_flight()) return;
+  if (!window_.lone_line_in_flight()) return;
   // A question may stand behind it.
   std::int64_t at = window_.acknowledged();
   while (at + 1 < window_.next_to_send() && !wait_of(window_.text(at), rules_.macros).is_long()) {

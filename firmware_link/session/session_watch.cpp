@@ -45,28 +45,21 @@ void Session::push_command(const Command& command, bool is_command) {
   TextBuffer long_buffer;
   TextBuffer buffer;
   const std::string_view text = encode(command, long_buffer);
-  Duration nominal(0);
-  std::size_t blocks = 1;
+  LineEffort effort;
   if (const auto* move = std::get_if<Move>(&command)) {
-    nominal = position_.nominal_time(*move);
-    blocks = planner_blocks_of(*move);
+    effort.nominal = position_.nominal_time(*move);
+    effort.blocks = planner_blocks_of(*move);
     position_.gave(*move);
   } else if (std::holds_alternative<Verbatim>(command)) {
     position_.gave_unknown();
     if (word_of(text) == "M113") silence_.may_be_silent();
   }
-  if (wait_of(text, rules_.macros).planner_runs_empty) nominal = kWaitsForPlanner;
-  const std::size_t at = static_cast<std::size_t>(window_.end()) % nominal_.size();
-  nominal_[at] = nominal;
-  blocks_[at] = static_cast<std::uint8_t>(blocks);
-  window_.push(shortened(text, buffer), is_command);
+  if (wait_of(text, rules_.macros).planner_runs_empty) effort = kWaitsForPlanner;
+  window_.push(shortened(text, buffer), is_command, effort);
 }
 
-void Session::push_own(std::string_view text, Duration nominal) {
-  const std::size_t at = static_cast<std::size_t>(window_.end()) % nominal_.size();
-  nominal_[at] = nominal;
-  blocks_[at] = 1;
-  window_.push(text, false);
+void Session::push_own(std::string_view text, const LineEffort& effort) {
+  window_.push(text, false, effort);
 }
 
 bool Session::own_line_due() const {
@@ -107,7 +100,7 @@ bool Session::push_own_line(Instant now) {
     if (rules_.height_may_shift) question_->expected.axes_um[2].reset();
     // Where the count has just begun, its `ok` is also the sign that the G92 before it was not
     // itself such a tail.
-    push_own("M114", position_.expected().moves == 0 ? kGoesAlone : Duration(0));
+    push_own("M114", position_.expected().moves == 0 ? kGoesAlone : LineEffort{});
     own_requests_.ask_position = false;
   } else if (own_requests_.report_temperatures) {
     const auto interval =

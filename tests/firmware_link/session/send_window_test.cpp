@@ -101,3 +101,35 @@ TEST_CASE("the history holds as many lines as it says, and agrees with a simple 
   }
   CHECK(window.oldest() > 1000);
 }
+
+TEST_CASE("what a line costs stays with it, also where a question goes before it") {
+  SendWindow window;
+  window.push("G28", true, kWaitsForPlanner);
+  CHECK_FALSE(window.lone_line_in_flight());
+  window.sent(4);
+  CHECK(window.lone_line_in_flight());
+  LineEffort move;
+  move.nominal = Duration(1'500);
+  move.blocks = 3;
+  window.push("G1X1", true, move);
+  window.push_ahead("M105");
+  CHECK(window.effort(1).nominal == Duration(0));
+  CHECK(window.effort(2).nominal == Duration(1'500));
+  CHECK(window.effort(2).blocks == 3);
+  CHECK(window.acknowledge_one());
+  CHECK_FALSE(window.lone_line_in_flight());
+  CHECK(window.effort(0).empties_planner);
+}
+
+TEST_CASE("line numbers start at 1, and again at 1 when they are restarted") {
+  SendWindow window;
+  CHECK(window.number_of(0) == 1);
+  for (int i = 0; i < 3; ++i) {
+    window.push("M105", false);
+    window.sent(6);
+  }
+  CHECK(window.number_of(window.next_to_send()) == 4);
+  window.restart_numbers();
+  CHECK(window.number_of(window.next_to_send()) == 1);
+  CHECK(window.sequence_of(1) == window.next_to_send());
+}
