@@ -33,8 +33,8 @@ Session::Session(std::unique_ptr<Dialect> dialect, const SessionOptions& options
       last_said_(now),
       last_life_(now),
       last_progress_(now),
-      quiet_since_(now),
       last_polled_(now),
+      recovery_(now),
       silence_(options_.wait_limit),
       last_turn_(now) {
   LINK_CHECK(rules_.numbered && rules_.window_lines >= 1 && rules_.window_lines <= kWindowLinesMax);
@@ -75,7 +75,7 @@ void Session::written(std::size_t count, Instant now) {
   output_.written(count);
   statistics_.bytes_sent += static_cast<std::int64_t>(count);
   // Quiet counts from when the last byte left, so that its answer can come.
-  if (output_.empty() && count > 0) quiet_since_ = std::max(quiet_since_, now);
+  if (output_.empty() && count > 0) recovery_.bytes_left(now);
 }
 
 void Session::tick(Instant now) {
@@ -91,8 +91,7 @@ void Session::tick(Instant now) {
   } else if (phase_ == Phase::kReadying) {
     tick_readying(now);
   } else {
-    if (recovering_ && output_.empty() && now - quiet_since_ >= rules_.quiet_after_resend) {
-      recovering_ = false;
+    if (recovery_.quiet_over(rules_.quiet_after_resend, output_.empty(), now)) {
       if (packing_.may_unpack()) packing_.stop(packing_sight(), output_);
       last_life_ = last_progress_ = now;
     }
@@ -200,7 +199,7 @@ void Session::put_safe_sequence() {
 // Moves to the next state when all that this one waits for is there.
 void Session::settle(Instant now) {
   if (ended() || is_still() || (phase_ != Phase::kAsking && phase_ != Phase::kOpen)) return;
-  const bool idle = window_.all_sent() && window_.lines_in_flight() == 0 && !resync_pending_ &&
+  const bool idle = window_.all_sent() && window_.lines_in_flight() == 0 && !recovery_.asked() &&
                     !own_line_due() && !question_ && !deferred_;
   if (phase_ == Phase::kAsking && idle) {
     if (asks_name_again(now)) return;
@@ -213,7 +212,7 @@ void Session::settle(Instant now) {
     begin_readying(now);
     if (phase_ != Phase::kOpen) return;
   }
-  if (recovering_ || resync_pending_ || window_.lines_in_flight() > 0) return;
+  if (!recovery_.in_step() || window_.lines_in_flight() > 0) return;
 
   const bool out_of_numbers = rules_.numbered && !window_.all_sent() &&
                               window_.number_of(window_.next_to_send()) > options_.line_number_max;
@@ -221,7 +220,7 @@ void Session::settle(Instant now) {
   const bool stopping =
       state_ == SessionState::kStopping && idle && end_of_commands_ && safe_next_ == safe_count_;
   if (!out_of_numbers && !finishing && !stopping) return;
-  if (rules_.numbered && !confirmed_) {
+  if (rules_.numbered && !recovery_.confirmed()) {
     resynchronise(now);
   } else if (finishing || stopping) {
     state_ = finishing ? SessionState::kFinished : SessionState::kStopped;
@@ -234,10 +233,10 @@ void Session::settle(Instant now) {
 void Session::pump(Instant now) {
   if (ended() || is_still() || !talks()) return;
   if (state_ == SessionState::kStopping && !end_of_commands_) {
-    if (!resync_pending_ && phase_ == Phase::kOpen) resynchronise(now);
+    if (!recovery_.asked() && phase_ == Phase::kOpen) resynchronise(now);
     return;
   }
-  while (!recovering_ && !resync_pending_ && send_next(now)) {
+  while (recovery_.in_step() && send_next(now)) {
   }
 }
 
@@ -267,7 +266,7 @@ bool Session::send_next(Instant now) {
                                     ? number_line(shown, window_.next_text(), buffer)
                                     : window_.next_text();
   LINK_CHECK(line.size() <= kLineBytesMax);
-  const bool ahead = is_ahead(sequence);
+  const bool ahead = questions_.goes_ahead(window_, sequence);
   if (!ahead && !goes_behind_others(sequence)) return false;
   if (!ahead && (window_.lines_in_flight() >= window_lines(now) || window_.lone_line_in_flight())) {
     return false;
@@ -285,7 +284,7 @@ bool Session::send_next(Instant now) {
   ++statistics_.lines_sent;
   statistics_.lines_packed += packing_.on() ? 1 : 0;
   window_.sent(bytes);
-  confirmed_ = false;
+  recovery_.line_sent();
   statistics_.lines_in_flight_max =
       std::max(statistics_.lines_in_flight_max, window_.lines_in_flight());
   statistics_.bytes_in_flight_max =
@@ -310,7 +309,7 @@ Packing::Sight Session::packing_sight() const {
   // A damaged line must be found by its checksum.
   sight.allowed =
       options_.pack && capabilities_.meatpack && rules_.numbered && phase_ == Phase::kOpen;
-  sight.calm = state_ == SessionState::kStreaming && calm_lines_missing_ == 0;
+  sight.calm = state_ == SessionState::kStreaming && !recovery_.one_line_at_a_time();
   sight.next_to_send = window_.next_to_send();
   sight.sent_end = window_.sent_end();
   sight.in_flight = window_.lines_in_flight() > 0;
@@ -319,7 +318,7 @@ Packing::Sight Session::packing_sight() const {
 
 // One line at a time where that is enough: what a flush cuts is then never a line of ours.
 std::size_t Session::window_lines(Instant now) const {
-  if (calm_lines_missing_ > 0) return 1;
+  if (recovery_.one_line_at_a_time()) return 1;
   if (rules_.numbered && planner_.end() - now >= kPlannerFed) return 1;
   return rules_.window_lines;
 }

@@ -27,16 +27,17 @@
 #include <span>
 #include <string>
 
-#include "firmware_link/dialects/dialect.h"        // Dialect
-#include "firmware_link/session/account_watch.h"   // AccountWatch
-#include "firmware_link/session/heater_watch.h"    // HeaterWatch
-#include "firmware_link/session/output_buffer.h"   // OutputBuffer
-#include "firmware_link/session/packing.h"         // Packing
-#include "firmware_link/session/planner_watch.h"   // PlannerWatch
-#include "firmware_link/session/position_watch.h"  // PositionWatch
-#include "firmware_link/session/send_window.h"     // SendWindow
-#include "firmware_link/session/session_event.h"   // SessionEvent
-#include "firmware_link/session/session_parts.h"   // OwnRequests, DeferredCommand, PositionQuestion
+#include "firmware_link/dialects/dialect.h"           // Dialect
+#include "firmware_link/session/heater_watch.h"       // HeaterWatch
+#include "firmware_link/session/ordered_questions.h"  // OrderedQuestions
+#include "firmware_link/session/output_buffer.h"      // OutputBuffer
+#include "firmware_link/session/packing.h"            // Packing
+#include "firmware_link/session/planner_watch.h"      // PlannerWatch
+#include "firmware_link/session/position_watch.h"     // PositionWatch
+#include "firmware_link/session/recovery.h"           // Recovery
+#include "firmware_link/session/send_window.h"        // SendWindow
+#include "firmware_link/session/session_event.h"      // SessionEvent
+#include "firmware_link/session/session_parts.h"  // OwnRequests, DeferredCommand, PositionQuestion
 #include "firmware_link/session/session_types.h"  // SessionState, SessionOptions, SessionStatistics
 #include "firmware_link/session/silence_watch.h"  // SilenceWatch
 #include "firmware_link/wire/capabilities.h"      // Capabilities
@@ -223,6 +224,7 @@ class Session {
   void acknowledged(const Reply& reply, Instant now);
   void note_accepted(std::int64_t from, Instant now);
   void resend_asked(const Reply& reply, Instant now);
+  void resend_doubted(const Reply& reply);
   [[nodiscard]] bool can_go_back_to(std::int64_t sequence) const;
   [[nodiscard]] bool repeat_from(std::int64_t sequence);
   void note_names(const Reply& reply);
@@ -247,13 +249,9 @@ class Session {
   [[nodiscard]] SilenceWatch::Sight sight(Instant now) const;
   void ask(const SilenceWatch::Sight& sight, Instant now);
   void push_question(Instant now);
-  [[nodiscard]] bool is_ahead(std::int64_t sequence) const;
-  [[nodiscard]] int questions_in_flight() const;
   [[nodiscard]] bool may_ask_in_order(bool behind_long) const;
   void ask_for_answer(Instant now);
   [[nodiscard]] bool names_a_line(const Reply& reply) const;
-  [[nodiscard]] bool acknowledge_named(const Reply& reply);
-  [[nodiscard]] std::optional<std::int64_t> named_by(const Reply& reply);
   void acknowledge_through(std::int64_t sequence);
   void answers_missing();
   [[nodiscard]] bool damaged_by(const Reply& reply) const;
@@ -333,37 +331,24 @@ class Session {
   Instant last_said_;      // any line but temperatures, which may come all the time
   Instant last_life_;      // any answer that makes sense
   Instant last_progress_;  // an acknowledgement, or work being done
-  Instant quiet_since_;    // the last answer that belongs to a Resend's aftermath
   Instant last_polled_;
+  Recovery recovery_;
   SilenceWatch silence_;
-  std::int64_t ahead_ = -1;  // the last question's line, which no window holds back
-  int late_answers_ = 0;     // to questions that were taken to be lost
-  AccountWatch accounts_;
+  OrderedQuestions questions_;
   Instant last_turn_;     // any call that told the time
   Instant last_awake_{};  // a paused print was kept awake
   int greetings_ = 0;
   bool start_seen_ = false;
   int starts_seen_ = 0;
   bool greeting_refused_ = false;
-  bool named_ = false;         // what asks for names has been answered, up to its `ok`
-  bool skip_next_ok_ = false;  // it belongs to a refused line
-  bool recovering_ = false;    // waiting for quiet after a Resend
-  bool resync_pending_ = false;
-  bool confirmed_ = false;  // a forced mismatch showed that the controller has all lines
+  bool greeting_skips_ok_ = false;
+  bool named_ = false;  // what asks for names has been answered, up to its `ok`
   bool controller_may_live_ = true;
   bool asking_line_ = false;  // the greeting at hand asks for the line before us
   int lines_asked_ = 0;
   bool settling_needed_ = false;
   bool holding_ = false;
   bool waits_for_user_ = false;
-  bool warned_of_resends_ = false;
-  int resyncs_in_a_row_ = 0;
-  int mismatches_ = 0;  // without the `Resend:` that answers them
-  int repeats_of_a_line_ = 0;
-  std::int64_t repeated_line_ = -1;
-  std::int64_t calm_lines_ = 8;
-  std::int64_t calm_lines_missing_ = 0;
-  std::int64_t refused_last_ = -1'000'000;
 };
 
 }  // namespace firmware_link

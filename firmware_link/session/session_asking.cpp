@@ -19,9 +19,6 @@ namespace {
 constexpr std::string_view kQuestion = "M105";
 constexpr std::size_t kMismatchBytes = 19;
 
-// Forced mismatches in a row without the `Resend:` that answers them: so many don't get lost.
-constexpr int kMismatchesMax = 16;
-
 // Questions in flight, at most: behind a command that takes long they take up command slots.
 constexpr int kQuestionsBehindLong = 2;
 constexpr int kQuestionsMax = 4;
@@ -29,7 +26,7 @@ constexpr int kQuestionsMax = 4;
 }  // namespace
 
 void Session::tick_silence(Instant now) {
-  if (ended() || (window_.lines_in_flight() == 0 && !resync_pending_)) {
+  if (ended() || (window_.lines_in_flight() == 0 && !recovery_.asked())) {
     silence_.over();
     return;
   }
@@ -78,14 +75,15 @@ SilenceWatch::Sight Session::sight(Instant now) const {
   seen.last_life = last_life_;
   seen.last_progress = last_progress_;
   seen.planner_time = std::max(Duration(0), planner_.end() - now);
-  seen.questions = questions_in_flight();
+  seen.questions = OrderedQuestions::in_flight(window_);
   seen.waits_for_user = waits_for_user_;
   const std::size_t bytes = kMismatchBytes * static_cast<std::size_t>(silence_.asks() + 1);
   const bool room = window_.bytes_in_flight() + bytes <= kWindowBytesMax;
   const bool in_order = !rules_.numbered || seen.command.is_long();
   seen.stands = phase_ == Phase::kOpen && planner_.blocks() == 0 && (in_order || room);
   seen.may_ask = in_order ? may_ask_in_order(seen.command.is_long()) : true;
-  seen.may_resynchronise = rules_.numbered && resyncs_in_a_row_ < options_.resyncs_in_a_row_max;
+  seen.may_resynchronise =
+      rules_.numbered && recovery_.resynchronisations_in_a_row() < options_.resyncs_in_a_row_max;
   return seen;
 }
 
@@ -101,79 +99,34 @@ void Session::ask(const SilenceWatch::Sight& sight, Instant now) {
 
 bool Session::may_ask_in_order(bool behind_long) const {
   const int questions_max = rules_.numbered && behind_long ? kQuestionsBehindLong : kQuestionsMax;
-  return phase_ == Phase::kOpen && !recovering_ && !resync_pending_ &&
-         window_.next_to_send() == window_.sent_end() &&
-         window_.end() - window_.next_to_send() <= 1 && questions_in_flight() < questions_max;
+  return phase_ == Phase::kOpen && recovery_.in_step() && OrderedQuestions::fits(window_) &&
+         OrderedQuestions::in_flight(window_) < questions_max;
 }
 
 // A line in its turn, before one that waits for room.
 void Session::push_question(Instant now) {
   const std::int64_t at = window_.next_to_send();
   if (question_ && question_->sequence == at) ++question_->sequence;
-  window_.push_ahead(kQuestion);
-  ahead_ = at;
+  questions_.ask(window_);
   pump(now);
-}
-
-// Repeated questions too: what they wait behind has been accepted.
-bool Session::is_ahead(std::int64_t sequence) const {
-  return sequence <= ahead_ && window_.text(sequence) == kQuestion;
-}
-
-int Session::questions_in_flight() const {
-  int count = 0;
-  for (std::int64_t i = window_.acknowledged(); i < window_.next_to_send(); ++i) {
-    count += window_.text(i) == kQuestion ? 1 : 0;
-  }
-  return count;
 }
 
 // Before the print, where few lines are sent.
 void Session::ask_for_answer(Instant now) {
   last_progress_ = now;
-  if (window_.all_sent() && questions_in_flight() < kQuestionsMax) push_question(now);
+  if (window_.all_sent() && OrderedQuestions::in_flight(window_) < kQuestionsMax)
+    push_question(now);
 }
 
 // Whether an `ok` can be told from others: to a question, or late to one.
 bool Session::names_a_line(const Reply& reply) const {
   const bool warm = reply.temperatures.nozzle_celsius || reply.temperatures.bed_celsius;
-  return warm && (questions_in_flight() > 0 || !rules_.numbered);
-}
-
-// True when lines before that question were left without an answer. REQUIRES: names_a_line().
-bool Session::acknowledge_named(const Reply& reply) {
-  const std::optional<std::int64_t> through = named_by(reply);
-  if (!through) return false;
-  const bool missing = window_.text(window_.acknowledged()) != kQuestion;
-  window_.acknowledge_before(*through + 1);
-  return missing;
-}
-
-// The line that an `ok` with temperatures answers; nothing when it is late, to a question that was
-// taken to be lost. Where several questions stand together, the last of them: nothing lies between.
-std::optional<std::int64_t> Session::named_by(const Reply& reply) {
-  LINK_CHECK(reply.kind == Reply::Kind::kOk);
-  std::int64_t at = window_.acknowledged();
-  while (at < window_.next_to_send() && window_.text(at) != kQuestion) ++at;
-  if (at == window_.next_to_send()) return std::nullopt;
-  if (at > window_.acknowledged() && late_answers_ > 0) {
-    --late_answers_;
-    return std::nullopt;
-  }
-  while (at + 1 < window_.next_to_send() && window_.text(at + 1) == kQuestion) {
-    ++at;
-    ++late_answers_;
-  }
-  return at;
+  return warm && (OrderedQuestions::in_flight(window_) > 0 || !rules_.numbered);
 }
 
 // All up to that line have been answered, whatever was heard of it.
 void Session::acknowledge_through(std::int64_t sequence) {
-  bool missing = false;
-  for (std::int64_t i = window_.acknowledged(); i <= sequence; ++i) {
-    missing = missing || window_.text(i) != kQuestion;
-  }
-  window_.acknowledge_before(sequence + 1);
+  const bool missing = OrderedQuestions::acknowledge_through(window_, sequence);
   if (missing && !rules_.numbered) answers_missing();
 }
 
@@ -204,19 +157,18 @@ bool Session::damaged_by(const Reply& reply) const {
 
 void Session::resynchronise(Instant now) {
   last_life_ = last_progress_ = now;
-  ++resyncs_in_a_row_;
+  recovery_.resynchronises();
   put_forced_mismatch();
 }
 
 void Session::put_forced_mismatch() {
-  if (++mismatches_ > kMismatchesMax) {
+  if (!recovery_.asks()) {
     fault(FaultKind::kRefusals,
           "the controller does not count lines as a " + std::string(dialect_->name()) +
               " does; it calls itself \"" + firmware_name_ + "\"",
           true);
     return;
   }
-  resync_pending_ = true;
   if (!output_.has_room_for(kLineBytesMax + 2)) return;
   LineBuffer buffer;
   packing_.stop(packing_sight(), output_);

@@ -67,7 +67,8 @@ void Session::greet(Instant now) {
   phase_ = Phase::kGreeting;
   phase_began_ = now;
   greeting_refused_ = false;
-  skip_next_ok_ = false;
+  greeting_skips_ok_ = false;
+  recovery_.greeting_sent();
   asking_line_ = ask_line;
   lines_asked_ += ask_line ? 1 : 0;
   if (!ask_line) ++greetings_;
@@ -96,15 +97,15 @@ void Session::reply_while_greeting(const Reply& reply, Meaning meaning, Instant 
       found_line_ = static_cast<std::int32_t>(*reply.number - 1);
     }
     greeting_refused_ = true;
-    skip_next_ok_ = true;
+    greeting_skips_ok_ = true;
     last_refusal_ = std::string(reply.text);
   } else if (meaning == Meaning::kWarning) {
     // "Unknown command" to what is left of a damaged greeting.
     greeting_refused_ = true;
-    skip_next_ok_ = true;
+    greeting_skips_ok_ = true;
   } else if (meaning == Meaning::kAcknowledge) {
-    if (skip_next_ok_) {
-      skip_next_ok_ = false;
+    if (greeting_skips_ok_) {
+      greeting_skips_ok_ = false;
     } else if (asking_line_) {
       greeting_refused_ = true;  // it numbers nothing, so there is no last line
     } else if (!greeting_refused_) {
@@ -117,7 +118,7 @@ void Session::reply_while_greeting(const Reply& reply, Meaning meaning, Instant 
 void Session::greeted(Instant now) {
   window_.forget_acknowledged();
   window_.restart_numbers();
-  repeated_line_ = -1;
+  recovery_.numbers_restarted();
   last_life_ = last_progress_ = now;
   if (state_ == SessionState::kConnecting) {
     phase_ = Phase::kAsking;
@@ -133,7 +134,8 @@ void Session::tick_asking(Instant now) {
   if (phase_ != Phase::kAsking || silence_.works() || now - phase_began_ < kNameWait) return;
   window_.restart(window_.oldest());
   window_.drop_unsent();
-  recovering_ = resync_pending_ = skip_next_ok_ = named_ = false;
+  recovery_.restart();
+  named_ = false;
   if (greetings_ < options_.greetings_max) {
     greet(now);
   } else {
@@ -171,7 +173,7 @@ void Session::speak_its_dialect() {
   LINK_CHECK(rules_.window_lines >= 1 && rules_.window_lines <= kWindowLinesMax);
   LINK_CHECK(rules_.window_bytes > kLineBytesMax && rules_.window_bytes <= kWindowBytesMax);
   LINK_CHECK(!rules_.numbered || !rules_.checksummed);
-  calm_lines_missing_ = 0;
+  recovery_.dialect_found();
   // Where nothing is numbered, an `ok` to a question that was asked twice can't be told from one
   // to a command: all must have come.
   settling_needed_ = numbered && !rules_.numbered;

@@ -89,7 +89,10 @@ void Session::reply_while_readying(const Reply& reply, Meaning meaning, Instant 
     dialect_->note_command(reply.text, capabilities_);
   } else if (meaning == Meaning::kAcknowledge && names_a_line(reply)) {
     // What it said before may have been lost with its `ok`: the same is asked again.
-    if (acknowledge_named(reply)) ask_when_readying(query_, now);
+    const auto through = questions_.answered(window_);
+    if (through && OrderedQuestions::acknowledge_through(window_, *through)) {
+      ask_when_readying(query_, now);
+    }
   } else if (meaning == Meaning::kAcknowledge && window_.acknowledge_one()) {
     query_answered(now);
   }

@@ -9,15 +9,6 @@
 namespace firmware_link {
 namespace {
 
-// One line in flight after a Resend, until this many have gone well: twice as many each time that
-// it comes again soon, because a receive ring may be smaller than was thought (64 bytes are found).
-constexpr std::int64_t kCalmLinesMin = 8;
-constexpr std::int64_t kCalmLinesMax = 4096;
-
-// So many of the lines asked for again are worth a warning, once so many were sent.
-constexpr double kResendRatioMax = 0.1;
-constexpr std::int64_t kResendLinesMin = 100;
-
 // An `ok` too many uncovers itself by a request for a line that was acknowledged; so many of them
 // in a row are another thing.
 constexpr std::int64_t kFalseAnswersMax = 8;
@@ -117,7 +108,7 @@ void Session::reply(const Reply& reply, Instant now) {
 
 void Session::reply_while_open(const Reply& reply, Meaning meaning, Instant now) {
   // Nothing comes between a refusal and its `ok`; a line that does means that the `ok` got lost.
-  if (meaning != Meaning::kAcknowledge && meaning != Meaning::kResend) skip_next_ok_ = false;
+  if (meaning != Meaning::kAcknowledge && meaning != Meaning::kResend) recovery_.other_heard();
   if (meaning == Meaning::kAcknowledge) complaint_stands();
   if (meaning == Meaning::kResend || meaning == Meaning::kRefused) complaint_mended();
   switch (meaning) {
@@ -128,9 +119,7 @@ void Session::reply_while_open(const Reply& reply, Meaning meaning, Instant now)
       resend_asked(reply, now);
       break;
     case Meaning::kRefused:
-      skip_next_ok_ = true;
-      quiet_since_ = now;
-      accounts_.refused(reply.text);
+      recovery_.refused(reply.text, now);
       last_refusal_ = std::string(reply.text);
       break;
     case Meaning::kWarning:
@@ -156,7 +145,7 @@ void Session::reply_while_open(const Reply& reply, Meaning meaning, Instant now)
     case Meaning::kAlive:
     case Meaning::kWorking:
       if (meaning != Meaning::kWorking) break;
-      resyncs_in_a_row_ = resync_pending_ ? 1 : 0;
+      recovery_.work_seen();
       break;
     case Meaning::kShutDown:  // while it is not open
       break;
@@ -181,7 +170,8 @@ void Session::reset_seen(Instant now) {
     phase_began_ = now;
     window_.restart(window_.oldest());
     window_.drop_unsent();
-    recovering_ = resync_pending_ = skip_next_ok_ = named_ = false;
+    recovery_.restart();
+    named_ = false;
     return;
   }
   fault(FaultKind::kReset, "the controller was reset in mid-print, and has forgotten its position",
@@ -208,18 +198,13 @@ void Session::note_names(const Reply& reply) {
 
 void Session::acknowledged(const Reply& reply, Instant now) {
   waits_for_user_ = false;
-  if (recovering_) quiet_since_ = now;
-  if (skip_next_ok_) {
-    skip_next_ok_ = false;
-    return;
-  }
+  if (recovery_.skips_ok(now)) return;
   // An `ok` before the answer to M115 is to a line of a host before us.
   if (phase_ == Phase::kAsking && !named_) {
     ++statistics_.stray_acknowledgements;
     return;
   }
-  resyncs_in_a_row_ = resync_pending_ ? 1 : 0;
-  if (calm_lines_missing_ > 0) --calm_lines_missing_;
+  recovery_.ok_heard();
   bool ours = false;
   const std::int64_t before = window_.acknowledged();
   if (reply.number && rules_.numbered) {
@@ -229,7 +214,7 @@ void Session::acknowledged(const Reply& reply, Instant now) {
     ours = sequence >= window_.acknowledged() && sequence < window_.next_to_send();
     if (ours) window_.acknowledge_before(sequence + 1);
   } else if (names_a_line(reply)) {
-    const std::optional<std::int64_t> through = named_by(reply);
+    const std::optional<std::int64_t> through = questions_.answered(window_);
     ours = through.has_value();
     if (ours) {
       acknowledge_through(*through);
@@ -237,13 +222,13 @@ void Session::acknowledged(const Reply& reply, Instant now) {
     }
   } else {
     ours = window_.acknowledge_one();
-    late_answers_ = 0;
+    questions_.plain_ok_heard();
   }
   if (!ours) {
     ++statistics_.stray_acknowledgements;
     return;
   }
-  accounts_.possible();
+  recovery_.account_possible();
   note_accepted(before, now);
   if (reply.planner_free) planner_.told_free(*reply.planner_free, now);
   if (state_ == SessionState::kStreaming && !holding_ && phase_ == Phase::kOpen &&
@@ -263,47 +248,54 @@ void Session::note_accepted(std::int64_t from, Instant now) {
 }
 
 void Session::resend_asked(const Reply& reply, Instant now) {
-  skip_next_ok_ = rules_.numbered;
-  quiet_since_ = now;
+  recovery_.resend_heard(rules_.numbered, now);
   if (!rules_.numbered || !reply.number || *reply.number < 0 || *reply.number > kResyncLineNumber ||
       !can_go_back_to(window_.sequence_of(*reply.number))) {
-    ++statistics_.resends_ignored;
-    if (rules_.numbered && reply.number && accounts_.impossible(*reply.number)) {
-      fault(FaultKind::kRefusals,
-            "the controller says that it has had " + std::to_string(*reply.number - 1) +
-                " lines of " + std::to_string(window_.number_of(window_.next_to_send()) - 1) +
-                ": it was reset, or counts wrong",
-            true);
-    } else if (accounts_.ask_again() && !recovering_) {
-      put_forced_mismatch();
-    }
+    resend_doubted(reply);
     return;
   }
-  accounts_.possible();
   const std::int64_t sequence = window_.sequence_of(*reply.number);
-  confirmed_ = sequence == window_.sent_end();
-  mismatches_ = 0;
-  if (confirmed_) resyncs_in_a_row_ = 0;
-  if (sequence < window_.next_to_send() && !recovering_ && !repeat_from(sequence)) return;
+  recovery_.account_told(sequence == window_.sent_end());
+  const bool repeats = sequence < window_.next_to_send() && !recovery_.waits_for_quiet();
+  if (repeats && !repeat_from(sequence)) return;
   window_.restart(sequence);
   if (question_ && sequence <= question_->sequence) question_->told.reset();
   // After a silence, the `ok`s of accepted lines are not late but lost. Where a garbled number had
   // sent us back, and this one sends us on again, they have come long ago.
-  if (resync_pending_ || window_.lines_in_flight() > kWindowLinesMax) {
+  if (recovery_.asked() || window_.lines_in_flight() > kWindowLinesMax) {
     const std::int64_t before = window_.acknowledged();
     window_.acknowledge_before(sequence);
     note_accepted(before, now);
     if (ended()) return;
   }
-  if (resync_pending_) {
-    resync_pending_ = false;
+  if (recovery_.asked()) {
+    recovery_.answered();
     if (state_ == SessionState::kStopping && !end_of_commands_) {
       window_.drop_unsent();
-      confirmed_ = true;
+      recovery_.confirm();
       end_of_commands_ = sequence;
     }
   }
-  recovering_ = true;
+  recovery_.wait_for_quiet();
+}
+
+// A line was asked for that cannot be the next.
+void Session::resend_doubted(const Reply& reply) {
+  ++statistics_.resends_ignored;
+  switch (recovery_.doubt(rules_.numbered ? reply.number : std::nullopt)) {
+    case Recovery::Doubt::kIgnore:
+      return;
+    case Recovery::Doubt::kAskAgain:
+      put_forced_mismatch();
+      return;
+    case Recovery::Doubt::kCounterJumped:
+      fault(FaultKind::kRefusals,
+            "the controller says that it has had " + std::to_string(*reply.number - 1) +
+                " lines of " + std::to_string(window_.number_of(window_.next_to_send()) - 1) +
+                ": it was reset, or counts wrong",
+            true);
+      return;
+  }
 }
 
 bool Session::can_go_back_to(std::int64_t sequence) const {
@@ -313,26 +305,16 @@ bool Session::can_go_back_to(std::int64_t sequence) const {
 // A line was refused and will be repeated; false when that has happened too often.
 bool Session::repeat_from(std::int64_t sequence) {
   ++statistics_.resends;
-  if (sequence > repeated_line_) {
-    repeated_line_ = sequence;
-    repeats_of_a_line_ = 0;
-  }
-  if (++repeats_of_a_line_ > options_.repeats_of_a_line_max) {
+  if (!recovery_.repeats(sequence, options_.repeats_of_a_line_max)) {
     fault(FaultKind::kRefusals,
           "the controller refused line " + std::to_string(window_.number_of(sequence)) + " " +
-              std::to_string(repeats_of_a_line_) + " times: " + quoted(last_refusal_),
+              std::to_string(recovery_.repeats_of_a_line()) + " times: " + quoted(last_refusal_),
           true);
     return false;
   }
-  const bool soon = sequence - refused_last_ < 4 * calm_lines_;
-  calm_lines_ = soon ? std::min(2 * calm_lines_, kCalmLinesMax) : kCalmLinesMin;
-  calm_lines_missing_ = calm_lines_;
-  refused_last_ = sequence;
   // A line that was cut may have run in part.
   if (rules_.tells_position && phase_ == Phase::kOpen) own_requests_.ask_position = true;
-  if (!warned_of_resends_ && statistics_.lines_sent >= kResendLinesMin &&
-      statistics_.resend_ratio() >= kResendRatioMax) {
-    warned_of_resends_ = true;
+  if (recovery_.tells_frequent(statistics_.lines_sent, statistics_.resend_ratio())) {
     events_.push(SessionEvent::Kind::kResendsFrequent,
                  std::to_string(statistics_.resends) + " of " +
                      std::to_string(statistics_.lines_sent) +

@@ -22,12 +22,13 @@ void Session::bridge_gap(Instant now) {
   last_turn_ = std::max(now, last_turn_);
   if (gap <= kTurnMax) return;
   const auto moved = [&](Instant since) { return std::min(now, since + gap); };
-  for (Instant* since : {&phase_began_, &stop_began_, &last_heard_, &last_said_, &last_life_,
-                         &last_progress_, &quiet_since_}) {
+  for (Instant* since :
+       {&phase_began_, &stop_began_, &last_heard_, &last_said_, &last_life_, &last_progress_}) {
     *since = moved(*since);
   }
   if (place_lost_since_) place_lost_since_ = moved(*place_lost_since_);
   silence_.bridge(gap, now);
+  recovery_.bridge(gap, now);
   packing_.bridge(gap, now);
   if (shut_down_since_) shut_down_since_ = moved(*shut_down_since_);
 }

@@ -74,10 +74,10 @@ bool Session::own_line_due() const {
 // Puts the most pressing one of the own lines into the window; false when there is none.
 bool Session::push_own_line(Instant now) {
   if (!own_line_due()) return false;
-  if (confirming_ && rules_.numbered && !confirmed_) {
+  if (confirming_ && rules_.numbered && !recovery_.confirmed()) {
     // Only when the controller itself says that it has every line, and no more, is what it tells
     // of its place the answer to this question.
-    if (window_.lines_in_flight() == 0 && !resync_pending_) resynchronise(now);
+    if (window_.lines_in_flight() == 0 && !recovery_.asked()) resynchronise(now);
     return false;
   }
   if (own_requests_.feed_percent) {
