@@ -96,7 +96,7 @@ class Dialect {
     return false;
   }
   // Whether a move was refused because the controller does not know where it is.
-  [[nodiscard]] virtual bool lost_its_place(std::string_view alarm) const {
+  [[nodiscard]] virtual bool lost_its_position(std::string_view alarm) const {
     (void)alarm;
     return false;
   }

@@ -76,7 +76,7 @@ bool KlipperDialect::becomes_ready(std::string_view reason) const {
 }
 
 // "Must home axis first", a delta's "Must home first".
-bool KlipperDialect::lost_its_place(std::string_view alarm) const {
+bool KlipperDialect::lost_its_position(std::string_view alarm) const {
   return begins(alarm, "Must home");
 }
 

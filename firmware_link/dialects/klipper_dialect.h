@@ -23,7 +23,7 @@ class KlipperDialect final : public Dialect {
   [[nodiscard]] Meaning meaning_of(const Reply& reply) const override;
   [[nodiscard]] std::string_view state_question() const override { return "STATUS"; }
   [[nodiscard]] bool becomes_ready(std::string_view reason) const override;
-  [[nodiscard]] bool lost_its_place(std::string_view alarm) const override;
+  [[nodiscard]] bool lost_its_position(std::string_view alarm) const override;
   [[nodiscard]] std::string_view remedy() const override;
   [[nodiscard]] std::string_view no_height_command(const Capabilities& capabilities) const override;
   [[nodiscard]] std::string_view commands_question() const override { return "HELP"; }

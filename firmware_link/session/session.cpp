@@ -24,27 +24,20 @@ constexpr std::string_view kWaitNoMore = "\nM108\n";
 }  // namespace
 
 Session::Session(std::unique_ptr<Dialect> dialect, const SessionOptions& options, Instant now)
-    : dialect_(std::move(dialect)),
+    : identity_(std::move(dialect)),
       options_(options),
-      rules_(dialect_->rules()),
-      phase_began_(now),
-      stop_began_(now),
-      last_heard_(now),
-      last_said_(now),
-      last_life_(now),
-      last_progress_(now),
-      last_polled_(now),
+      signs_(now),
+      greeting_(now),
       recovery_(now),
       silence_(options_.wait_limit),
-      last_turn_(now) {
-  LINK_CHECK(rules_.numbered && rules_.window_lines >= 1 && rules_.window_lines <= kWindowLinesMax);
-  LINK_CHECK(rules_.window_bytes > kLineBytesMax && rules_.window_bytes <= kWindowBytesMax);
+      stop_began_(now),
+      last_polled_(now) {
   LINK_CHECK(options_.line_number_max >= 1 && options_.line_number_max <= kLineNumberMax);
 }
 
 bool Session::can_take() const {
   return state_ == SessionState::kStreaming && window_.all_sent() && !own_line_due() &&
-         !confirming_ && !deferred_ && !is_still();
+         !confirming_ && !deferred_ && !shutdown_.awaited();
 }
 
 void Session::take(const Command& command, Instant now) { give(command, true, now); }
@@ -81,7 +74,7 @@ void Session::written(std::size_t count, Instant now) {
 void Session::tick(Instant now) {
   bridge_gap(now);
   if (ended()) return;
-  if (is_still()) {
+  if (shutdown_.awaited()) {
     tick_shut_down(now);
     return;
   }
@@ -91,9 +84,9 @@ void Session::tick(Instant now) {
   } else if (phase_ == Phase::kReadying) {
     tick_readying(now);
   } else {
-    if (recovery_.quiet_over(rules_.quiet_after_resend, output_.empty(), now)) {
+    if (recovery_.quiet_over(rules().quiet_after_resend, output_.empty(), now)) {
       if (packing_.may_unpack()) packing_.stop(packing_sight(), output_);
-      last_life_ = last_progress_ = now;
+      signs_.expect_answer(now);
     }
     tick_asking(now);
     packing_.tick(packing_sight(), now, output_);
@@ -128,10 +121,10 @@ void Session::stop_now(std::span<const Command> safe_sequence, Instant now) {
   note_stop_behind(now);
   window_.drop_never_sent();
   // What waits for heat or for a user waits no longer; its own `ok` is met by the forced mismatch.
-  if (rules_.numbered && window_.lone_line_in_flight()) put_wait_no_more();
+  if (rules().numbered && window_.lone_line_in_flight()) put_wait_no_more();
   // Which of the sent lines are accepted decides where the safe sequence begins: a line with a
   // number that the controller already has would be dropped in silence.
-  if (rules_.numbered) {
+  if (rules().numbered) {
     if (phase_ == Phase::kOpen) resynchronise(now);
   } else {
     end_of_commands_ = window_.end();
@@ -140,10 +133,10 @@ void Session::stop_now(std::span<const Command> safe_sequence, Instant now) {
 }
 
 void Session::answer_user(Instant now) {
-  if (!waits_for_user_ || !rules_.numbered || phase_ != Phase::kOpen) return;
+  if (!waits_for_user_ || !rules().numbered || phase_ != Phase::kOpen) return;
   put_wait_no_more();
   waits_for_user_ = false;
-  last_life_ = now;
+  signs_.expect_sense(now);
 }
 
 void Session::port_lost(const std::string& reason) {
@@ -198,40 +191,40 @@ void Session::put_safe_sequence() {
 
 // Moves to the next state when all that this one waits for is there.
 void Session::settle(Instant now) {
-  if (ended() || is_still() || (phase_ != Phase::kAsking && phase_ != Phase::kOpen)) return;
+  if (ended() || shutdown_.awaited() || (phase_ != Phase::kAsking && phase_ != Phase::kOpen))
+    return;
   const bool idle = window_.all_sent() && window_.lines_in_flight() == 0 && !recovery_.asked() &&
                     !own_line_due() && !question_ && !deferred_;
   if (phase_ == Phase::kAsking && idle) {
     if (asks_name_again(now)) return;
-    speak_its_dialect();
-    if (settling_needed_) {
+    if (adopt_dialect()) {
       phase_ = Phase::kSettling;
-      phase_began_ = now;
+      greeting_.next_phase(now);
       return;
     }
-    begin_readying(now);
+    start_readying(now);
     if (phase_ != Phase::kOpen) return;
   }
   if (!recovery_.in_step() || window_.lines_in_flight() > 0) return;
 
-  const bool out_of_numbers = rules_.numbered && !window_.all_sent() &&
+  const bool out_of_numbers = rules().numbered && !window_.all_sent() &&
                               window_.number_of(window_.next_to_send()) > options_.line_number_max;
   const bool finishing = state_ == SessionState::kFinishing && idle;
   const bool stopping =
       state_ == SessionState::kStopping && idle && end_of_commands_ && safe_next_ == safe_count_;
   if (!out_of_numbers && !finishing && !stopping) return;
-  if (rules_.numbered && !recovery_.confirmed()) {
+  if (rules().numbered && !recovery_.confirmed()) {
     resynchronise(now);
   } else if (finishing || stopping) {
     state_ = finishing ? SessionState::kFinished : SessionState::kStopped;
   } else {
-    greetings_ = 0;
+    greeting_.forget_count();
     greet(now);
   }
 }
 
 void Session::pump(Instant now) {
-  if (ended() || is_still() || !talks()) return;
+  if (ended() || shutdown_.awaited() || !talks()) return;
   if (state_ == SessionState::kStopping && !end_of_commands_) {
     if (!recovery_.asked() && phase_ == Phase::kOpen) resynchronise(now);
     return;
@@ -254,15 +247,15 @@ bool Session::send_next(Instant now) {
   }
   const std::int64_t sequence = window_.next_to_send();
   const std::int64_t number = window_.number_of(sequence);
-  if (rules_.numbered && number > options_.line_number_max) {
+  if (rules().numbered && number > options_.line_number_max) {
     settle(now);
     return false;
   }
   LineBuffer buffer;
   // Where nothing is repeated, numbers only have to be some.
   const auto shown = static_cast<std::int32_t>(
-      rules_.numbered ? number : std::max<std::int64_t>(0, number) % kLineNumberMax);
-  const std::string_view line = rules_.numbered || rules_.checksummed
+      rules().numbered ? number : std::max<std::int64_t>(0, number) % kLineNumberMax);
+  const std::string_view line = rules().numbered || rules().checksummed
                                     ? number_line(shown, window_.next_text(), buffer)
                                     : window_.next_text();
   LINK_CHECK(line.size() <= kLineBytesMax);
@@ -277,8 +270,8 @@ bool Session::send_next(Instant now) {
   const auto wire = packing_.bytes_of(line, packing_sight(), packed, output_);
   if (!wire) return false;
   const std::size_t bytes = wire->size();
-  if (!ahead && window_.bytes_in_flight() + bytes > rules_.window_bytes) return false;
-  if (window_.lines_in_flight() == 0) last_life_ = last_progress_ = now;
+  if (!ahead && window_.bytes_in_flight() + bytes > rules().window_bytes) return false;
+  if (window_.lines_in_flight() == 0) signs_.expect_answer(now);
   if (sequence < window_.sent_end()) ++statistics_.lines_repeated;
   output_.put(*wire);
   ++statistics_.lines_sent;
@@ -299,7 +292,7 @@ bool Session::send_next(Instant now) {
 bool Session::goes_behind_others(std::int64_t sequence) const {
   if (window_.lines_in_flight() == 0 || state_ == SessionState::kStopping) return true;
   if (window_.effort(sequence).goes_alone) return false;
-  if (rules_.numbered) return true;
+  if (rules().numbered) return true;
   const std::string_view word = word_of(window_.text(sequence));
   return word == "G0" || word == "G1" || word == "M105";
 }
@@ -307,8 +300,8 @@ bool Session::goes_behind_others(std::int64_t sequence) const {
 Packing::Sight Session::packing_sight() const {
   Packing::Sight sight;
   // A damaged line must be found by its checksum.
-  sight.allowed =
-      options_.pack && capabilities_.meatpack && rules_.numbered && phase_ == Phase::kOpen;
+  sight.allowed = options_.pack && identity_.capabilities().meatpack && rules().numbered &&
+                  phase_ == Phase::kOpen;
   sight.calm = state_ == SessionState::kStreaming && !recovery_.one_line_at_a_time();
   sight.next_to_send = window_.next_to_send();
   sight.sent_end = window_.sent_end();
@@ -319,8 +312,8 @@ Packing::Sight Session::packing_sight() const {
 // One line at a time where that is enough: what a flush cuts is then never a line of ours.
 std::size_t Session::window_lines(Instant now) const {
   if (recovery_.one_line_at_a_time()) return 1;
-  if (rules_.numbered && planner_.end() - now >= kPlannerFed) return 1;
-  return rules_.window_lines;
+  if (rules().numbered && planner_.end() - now >= kPlannerFed) return 1;
+  return rules().window_lines;
 }
 
 std::span<const std::byte> emergency_stop_bytes() {

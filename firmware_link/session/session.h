@@ -27,23 +27,26 @@
 #include <span>
 #include <string>
 
-#include "firmware_link/dialects/dialect.h"           // Dialect
-#include "firmware_link/session/heater_watch.h"       // HeaterWatch
-#include "firmware_link/session/ordered_questions.h"  // OrderedQuestions
-#include "firmware_link/session/output_buffer.h"      // OutputBuffer
-#include "firmware_link/session/packing.h"            // Packing
-#include "firmware_link/session/planner_watch.h"      // PlannerWatch
-#include "firmware_link/session/position_watch.h"     // PositionWatch
-#include "firmware_link/session/recovery.h"           // Recovery
-#include "firmware_link/session/send_window.h"        // SendWindow
-#include "firmware_link/session/session_event.h"      // SessionEvent
-#include "firmware_link/session/session_parts.h"  // OwnRequests, DeferredCommand, PositionQuestion
-#include "firmware_link/session/session_types.h"  // SessionState, SessionOptions, SessionStatistics
-#include "firmware_link/session/silence_watch.h"  // SilenceWatch
-#include "firmware_link/wire/capabilities.h"      // Capabilities
-#include "firmware_link/wire/command.h"           // Command
-#include "firmware_link/wire/instant.h"           // Instant
-#include "firmware_link/wire/reply.h"             // LineSplitter
+#include "firmware_link/session/controller_identity.h"  // ControllerIdentity
+#include "firmware_link/session/greeting.h"             // Greeting, Phase
+#include "firmware_link/session/heater_watch.h"         // HeaterWatch
+#include "firmware_link/session/life_signs.h"           // LifeSigns
+#include "firmware_link/session/ordered_questions.h"    // OrderedQuestions
+#include "firmware_link/session/output_buffer.h"        // OutputBuffer
+#include "firmware_link/session/packing.h"              // Packing
+#include "firmware_link/session/planner_watch.h"        // PlannerWatch
+#include "firmware_link/session/position_watch.h"       // PositionWatch
+#include "firmware_link/session/readiness.h"            // Readiness
+#include "firmware_link/session/recovery.h"             // Recovery
+#include "firmware_link/session/send_window.h"          // SendWindow
+#include "firmware_link/session/session_event.h"        // SessionEvent
+#include "firmware_link/session/session_parts.h"        // OwnRequests, DeferredCommand
+#include "firmware_link/session/session_types.h"        // SessionState, SessionOptions
+#include "firmware_link/session/shutdown_reason.h"      // ShutdownReason
+#include "firmware_link/session/silence_watch.h"        // SilenceWatch
+#include "firmware_link/wire/command.h"                 // Command
+#include "firmware_link/wire/instant.h"                 // Instant
+#include "firmware_link/wire/reply.h"                   // LineSplitter
 
 namespace firmware_link {
 
@@ -62,13 +65,13 @@ class Session {
   [[nodiscard]] const std::string& last_warning() const { return last_warning_; }
 
   // What the controller calls itself (M115's FIRMWARE_NAME); empty before it has said.
-  [[nodiscard]] const std::string& firmware_name() const { return firmware_name_; }
-  [[nodiscard]] std::string_view dialect_name() const { return dialect_->name(); }
-  [[nodiscard]] const Dialect& dialect() const { return *dialect_; }
-  [[nodiscard]] const LinkRules& rules() const { return rules_; }
+  [[nodiscard]] const std::string& firmware_name() const { return identity_.name(); }
+  [[nodiscard]] std::string_view dialect_name() const { return dialect().name(); }
+  [[nodiscard]] const Dialect& dialect() const { return identity_.dialect(); }
+  [[nodiscard]] const LinkRules& rules() const { return identity_.rules(); }
   // Whether lines can be asked for again; if not, all that leaves is taken to be executed.
-  [[nodiscard]] bool numbers_lines() const { return rules_.numbered; }
-  [[nodiscard]] const Capabilities& capabilities() const { return capabilities_; }
+  [[nodiscard]] bool numbers_lines() const { return rules().numbered; }
+  [[nodiscard]] const Capabilities& capabilities() const { return identity_.capabilities(); }
 
   // What came from the controller by itself since the last call, oldest first. COSTS: kEventsMax
   // are kept, so ask after each step.
@@ -110,12 +113,14 @@ class Session {
   [[nodiscard]] std::optional<std::int64_t> commands_through_line(std::int32_t line) const;
   // The line that the controller had last when we came: nothing when it said `start`, cannot tell,
   // or options.ask_found_line is off. Known once state() is kStreaming.
-  [[nodiscard]] std::optional<std::int32_t> found_line() const { return found_line_; }
+  [[nodiscard]] std::optional<std::int32_t> found_line() const { return greeting_.found_line(); }
 
   // Where such a controller was when we came, as it was commanded last, and whether it knows that
   // it is there; for those that number nothing and tell it (Klipper). Known likewise.
-  [[nodiscard]] const std::optional<Position>& found_place() const { return found_place_; }
-  [[nodiscard]] std::optional<bool> found_homed() const { return found_homed_; }
+  [[nodiscard]] const std::optional<Position>& found_position() const {
+    return readiness_.found_position();
+  }
+  [[nodiscard]] std::optional<bool> found_homed() const { return readiness_.found_homed(); }
 
   // Says that nothing more will be taken. REQUIRES: state() is kStreaming.
   void finish(Instant now);
@@ -171,10 +176,6 @@ class Session {
   [[nodiscard]] SessionStatistics statistics() const;
 
  private:
-  // kGreeting comes again, in mid-stream, when the line numbers have run out. kSettling: until
-  // answers to questions that were asked twice have all come.
-  // kReadying: until it is ready to print, and has told where it is.
-  enum class Phase { kBanner, kGreeting, kAsking, kSettling, kReadying, kOpen };
   [[nodiscard]] bool talks() const {
     return phase_ == Phase::kAsking || phase_ == Phase::kReadying || phase_ == Phase::kOpen;
   }
@@ -186,23 +187,17 @@ class Session {
   void greeted(Instant now);
   void tick_asking(Instant now);
   [[nodiscard]] bool asks_name_again(Instant now);
-  void named(std::string_view name);
-  void speak_its_dialect();
+  [[nodiscard]] bool adopt_dialect();
   void open(Instant now);
 
   // session_readiness.cpp: whether it is ready, where it is, why it has shut down.
-  enum class Query { kState, kPlace, kCommands, kModes, kHomed };
-  void begin_readying(Instant now);
-  void ask_when_readying(Query query, Instant now);
+  void start_readying(Instant now);
+  void ask_whether_ready(Instant now);
+  void go_on_readying(Readiness::Step step, Instant now);
   void tick_readying(Instant now);
   void reply_while_readying(const Reply& reply, Meaning meaning, Instant now);
-  void query_answered(Instant now);
-  void state_told(Instant now);
   void shut_down_seen(std::string_view words, Instant now);
-  void reply_while_shut_down(const Reply& reply);
   void tick_shut_down(Instant now);
-  void place_lost(std::string_view words, Instant now);
-  [[nodiscard]] bool is_still() const { return shut_down_since_ || place_lost_since_; }
   void end_shut_down(std::string_view reason);
   void halted(const std::string& why);
 
@@ -227,7 +222,6 @@ class Session {
   void resend_doubted(const Reply& reply);
   [[nodiscard]] bool can_go_back_to(std::int64_t sequence) const;
   [[nodiscard]] bool repeat_from(std::int64_t sequence);
-  void note_names(const Reply& reply);
   void reset_seen(Instant now);
 
   // session_watch.cpp: the link's own lines and what it watches.
@@ -270,24 +264,18 @@ class Session {
   [[nodiscard]] Packing::Sight packing_sight() const;
   [[nodiscard]] bool goes_behind_others(std::int64_t sequence) const;
 
-  std::unique_ptr<Dialect> dialect_;
+  ControllerIdentity identity_;
   SessionOptions options_;
-  LinkRules rules_;
   SessionState state_ = SessionState::kConnecting;
   FaultKind fault_kind_ = FaultKind::kNone;
   Phase phase_ = Phase::kBanner;
   std::string reason_;
   std::string last_warning_;
   std::string last_refusal_;
-  std::string firmware_name_;
-  std::string name_before_;  // the answer before to the same question
-  int names_asked_ = 0;
-  Capabilities capabilities_;
   SessionStatistics statistics_;
   EventQueue events_;
 
   SendWindow window_;
-  std::optional<std::int32_t> found_line_;
   std::optional<std::int64_t> end_of_commands_;  // where the safe sequence of a stop begins
   std::array<TextBuffer, kSafeSequenceMax> safe_texts_{};
   std::array<std::uint8_t, kSafeSequenceMax> safe_sizes_{};
@@ -307,15 +295,6 @@ class Session {
 
   std::optional<std::string> complaint_;  // until it is known whether it was about a mended line
 
-  Query query_ = Query::kState;
-  std::string query_alarm_;
-  std::string query_words_;           // why it was not ready, as it was told to the host
-  std::optional<Instant> query_due_;  // when its state is asked for again
-  std::optional<Position> found_place_;
-  std::optional<bool> found_homed_;
-  std::optional<Instant> shut_down_since_;   // its reason is waited for
-  std::optional<Instant> place_lost_since_;  // likewise: whether it is being restarted
-  std::string shut_down_words_;
   std::optional<std::string> stop_behind_;  // a stop waits for this command
   bool stop_told_ = false;
   bool listens_ = false;  // behind the safe sequence of a fault
@@ -325,28 +304,17 @@ class Session {
   OutputBuffer output_;
   Packing packing_;
 
-  Instant phase_began_;
-  Instant stop_began_;
-  Instant last_heard_;     // any byte
-  Instant last_said_;      // any line but temperatures, which may come all the time
-  Instant last_life_;      // any answer that makes sense
-  Instant last_progress_;  // an acknowledgement, or work being done
-  Instant last_polled_;
+  LifeSigns signs_;
+  Greeting greeting_;
+  Readiness readiness_;
+  ShutdownReason shutdown_;
   Recovery recovery_;
   SilenceWatch silence_;
   OrderedQuestions questions_;
-  Instant last_turn_;     // any call that told the time
+  Instant stop_began_;
+  Instant last_polled_;
   Instant last_awake_{};  // a paused print was kept awake
-  int greetings_ = 0;
-  bool start_seen_ = false;
-  int starts_seen_ = 0;
-  bool greeting_refused_ = false;
-  bool greeting_skips_ok_ = false;
-  bool named_ = false;  // what asks for names has been answered, up to its `ok`
   bool controller_may_live_ = true;
-  bool asking_line_ = false;  // the greeting at hand asks for the line before us
-  int lines_asked_ = 0;
-  bool settling_needed_ = false;
   bool holding_ = false;
   bool waits_for_user_ = false;
 };

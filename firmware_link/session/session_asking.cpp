@@ -31,7 +31,7 @@ void Session::tick_silence(Instant now) {
     return;
   }
   const SilenceWatch::Sight seen = sight(now);
-  const SilenceWatch::Step step = silence_.look(rules_, seen, now);
+  const SilenceWatch::Step step = silence_.look(rules(), seen, now);
   if (silence_.tells_wait(seen, now)) {
     events_.push(SessionEvent::Kind::kWaits, SilenceWatch::what_of(seen));
   }
@@ -62,7 +62,7 @@ SilenceWatch::Sight Session::sight(Instant now) const {
   }
   // What takes longest is what is waited for.
   for (std::int64_t i = window_.acknowledged(); i < window_.next_to_send(); ++i) {
-    const CommandWait wait = wait_of(window_.text(i), rules_.macros);
+    const CommandWait wait = wait_of(window_.text(i), rules().macros);
     if (wait.limit <= seen.command.limit) continue;
     seen.command = wait;
     seen.text = window_.text(i);
@@ -72,24 +72,24 @@ SilenceWatch::Sight Session::sight(Instant now) const {
     seen.command = {"a command that a stop waits for", options_.long_stop_limit, true};
     seen.text = *stop_behind_;
   }
-  seen.last_life = last_life_;
-  seen.last_progress = last_progress_;
+  seen.last_life = signs_.sense();
+  seen.last_progress = signs_.progress();
   seen.planner_time = std::max(Duration(0), planner_.end() - now);
   seen.questions = OrderedQuestions::in_flight(window_);
   seen.waits_for_user = waits_for_user_;
   const std::size_t bytes = kMismatchBytes * static_cast<std::size_t>(silence_.asks() + 1);
   const bool room = window_.bytes_in_flight() + bytes <= kWindowBytesMax;
-  const bool in_order = !rules_.numbered || seen.command.is_long();
+  const bool in_order = !rules().numbered || seen.command.is_long();
   seen.stands = phase_ == Phase::kOpen && planner_.blocks() == 0 && (in_order || room);
   seen.may_ask = in_order ? may_ask_in_order(seen.command.is_long()) : true;
   seen.may_resynchronise =
-      rules_.numbered && recovery_.resynchronisations_in_a_row() < options_.resyncs_in_a_row_max;
+      rules().numbered && recovery_.resynchronisations_in_a_row() < options_.resyncs_in_a_row_max;
   return seen;
 }
 
 void Session::ask(const SilenceWatch::Sight& sight, Instant now) {
   silence_.asked(now);
-  if (!rules_.numbered || sight.command.is_long()) {
+  if (!rules().numbered || sight.command.is_long()) {
     push_question(now);
   } else {
     ++statistics_.resyncs;
@@ -98,7 +98,7 @@ void Session::ask(const SilenceWatch::Sight& sight, Instant now) {
 }
 
 bool Session::may_ask_in_order(bool behind_long) const {
-  const int questions_max = rules_.numbered && behind_long ? kQuestionsBehindLong : kQuestionsMax;
+  const int questions_max = rules().numbered && behind_long ? kQuestionsBehindLong : kQuestionsMax;
   return phase_ == Phase::kOpen && recovery_.in_step() && OrderedQuestions::fits(window_) &&
          OrderedQuestions::in_flight(window_) < questions_max;
 }
@@ -113,7 +113,7 @@ void Session::push_question(Instant now) {
 
 // Before the print, where few lines are sent.
 void Session::ask_for_answer(Instant now) {
-  last_progress_ = now;
+  signs_.expect_progress(now);
   if (window_.all_sent() && OrderedQuestions::in_flight(window_) < kQuestionsMax)
     push_question(now);
 }
@@ -121,18 +121,18 @@ void Session::ask_for_answer(Instant now) {
 // Whether an `ok` can be told from others: to a question, or late to one.
 bool Session::names_a_line(const Reply& reply) const {
   const bool warm = reply.temperatures.nozzle_celsius || reply.temperatures.bed_celsius;
-  return warm && (OrderedQuestions::in_flight(window_) > 0 || !rules_.numbered);
+  return warm && (OrderedQuestions::in_flight(window_) > 0 || !rules().numbered);
 }
 
 // All up to that line have been answered, whatever was heard of it.
 void Session::acknowledge_through(std::int64_t sequence) {
   const bool missing = OrderedQuestions::acknowledge_through(window_, sequence);
-  if (missing && !rules_.numbered) answers_missing();
+  if (missing && !rules().numbered) answers_missing();
 }
 
 void Session::answers_missing() {
   if (state_ != SessionState::kStreaming && state_ != SessionState::kFinishing) return;
-  if (rules_.checksummed) {
+  if (rules().checksummed) {
     fault(FaultKind::kSilence,
           "the controller left a line without an answer: nobody can know whether it ran", true);
     return;
@@ -144,7 +144,7 @@ void Session::answers_missing() {
 
 // Where nothing is checked on its way, a command that it does not know and that was never sent.
 bool Session::damaged_by(const Reply& reply) const {
-  if (phase_ != Phase::kOpen || !rules_.macros || rules_.numbered) return false;
+  if (phase_ != Phase::kOpen || !rules().macros || rules().numbered) return false;
   const std::size_t begin = reply.text.find('"');
   const std::size_t end = reply.text.rfind('"');
   if (begin == std::string_view::npos || end <= begin) return false;
@@ -156,7 +156,7 @@ bool Session::damaged_by(const Reply& reply) const {
 }
 
 void Session::resynchronise(Instant now) {
-  last_life_ = last_progress_ = now;
+  signs_.expect_answer(now);
   recovery_.resynchronises();
   put_forced_mismatch();
 }
@@ -164,8 +164,8 @@ void Session::resynchronise(Instant now) {
 void Session::put_forced_mismatch() {
   if (!recovery_.asks()) {
     fault(FaultKind::kRefusals,
-          "the controller does not count lines as a " + std::string(dialect_->name()) +
-              " does; it calls itself \"" + firmware_name_ + "\"",
+          "the controller does not count lines as a " + std::string(dialect().name()) +
+              " does; it calls itself \"" + identity_.name() + "\"",
           true);
     return;
   }

@@ -13,16 +13,13 @@ namespace {
 // in a row are another thing.
 constexpr std::int64_t kFalseAnswersMax = 8;
 
-// So many `start`s while connecting are no boot loader's any more.
-constexpr int kStartsMax = 10;
-
 std::string quoted(std::string_view words) { return "\"" + std::string(words) + "\""; }
 
 }  // namespace
 
 void Session::input(std::span<const std::byte> bytes, Instant now) {
   bridge_gap(now);
-  if (!bytes.empty()) last_heard_ = now;
+  if (!bytes.empty()) signs_.bytes_heard(now);
   if (listens_) {
     hear_safety(bytes);
     return;
@@ -37,18 +34,14 @@ void Session::input(std::span<const std::byte> bytes, Instant now) {
 }
 
 void Session::reply(const Reply& reply, Instant now) {
-  const Meaning meaning = dialect_->meaning_of(reply);
-  if (meaning != Meaning::kNoise) last_life_ = now;
-  if (reply.kind != Reply::Kind::kTemperatures) last_said_ = now;
-  if (meaning == Meaning::kWorking || meaning == Meaning::kAcknowledge) {
-    last_progress_ = now;
-    if (meaning == Meaning::kWorking) silence_.worked();
-    if (meaning == Meaning::kAcknowledge) silence_.answered();
-  }
+  const Meaning meaning = dialect().meaning_of(reply);
+  signs_.heard(reply, meaning, now);
+  if (meaning == Meaning::kWorking) silence_.worked();
+  if (meaning == Meaning::kAcknowledge) silence_.answered();
   if (reply.text.substr(0, kMeatPackAnswer.size()) == kMeatPackAnswer) packing_.heard(reply.text);
   note_temperatures(reply, now);
   if (ended()) return;
-  note_names(reply);
+  identity_.heard(reply);
   if (reply.kind == Reply::Kind::kAction) note_action(reply.text);
   if (reply.kind == Reply::Kind::kBusy &&
       reply.text.find("paused for user") != std::string_view::npos && !waits_for_user_) {
@@ -58,7 +51,7 @@ void Session::reply(const Reply& reply, Instant now) {
   if (reply.kind == Reply::Kind::kPosition && question_) {
     question_->told = reply.position;
     // What was asked is answered in its turn, so all before it has been.
-    if (!rules_.numbered && question_->sequence > window_.acknowledged() &&
+    if (!rules().numbered && question_->sequence > window_.acknowledged() &&
         question_->sequence < window_.next_to_send()) {
       const std::int64_t before = window_.acknowledged();
       acknowledge_through(question_->sequence - 1);
@@ -67,8 +60,8 @@ void Session::reply(const Reply& reply, Instant now) {
     }
   }
 
-  if (shut_down_since_) {
-    reply_while_shut_down(reply);
+  if (shutdown_.is_shut_down()) {
+    if (reply.kind == Reply::Kind::kAlarm) end_shut_down(reply.text);
     return;
   }
   // One that has just said its name may not be ready; one that has not may be Klipper, which
@@ -86,11 +79,11 @@ void Session::reply(const Reply& reply, Instant now) {
     halted("the controller stopped: " + quoted(reply.text));
     return;
   }
-  if (meaning == Meaning::kAlarm && dialect_->lost_its_place(reply.text)) {
-    place_lost(reply.text, now);
+  if (meaning == Meaning::kAlarm && dialect().lost_its_position(reply.text)) {
+    if (shutdown_.position_lost(reply.text, now)) output_.clear();
     return;
   }
-  if (place_lost_since_ && meaning != Meaning::kReset) return;
+  if (shutdown_.is_lost() && meaning != Meaning::kReset) return;
   if (meaning == Meaning::kAlarm) {
     fault(FaultKind::kAlarm, "the controller refused a command: " + quoted(reply.text), true);
     return;
@@ -130,7 +123,7 @@ void Session::reply_while_open(const Reply& reply, Meaning meaning, Instant now)
         return;
       }
       complaint_heard(reply);
-      if (phase_ == Phase::kAsking) named_ = true;
+      if (phase_ == Phase::kAsking) identity_.name_refused();
       break;
     case Meaning::kFilamentHeld:
       // Its count goes on all the same: nothing else would show it. Before the count began it is
@@ -158,56 +151,34 @@ void Session::reply_while_open(const Reply& reply, Meaning meaning, Instant now)
 
 void Session::reset_seen(Instant now) {
   if (state_ == SessionState::kConnecting) {
-    if (++starts_seen_ > kStartsMax) {
+    if (!greeting_.started(now)) {
       fault(FaultKind::kNoAnswer,
             "the controller resets itself again and again: is its power supply right?", false);
       return;
     }
-    // It may come late, behind a greeting that the boot loader ate.
-    start_seen_ = true;
-    found_line_.reset();  // it told that before, and knows it no longer
     phase_ = Phase::kBanner;
-    phase_began_ = now;
     window_.restart(window_.oldest());
     window_.drop_unsent();
     recovery_.restart();
-    named_ = false;
+    identity_.ask_again();
     return;
   }
   fault(FaultKind::kReset, "the controller was reset in mid-print, and has forgotten its position",
         false);
 }
 
-void Session::note_names(const Reply& reply) {
-  // Klipper says its name in the `ok` itself. Nobody else does, so a damaged one is Klipper's, too.
-  constexpr std::string_view kName = "FIRMWARE_NAME:";
-  if (reply.kind == Reply::Kind::kFirmwareName) named(reply.text);
-  if (reply.kind == Reply::Kind::kOk && reply.text.substr(0, kName.size()) == kName) {
-    const std::string_view name = reply.text.substr(kName.size());
-    named(is_known_firmware(firmware_name_in(name)) ? name : "Klipper");
-  }
-  if (reply.kind == Reply::Kind::kCapability) note_capability(reply.text, capabilities_);
-  if (reply.kind == Reply::Kind::kEcho || reply.kind == Reply::Kind::kUnknown) {
-    note_travel(reply.text, capabilities_);
-  }
-  if (reply.kind == Reply::Kind::kOk && reply.planner_free) {
-    capabilities_.advanced_ok = true;
-    capabilities_.planner_blocks = std::max(capabilities_.planner_blocks, *reply.planner_free);
-  }
-}
-
 void Session::acknowledged(const Reply& reply, Instant now) {
   waits_for_user_ = false;
   if (recovery_.skips_ok(now)) return;
   // An `ok` before the answer to M115 is to a line of a host before us.
-  if (phase_ == Phase::kAsking && !named_) {
+  if (phase_ == Phase::kAsking && !identity_.name_told()) {
     ++statistics_.stray_acknowledgements;
     return;
   }
   recovery_.ok_heard();
   bool ours = false;
   const std::int64_t before = window_.acknowledged();
-  if (reply.number && rules_.numbered) {
+  if (reply.number && rules().numbered) {
     // Bounded before the sum, because any number may come.
     const std::int64_t number = std::clamp<std::int64_t>(*reply.number, 0, kResyncLineNumber);
     const std::int64_t sequence = window_.sequence_of(number);
@@ -248,9 +219,9 @@ void Session::note_accepted(std::int64_t from, Instant now) {
 }
 
 void Session::resend_asked(const Reply& reply, Instant now) {
-  recovery_.resend_heard(rules_.numbered, now);
-  if (!rules_.numbered || !reply.number || *reply.number < 0 || *reply.number > kResyncLineNumber ||
-      !can_go_back_to(window_.sequence_of(*reply.number))) {
+  recovery_.resend_heard(rules().numbered, now);
+  if (!rules().numbered || !reply.number || *reply.number < 0 ||
+      *reply.number > kResyncLineNumber || !can_go_back_to(window_.sequence_of(*reply.number))) {
     resend_doubted(reply);
     return;
   }
@@ -282,7 +253,7 @@ void Session::resend_asked(const Reply& reply, Instant now) {
 // A line was asked for that cannot be the next.
 void Session::resend_doubted(const Reply& reply) {
   ++statistics_.resends_ignored;
-  switch (recovery_.doubt(rules_.numbered ? reply.number : std::nullopt)) {
+  switch (recovery_.doubt(rules().numbered ? reply.number : std::nullopt)) {
     case Recovery::Doubt::kIgnore:
       return;
     case Recovery::Doubt::kAskAgain:
@@ -313,7 +284,7 @@ bool Session::repeat_from(std::int64_t sequence) {
     return false;
   }
   // A line that was cut may have run in part.
-  if (rules_.tells_position && phase_ == Phase::kOpen) own_requests_.ask_position = true;
+  if (rules().tells_position && phase_ == Phase::kOpen) own_requests_.ask_position = true;
   if (recovery_.tells_frequent(statistics_.lines_sent, statistics_.resend_ratio())) {
     events_.push(SessionEvent::Kind::kResendsFrequent,
                  std::to_string(statistics_.resends) + " of " +

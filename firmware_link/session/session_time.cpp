@@ -8,29 +8,21 @@
 namespace firmware_link {
 namespace {
 
-// tick() comes every 50 ms: the host stood still for what is more (SIGSTOP, a suspended computer),
-// and nothing that was due meanwhile is held against the controller.
-constexpr Duration kTurnMax = std::chrono::seconds(2);
-
 // A stop that waits says so after this.
 constexpr Duration kQuietWait = std::chrono::seconds(2);
 
 }  // namespace
 
 void Session::bridge_gap(Instant now) {
-  const Duration gap = now - last_turn_;
-  last_turn_ = std::max(now, last_turn_);
-  if (gap <= kTurnMax) return;
-  const auto moved = [&](Instant since) { return std::min(now, since + gap); };
-  for (Instant* since :
-       {&phase_began_, &stop_began_, &last_heard_, &last_said_, &last_life_, &last_progress_}) {
-    *since = moved(*since);
-  }
-  if (place_lost_since_) place_lost_since_ = moved(*place_lost_since_);
-  silence_.bridge(gap, now);
+  const Duration gap = signs_.turn(now);
+  if (gap.count() == 0) return;
+  stop_began_ = std::min(now, stop_began_ + gap);
+  greeting_.bridge(gap, now);
+  readiness_.bridge(gap, now);
+  shutdown_.bridge(gap, now);
   recovery_.bridge(gap, now);
+  silence_.bridge(gap, now);
   packing_.bridge(gap, now);
-  if (shut_down_since_) shut_down_since_ = moved(*shut_down_since_);
 }
 
 // What is in flight as a stop begins may take long by nature, whatever was lost of its answers: a
@@ -41,7 +33,7 @@ void Session::note_stop_behind(Instant now) {
   if (!window_.lone_line_in_flight()) return;
   // A question may stand behind it.
   std::int64_t at = window_.acknowledged();
-  while (at + 1 < window_.next_to_send() && !wait_of(window_.text(at), rules_.macros).is_long()) {
+  while (at + 1 < window_.next_to_send() && !wait_of(window_.text(at), rules().macros).is_long()) {
     ++at;
   }
   const std::string_view text = window_.text(at);

@@ -53,11 +53,11 @@ void Session::hear_safety(std::span<const std::byte> bytes) {
 }
 
 void Session::complaint_heard(const Reply& reply) {
-  if (reply.kind == Reply::Kind::kUnknownCommand && rules_.numbered && !sent_lately(reply.text)) {
+  if (reply.kind == Reply::Kind::kUnknownCommand && rules().numbered && !sent_lately(reply.text)) {
     ++statistics_.fragments;
     return;
   }
-  if (reply.kind == Reply::Kind::kError && rules_.numbered) {
+  if (reply.kind == Reply::Kind::kError && rules().numbered) {
     // A request to repeat a line may follow: then it was its reason, damaged on its way.
     complaint_ = std::string(reply.text);
     return;

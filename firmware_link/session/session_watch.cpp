@@ -30,7 +30,7 @@ void Session::give(const Command& command, bool is_command, Instant now) {
   LINK_CHECK(can_take());
   if (is_command) ++statistics_.commands_taken;
   const auto* move = std::get_if<Move>(&command);
-  if (rules_.tells_position && move != nullptr && move->e_10nm && !position_.expected().e_10nm) {
+  if (rules().tells_position && move != nullptr && move->e_10nm && !position_.expected().e_10nm) {
     // From here on the controller's count of filament is to be known. Not earlier, because the
     // user's own lines may count in their own way.
     own_requests_.reset_filament = true;
@@ -54,7 +54,7 @@ void Session::push_command(const Command& command, bool is_command) {
     position_.gave_unknown();
     if (word_of(text) == "M113") silence_.may_be_silent();
   }
-  if (wait_of(text, rules_.macros).planner_runs_empty) effort = kWaitsForPlanner;
+  if (wait_of(text, rules().macros).planner_runs_empty) effort = kWaitsForPlanner;
   window_.push(shortened(text, buffer), is_command, effort);
 }
 
@@ -74,7 +74,7 @@ bool Session::own_line_due() const {
 // Puts the most pressing one of the own lines into the window; false when there is none.
 bool Session::push_own_line(Instant now) {
   if (!own_line_due()) return false;
-  if (confirming_ && rules_.numbered && !recovery_.confirmed()) {
+  if (confirming_ && rules().numbered && !recovery_.confirmed()) {
     // Only when the controller itself says that it has every line, and no more, is what it tells
     // of its place the answer to this question.
     if (window_.lines_in_flight() == 0 && !recovery_.asked()) resynchronise(now);
@@ -97,7 +97,7 @@ bool Session::push_own_line(Instant now) {
     own_requests_.reset_filament = false;
   } else if (own_requests_.ask_position && !question_) {
     question_ = PositionQuestion{window_.end(), position_.expected(), std::nullopt};
-    if (rules_.height_may_shift) question_->expected.axes_um[2].reset();
+    if (rules().height_may_shift) question_->expected.axes_um[2].reset();
     // Where the count has just begun, its `ok` is also the sign that the G92 before it was not
     // itself such a tail.
     push_own("M114", position_.expected().moves == 0 ? kGoesAlone : LineEffort{});
@@ -120,23 +120,24 @@ bool Session::push_own_line(Instant now) {
 
 void Session::tick_watch(Instant now) {
   if (phase_ != Phase::kOpen || state_ != SessionState::kStreaming) return;
-  if (rules_.keep_awake.count() > 0 && holding_ && window_.lines_in_flight() == 0 &&
-      now - last_awake_ >= rules_.keep_awake) {
+  if (rules().keep_awake.count() > 0 && holding_ && window_.lines_in_flight() == 0 &&
+      now - last_awake_ >= rules().keep_awake) {
     last_awake_ = now;
     own_requests_.stay_awake = true;
   }
   const Duration interval = options_.temperature_interval;
   if (interval.count() <= 0) return;
-  const bool polls = !capabilities_.autoreport_temperatures && now - last_polled_ >= interval;
+  const bool polls =
+      !identity_.capabilities().autoreport_temperatures && now - last_polled_ >= interval;
   const bool idle =
-      window_.lines_in_flight() == 0 && now - std::max(last_heard_, last_polled_) >= kIdlePoll;
+      window_.lines_in_flight() == 0 && now - std::max(signs_.byte(), last_polled_) >= kIdlePoll;
   if (!polls && !idle) return;
   last_polled_ = now;
   own_requests_.ask_temperatures = true;
 }
 
 void Session::check_position(Instant now) {
-  if (!rules_.tells_position || state_ != SessionState::kStreaming) return;
+  if (!rules().tells_position || state_ != SessionState::kStreaming) return;
   own_requests_.ask_position = true;
   pump(now);
 }
@@ -209,7 +210,7 @@ void Session::filament_differs(std::int64_t excess_10nm) {
   const std::string what = mm_text(std::abs(excess_10nm)) + " mm of filament " +
                            (excess_10nm > 0 ? "too much" : "too little");
   // Where nothing is repeated, a line that left filament out is gone, its road with it.
-  if (!rules_.numbered || std::abs(excess_10nm) > options_.filament_correction_10nm_max ||
+  if (!rules().numbered || std::abs(excess_10nm) > options_.filament_correction_10nm_max ||
       statistics_.filament_corrections >= options_.filament_corrections_max) {
     fault(FaultKind::kPosition,
           "the controller has counted " + what +

@@ -49,7 +49,7 @@ bool Recovery::find_start() {
     history_started_ = true;
   }
   const firmware_link::Session& session = parts_.link.session();
-  if (session.found_place() && !commands.fill_history(commands_sent(left))) return false;
+  if (session.found_position() && !commands.fill_history(commands_sent(left))) return false;
   const ResumePoint point = point_of(left, resumption_->same_boot);
   failure_ = height_unknown(point);
   if (!failure_.empty()) return false;
@@ -59,7 +59,7 @@ bool Recovery::find_start() {
   end_search();
   parts_.journal.start_session(left.sure, point.lives);
   parts_.journal.renumber(left, std::max(point.command, left.sure), resumption_->nozzle_z_um);
-  const bool told = session.found_line() || session.found_place();
+  const bool told = session.found_line() || session.found_position();
   parts_.reporter.note("resume",
                        fmt::format("resuming after command {} of the print{}", point.command,
                                    point.lives && told ? ", which the controller confirms" : ""),
@@ -115,7 +115,7 @@ std::optional<Recovery::Failure> Recovery::resume_after_fault(const JournalRecor
 ResumePoint Recovery::point_of(const JournalRecord& left, bool same_boot) const {
   const firmware_link::Session& session = parts_.link.session();
   const CommandHistory& history = parts_.commands.history();
-  const std::optional<firmware_link::Position>& position = session.found_place();
+  const std::optional<firmware_link::Position>& position = session.found_position();
   if (session.numbers_lines() || !position || left.accepted < history.begin() ||
       left.accepted > history.end()) {
     return resume_point(left, {session.found_line(), session.numbers_lines(), same_boot});

@@ -248,8 +248,8 @@ TEST_CASE("to resume, Klipper is asked where it is, what it knows and whether it
   SUBCASE("not homed") { hand.say("!! Must home axis first: 10.500 20.000 5.201 [0.000]\nok\n"); }
   CHECK(hand.session.state() == SessionState::kStreaming);
   CHECK(hand.session.found_homed() == homed);
-  REQUIRE(hand.session.found_place().has_value());
-  CHECK(hand.session.found_place()->z_mm == 5.2);
+  REQUIRE(hand.session.found_position().has_value());
+  CHECK(hand.session.found_position()->z_mm == 5.2);
   CHECK(hand.session.capabilities().sets_position);
 }
 
