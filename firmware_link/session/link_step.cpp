@@ -3,6 +3,12 @@
 #include <array>
 
 namespace firmware_link {
+namespace {
+
+// What cannot come out of a damaged line, and stops at once any garbage before it.
+constexpr std::string_view kEmergencyStop = "\nM112\n";
+
+}  // namespace
 
 void step(Session& session, BytePort& port, Instant now, int timeout_ms) {
   const std::size_t written = port.write(session.output());
@@ -12,6 +18,10 @@ void step(Session& session, BytePort& port, Instant now, int timeout_ms) {
   session.input(std::span(bytes).first(count), now);
   session.tick(now);
   if (port.state() == PortState::kLost) session.port_lost("the port was lost: unplugged?");
+}
+
+std::span<const std::byte> emergency_stop_bytes() {
+  return std::as_bytes(std::span(kEmergencyStop.data(), kEmergencyStop.size()));
 }
 
 Halt halt(const Session& session, BytePort& port, int wait_ms, int attempts) {

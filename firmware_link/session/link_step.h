@@ -1,6 +1,9 @@
 // One turn of the loop between a session and a port, and the way to end all of it.
 #pragma once
 
+#include <cstddef>
+#include <span>
+
 #include "firmware_link/ports/byte_port.h"  // BytePort
 #include "firmware_link/session/session.h"  // Session
 #include "firmware_link/wire/instant.h"     // Instant
@@ -9,6 +12,10 @@ namespace firmware_link {
 
 // Writes what is to be written, waits up to timeout_ms for answers, lets the session's timers run.
 void step(Session& session, BytePort& port, Instant now, int timeout_ms);
+
+// Bytes that stop a controller at once if its EMERGENCY_PARSER is on, otherwise at the end of the
+// running command: end of line, M112, end of line. They go past the session, as halt() does it.
+[[nodiscard]] std::span<const std::byte> emergency_stop_bytes();
 
 // What an emergency stop could do.
 enum class Halt {

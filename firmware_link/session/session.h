@@ -27,23 +27,25 @@
 #include <span>
 #include <string>
 
+#include "firmware_link/session/complaints.h"           // Complaints
 #include "firmware_link/session/controller_identity.h"  // ControllerIdentity
 #include "firmware_link/session/greeting.h"             // Greeting, Phase
-#include "firmware_link/session/heater_watch.h"         // HeaterWatch
 #include "firmware_link/session/life_signs.h"           // LifeSigns
 #include "firmware_link/session/ordered_questions.h"    // OrderedQuestions
 #include "firmware_link/session/output_buffer.h"        // OutputBuffer
+#include "firmware_link/session/own_requests.h"         // OwnRequests
 #include "firmware_link/session/packing.h"              // Packing
 #include "firmware_link/session/planner_watch.h"        // PlannerWatch
-#include "firmware_link/session/position_watch.h"       // PositionWatch
+#include "firmware_link/session/position_check.h"       // PositionCheck
 #include "firmware_link/session/readiness.h"            // Readiness
 #include "firmware_link/session/recovery.h"             // Recovery
+#include "firmware_link/session/safe_stop.h"            // SafeStop
 #include "firmware_link/session/send_window.h"          // SendWindow
 #include "firmware_link/session/session_event.h"        // SessionEvent
-#include "firmware_link/session/session_parts.h"        // OwnRequests, DeferredCommand
 #include "firmware_link/session/session_types.h"        // SessionState, SessionOptions
 #include "firmware_link/session/shutdown_reason.h"      // ShutdownReason
 #include "firmware_link/session/silence_watch.h"        // SilenceWatch
+#include "firmware_link/session/temperature_watch.h"    // TemperatureWatch
 #include "firmware_link/wire/command.h"                 // Command
 #include "firmware_link/wire/instant.h"                 // Instant
 #include "firmware_link/wire/reply.h"                   // LineSplitter
@@ -58,11 +60,8 @@ class Session {
   [[nodiscard]] SessionState state() const { return state_; }
 
   // Why it faulted: one sentence, with the controller's own words where it said any.
-  [[nodiscard]] const std::string& reason() const { return reason_; }
-  [[nodiscard]] FaultKind fault_kind() const { return fault_kind_; }
-
-  // The last line of the controller that was counted as a warning; empty when there is none.
-  [[nodiscard]] const std::string& last_warning() const { return last_warning_; }
+  [[nodiscard]] const std::string& reason() const { return fault_.reason; }
+  [[nodiscard]] FaultKind fault_kind() const { return fault_.kind; }
 
   // What the controller calls itself (M115's FIRMWARE_NAME); empty before it has said.
   [[nodiscard]] const std::string& firmware_name() const { return identity_.name(); }
@@ -145,7 +144,7 @@ class Session {
   // --- bytes and time ---
 
   // Bytes to be written now; the same until written() says how many of them have left.
-  [[nodiscard]] std::span<const std::byte> output() const;
+  [[nodiscard]] std::span<const std::byte> output() const { return output_.pending(); }
   void written(std::size_t count, Instant now);
 
   // Bytes that were read.
@@ -164,7 +163,7 @@ class Session {
 
   // Whether the controller has told, behind such a safe sequence, that its heaters are off: it
   // reads in order, so all of the sequence was obeyed. Go on with input() for that.
-  [[nodiscard]] bool safe_confirmed() const { return safe_confirmed_; }
+  [[nodiscard]] bool safe_confirmed() const { return stop_.confirmed(); }
 
   // The printer waits for a button (SessionEvent::kWaitsForUser), and its user presses ours: M108.
   // A controller without EMERGENCY_PARSER and display does not heed it.
@@ -176,147 +175,123 @@ class Session {
   [[nodiscard]] SessionStatistics statistics() const;
 
  private:
-  [[nodiscard]] bool talks() const {
-    return phase_ == Phase::kAsking || phase_ == Phase::kReadying || phase_ == Phase::kOpen;
-  }
+  // Taken, and not in the window yet, because a line of the link's own goes before it.
+  struct Deferred {
+    Command command;
+    bool is_command = false;
+  };
 
-  // session_greeting.cpp: how it begins.
+  // Its last words: state() is kFaulted. `controller_may_live`: a safe sequence may reach it.
+  struct Fault {
+    FaultKind kind = FaultKind::kNone;
+    std::string reason;
+    bool controller_may_live = true;
+  };
+
+  // --- session.cpp: requests of the host, time, ends ---
+
+  void give(const Command& command, bool is_command, Instant now);
+  [[nodiscard]] std::optional<std::string> command_that_waits() const;
+  void bridge_gap(Instant now);
+  void tick_open(Instant now);
   void tick_greeting(Instant now);
-  void greet(Instant now);
-  void reply_while_greeting(const Reply& reply, Meaning meaning, Instant now);
-  void greeted(Instant now);
   void tick_asking(Instant now);
-  [[nodiscard]] bool asks_name_again(Instant now);
-  [[nodiscard]] bool adopt_dialect();
-  void open(Instant now);
-
-  // session_readiness.cpp: whether it is ready, where it is, why it has shut down.
+  void tick_readying(Instant now);
+  void tick_shut_down(Instant now);
+  void tick_silence(Instant now);
+  void tick_stop(Instant now);
+  void restart_conversation();
+  void greet(Instant now);
   void start_readying(Instant now);
   void ask_whether_ready(Instant now);
   void go_on_readying(Readiness::Step step, Instant now);
-  void tick_readying(Instant now);
-  void reply_while_readying(const Reply& reply, Meaning meaning, Instant now);
-  void shut_down_seen(std::string_view words, Instant now);
-  void tick_shut_down(Instant now);
-  void end_shut_down(std::string_view reason);
+  void open(Instant now);
+  void warn(std::string_view words);
   void halted(const std::string& why);
+  void fault(FaultKind kind, const std::string& why, bool controller_may_live);
+  [[nodiscard]] bool ended() const;
 
-  // session_time.cpp: how long things may take.
-  void bridge_gap(Instant now);
-  void note_stop_behind(Instant now);
-  void tick_stop(Instant now);
+  // --- session_replies.cpp: what comes in ---
 
-  // session_warnings.cpp: what is for people, and what they may be told of a safe stop.
-  [[nodiscard]] bool sent_lately(std::string_view command) const;
-  void hear_safety(std::span<const std::byte> bytes);
-  void complaint_heard(const Reply& reply);
-  void complaint_mended();
-  void complaint_stands();
-
-  // session_replies.cpp: what comes in.
   void reply(const Reply& reply, Instant now);
+  [[nodiscard]] bool reply_ends(const Reply& reply, Meaning meaning, Instant now);
+  void reply_while_connecting(const Reply& reply, Meaning meaning, Instant now);
+  void reply_while_readying(const Reply& reply, Meaning meaning, Instant now);
   void reply_while_open(const Reply& reply, Meaning meaning, Instant now);
+  void greeted(Instant now);
+  void reset_seen(Instant now);
+  void shut_down_seen(std::string_view words, Instant now);
+  void complaint_heard(const Reply& reply);
+  void note_temperatures(const Temperatures& told, Instant now);
+  void note_position(const Position& told, Instant now);
   void acknowledged(const Reply& reply, Instant now);
+  [[nodiscard]] bool acknowledge(const Reply& reply);
+  [[nodiscard]] bool answers_question(const Reply& reply) const;
+  void acknowledge_through(std::int64_t sequence);
   void note_accepted(std::int64_t from, Instant now);
   void resend_asked(const Reply& reply, Instant now);
   void resend_doubted(const Reply& reply);
   [[nodiscard]] bool can_go_back_to(std::int64_t sequence) const;
   [[nodiscard]] bool repeat_from(std::int64_t sequence);
-  void reset_seen(Instant now);
 
-  // session_watch.cpp: the link's own lines and what it watches.
-  void give(const Command& command, bool is_command, Instant now);
-  void push_command(const Command& command, bool is_command);
-  void push_own(std::string_view text, const LineEffort& effort = {});
-  [[nodiscard]] bool own_line_due() const;
-  [[nodiscard]] bool push_own_line(Instant now);
-  void tick_watch(Instant now);
-  void note_temperatures(const Reply& reply, Instant now);
-  void note_action(std::string_view action);
-  void warn(std::string_view words);
-  void settle_position();
-  void end_confirming();
-  void filament_differs(std::int64_t excess_10nm);
+  // --- session_sending.cpp: what goes out, and when ---
 
-  // session_asking.cpp: an answer is missing.
-  void tick_silence(Instant now);
-  [[nodiscard]] SilenceWatch::Sight sight(Instant now) const;
-  void ask(const SilenceWatch::Sight& sight, Instant now);
-  void push_question(Instant now);
-  [[nodiscard]] bool may_ask_in_order(bool behind_long) const;
-  void ask_for_answer(Instant now);
-  [[nodiscard]] bool names_a_line(const Reply& reply) const;
-  void acknowledge_through(std::int64_t sequence);
-  void answers_missing();
-  [[nodiscard]] bool damaged_by(const Reply& reply) const;
-  void resynchronise(Instant now);
-  void put_forced_mismatch();
-
-  // session.cpp: what goes out, and when.
-  void fault(FaultKind kind, const std::string& why, bool controller_may_live);
   void settle(Instant now);
+  [[nodiscard]] bool settle_asking(Instant now);
   void pump(Instant now);
   [[nodiscard]] bool send_next(Instant now);
-  void put_safe_sequence();
-  void put_wait_no_more();
-  [[nodiscard]] bool ended() const;
-  [[nodiscard]] std::size_t window_lines(Instant now) const;
+  [[nodiscard]] bool goes_behind_others(std::int64_t sequence, Instant now) const;
+  [[nodiscard]] bool put_line(std::int64_t sequence, bool ahead, Instant now);
+  [[nodiscard]] bool has_next_line(Instant now);
   [[nodiscard]] Packing::Sight packing_sight() const;
-  [[nodiscard]] bool goes_behind_others(std::int64_t sequence) const;
+  [[nodiscard]] bool own_line_due() const;
+  [[nodiscard]] bool push_own_line(Instant now);
+  void push_own(std::string_view text, const LineEffort& effort = {});
+  void push_command(const Command& command, bool is_command);
+  void settle_position();
+  void correct_filament(std::int64_t excess_10nm);
+  [[nodiscard]] SilenceWatch::Sight silence_sight(Instant now) const;
+  void ask(const SilenceWatch::Sight& sight, Instant now);
+  [[nodiscard]] bool may_ask_in_order(bool behind_long) const;
+  void push_question(Instant now);
+  void ask_for_answer(Instant now);
+  void resynchronise(Instant now);
+  void put_forced_mismatch();
+  void put_wait_no_more();
 
-  ControllerIdentity identity_;
   SessionOptions options_;
   SessionState state_ = SessionState::kConnecting;
-  FaultKind fault_kind_ = FaultKind::kNone;
+  Fault fault_;
   Phase phase_ = Phase::kBanner;
-  std::string reason_;
-  std::string last_warning_;
-  std::string last_refusal_;
   SessionStatistics statistics_;
   EventQueue events_;
 
+  // What is sent, in order.
   SendWindow window_;
-  std::optional<std::int64_t> end_of_commands_;  // where the safe sequence of a stop begins
-  std::array<TextBuffer, kSafeSequenceMax> safe_texts_{};
-  std::array<std::uint8_t, kSafeSequenceMax> safe_sizes_{};
-  std::size_t safe_count_ = 0;
-  std::size_t safe_next_ = 0;
-
-  OwnRequests own_requests_;
-  std::optional<DeferredCommand> deferred_;
-  std::optional<PositionQuestion> question_;
-  int questions_in_a_row_ = 0;  // that found a difference, or no answer
-  bool confirming_ = false;     // a difference was told: no move until it is sure
-  std::optional<Position> told_last_;
-  PositionWatch position_;
-  PlannerWatch planner_;
-  HeaterWatch nozzle_watch_{"the nozzle", nozzle_watch_limits()};
-  HeaterWatch bed_watch_{"the bed", bed_watch_limits()};
-
-  std::optional<std::string> complaint_;  // until it is known whether it was about a mended line
-
-  std::optional<std::string> stop_behind_;  // a stop waits for this command
-  bool stop_told_ = false;
-  bool listens_ = false;  // behind the safe sequence of a fault
-  bool safe_confirmed_ = false;
-
-  LineSplitter splitter_;
-  OutputBuffer output_;
+  std::optional<Deferred> deferred_;
+  OwnRequests requests_;
+  SafeStop stop_;
   Packing packing_;
+  OutputBuffer output_;
 
+  // What comes in, and what it means for the order.
+  LineSplitter splitter_;
   LifeSigns signs_;
+  Recovery recovery_;
+  OrderedQuestions questions_;
+  SilenceWatch silence_;
+  Complaints complaints_;
+
+  // How the conversation starts, and why it may have ended.
+  ControllerIdentity identity_;
   Greeting greeting_;
   Readiness readiness_;
   ShutdownReason shutdown_;
-  Recovery recovery_;
-  SilenceWatch silence_;
-  OrderedQuestions questions_;
-  Instant stop_began_;
-  Instant last_polled_;
-  Instant last_awake_{};  // a paused print was kept awake
-  bool controller_may_live_ = true;
-  bool holding_ = false;
-  bool waits_for_user_ = false;
+
+  // What the machine does.
+  PositionCheck position_;
+  PlannerWatch planner_;
+  TemperatureWatch temperatures_;
 };
 
 }  // namespace firmware_link

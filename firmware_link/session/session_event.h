@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "firmware_link/wire/limits.h"       // kEventsMax
@@ -31,6 +32,9 @@ struct SessionEvent {
   Kind kind = Kind::kWarning;
   std::string text;
 };
+
+// What a host action ("pause" of "//action:pause") asks for; kAction when it is another.
+[[nodiscard]] SessionEvent::Kind kind_of_action(std::string_view action);
 
 // The last kEventsMax events; older ones that nobody took are dropped and counted.
 class EventQueue {

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 #include "firmware_link/wire/instant.h"  // Duration
 #include "firmware_link/wire/limits.h"   // kLineNumberMax
@@ -114,10 +113,5 @@ struct SessionOptions {
   // Numbering starts again from 1 (by M110) after this line. Lower only in tests.
   std::int32_t line_number_max = kLineNumberMax;
 };
-
-// Bytes that stop a controller at once if its EMERGENCY_PARSER is on, otherwise at the end of the
-// running command: end of line, M112, end of line. To be written past the session; halt() in
-// link_step.h does that, and pulls the reset line where the parser is off.
-[[nodiscard]] std::span<const std::byte> emergency_stop_bytes();
 
 }  // namespace firmware_link

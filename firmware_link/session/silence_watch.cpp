@@ -33,7 +33,7 @@ SilenceWatch::Step SilenceWatch::look(const LinkRules& rules, const Sight& sight
     told_ = false;
   }
   const Duration busy_max =
-      std::max({sight.waits_for_user ? kUserMax : kBusyMax, sight.command.limit, limit_});
+      std::max({user_awaited_ ? kUserMax : kBusyMax, sight.command.limit, limit_});
   if (works_ && now - began_ > busy_max) {
     return give_up("the controller has been busy with " + what_of(sight) + " for " +
                    seconds_text(now - began_));

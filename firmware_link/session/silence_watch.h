@@ -34,7 +34,6 @@ class SilenceWatch {
     int questions = 0;         // lines in flight that are questions
     bool may_ask = false;      // a question fits
     bool may_resynchronise = false;
-    bool waits_for_user = false;
   };
 
   // `limit`: each wait's limit is at least that (SessionOptions::wait_limit).
@@ -57,6 +56,10 @@ class SilenceWatch {
   void answered() { works_ = false, asks_ = 0; }
   // The question that look() wanted was asked.
   void asked(Instant now) { ++asks_, last_ask_ = now; }
+
+  // The controller waits for a button, or for M108.
+  void await_user(bool awaited) { user_awaited_ = awaited; }
+  [[nodiscard]] bool user_awaited() const { return user_awaited_; }
 
   [[nodiscard]] bool works() const { return works_; }
   // Questions since the last answer.
@@ -83,6 +86,7 @@ class SilenceWatch {
   int asks_ = 0;
   bool works_ = false;        // busy lines came for the line at hand
   bool worked_once_ = false;  // this controller says when it is busy
+  bool user_awaited_ = false;
   bool told_ = false;
   std::string reason_;
 };

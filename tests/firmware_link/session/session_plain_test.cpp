@@ -3,64 +3,16 @@
 #include <doctest/doctest.h>
 
 #include <chrono>
-#include <memory>
 #include <string>
 
-#include "firmware_link/dialects/marlin_dialect.h"
-#include "firmware_link/session/session.h"
+#include "tests/firmware_link/session/session_by_hand.h"
 
 using namespace firmware_link;
+using namespace link_test;
 using namespace std::chrono_literals;
 
-namespace {
-
-struct ByHand {
-  Instant now{};
-  Session session{std::make_unique<MarlinDialect>(), without_polls(), Instant{}};
-
-  static SessionOptions without_polls() {
-    SessionOptions options;
-    options.temperature_interval = Duration(0);
-    return options;
-  }
-
-  ByHand() {
-    pass(3s);
-    CHECK(output() == "\nN0M110*3\n");
-    say("ok\n");  // to the empty line
-    CHECK(output() == "N1M115*7\n");
-    say("ok\nok FIRMWARE_NAME:Klipper FIRMWARE_VERSION:?\n");
-    CHECK(session.dialect_name() == "Klipper");
-    CHECK(session.state() == SessionState::kConnecting);
-    pass(300ms);
-    CHECK(output() == "STATUS\n");
-    say("// Klipper state: Ready\nok\n");
-    CHECK(session.state() == SessionState::kStreaming);
-    CHECK(session.firmware_name() == "Klipper");
-  }
-  void say(const std::string& text) {
-    session.input(std::as_bytes(std::span(text.data(), text.size())), now);
-  }
-  void pass(Duration duration) {
-    for (const Instant end = now + duration; now < end; now += 50ms) session.tick(now);
-  }
-  std::string output() {
-    const auto span = session.output();
-    std::string text(reinterpret_cast<const char*>(span.data()), span.size());
-    session.written(span.size(), now);
-    return text;
-  }
-  void take(std::int64_t x_um) {
-    Move move;
-    move.x_um = x_um;
-    session.take(move, now);
-  }
-};
-
-}  // namespace
-
 TEST_CASE("lines go as they are, one ok each, and long silence is borne") {
-  ByHand hand;
+  KlipperByHand hand;
   for (int i = 1; i <= 5; ++i) hand.take(std::int64_t{1000} * i);
   CHECK_FALSE(hand.session.can_take());
   CHECK(hand.output() == "G0X1\nG0X2\nG0X3\nG0X4\n");
@@ -79,7 +31,7 @@ TEST_CASE("lines go as they are, one ok each, and long silence is borne") {
 }
 
 TEST_CASE("the answer to a question names what was answered before it") {
-  ByHand hand;
+  KlipperByHand hand;
   for (int i = 1; i <= 3; ++i) hand.take(std::int64_t{1000} * i);
   CHECK(hand.output() == "G0X1\nG0X2\nG0X3\n");
   hand.say("ok\n");
@@ -104,7 +56,7 @@ TEST_CASE("the answer to a question names what was answered before it") {
 }
 
 TEST_CASE("a question's answer that comes late names nothing that was sent behind it") {
-  ByHand hand;
+  KlipperByHand hand;
   const std::string warm = "ok B:20.0 /0.0 T0:20.0 /0.0\n";
   hand.take(1000);
   hand.pass(6s);
@@ -119,7 +71,7 @@ TEST_CASE("a question's answer that comes late names nothing that was sent behin
 }
 
 TEST_CASE("a macro may be silent for an hour, and what is waited for is told") {
-  ByHand hand;
+  KlipperByHand hand;
   hand.session.take(std::get<Verbatim>(verbatim_from("PRINT_START BED=60")), hand.now);
   hand.pass(3000s);
   CHECK(hand.session.state() == SessionState::kStreaming);
@@ -134,7 +86,7 @@ TEST_CASE("a macro may be silent for an hour, and what is waited for is told") {
 }
 
 TEST_CASE("a command that was never sent and is not known is a damaged line") {
-  ByHand hand;
+  KlipperByHand hand;
   hand.take(1000);
   SUBCASE("another word") {
     hand.say("// Unknown command:\"E0\"\nok\n");
@@ -150,7 +102,7 @@ TEST_CASE("a command that was never sent and is not known is a damaged line") {
 }
 
 TEST_CASE("nothing is ever repeated") {
-  ByHand hand;
+  KlipperByHand hand;
   hand.take(1000);
   (void)hand.output();
   hand.say("Resend: 1\n");
@@ -163,7 +115,7 @@ TEST_CASE("nothing is ever repeated") {
 }
 
 TEST_CASE("a stop drops what has not left, and waits for what has") {
-  ByHand hand;
+  KlipperByHand hand;
   for (int i = 1; i <= 5; ++i) hand.take(std::int64_t{1000} * i);
   (void)hand.output();
   const Command off = SetFan{};
@@ -179,7 +131,7 @@ TEST_CASE("a stop drops what has not left, and waits for what has") {
 }
 
 TEST_CASE("an alarm ends the print at once") {
-  ByHand hand;
+  KlipperByHand hand;
   hand.take(1000);
   hand.say("!! Move out of range: 999.000 0.000 0.500 [0.000]\nok\n");
   CHECK(hand.session.state() == SessionState::kFaulted);

@@ -3,14 +3,13 @@
 #include <doctest/doctest.h>
 
 #include <chrono>
-#include <memory>
 #include <string>
 #include <vector>
 
-#include "firmware_link/dialects/marlin_dialect.h"
-#include "firmware_link/session/session.h"
+#include "tests/firmware_link/session/session_by_hand.h"
 
 using namespace firmware_link;
+using namespace link_test;
 using namespace std::chrono_literals;
 
 namespace {
@@ -24,73 +23,6 @@ const std::string kLost =
     "// config, and restart the host software.\n// Printer is shutdown\n"
     "!! Lost communication with MCU 'mcu'\nok\n";
 
-struct ByHand {
-  Instant now{};
-  Session session;
-
-  explicit ByHand(SessionOptions options = {})
-      : session(std::make_unique<MarlinDialect>(), quiet(std::move(options)), Instant{}) {}
-
-  static SessionOptions quiet(SessionOptions options) {
-    options.temperature_interval = Duration(0);
-    return options;
-  }
-
-  // Up to its first question.
-  void greet_klipper(const std::string& to_empty_line = "ok\n") {
-    pass(3s);
-    (void)output();
-    say(to_empty_line);
-    (void)output();
-    say("ok\nok FIRMWARE_NAME:Klipper FIRMWARE_VERSION:v0.13\n");
-    pass(300ms);
-    CHECK(output() == "STATUS\n");
-  }
-  void open_klipper() {
-    greet_klipper();
-    say("// Klipper state: Ready\nok\n");
-    CHECK(session.state() == SessionState::kStreaming);
-  }
-  void open_marlin(const std::string& end = "\n") {
-    say("start" + end);
-    pass(300ms);
-    CHECK(output() == "\nN0M110*3\n");
-    say("ok" + end);
-    CHECK(output() == "N1M115*7\n");
-    say("FIRMWARE_NAME:Marlin 2.1 (x) SOURCE_CODE_URL:y" + end + "ok" + end);
-    CHECK(session.state() == SessionState::kStreaming);
-  }
-  void say(const std::string& text) {
-    session.input(std::as_bytes(std::span(text.data(), text.size())), now);
-  }
-  void pass(Duration duration) {
-    for (const Instant end = now + duration; now < end; now += 50ms) session.tick(now);
-  }
-  std::string output() {
-    const auto span = session.output();
-    std::string text(reinterpret_cast<const char*>(span.data()), span.size());
-    session.written(span.size(), now);
-    return text;
-  }
-  void take(std::int64_t x_um) {
-    Move move;
-    move.x_um = x_um;
-    session.take(move, now);
-  }
-  void take(const std::string& line) { session.take(std::get<Verbatim>(verbatim_from(line)), now); }
-  void stop() {
-    const Command off = SetFan{};
-    session.stop_now({&off, 1}, now);
-  }
-  std::vector<std::string> told(SessionEvent::Kind kind) {
-    std::vector<std::string> texts;
-    while (const auto event = session.next_event()) {
-      if (event->kind == kind) texts.push_back(event->text);
-    }
-    return texts;
-  }
-};
-
 bool holds(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
@@ -98,7 +30,7 @@ bool holds(const std::string& text, const std::string& part) {
 }  // namespace
 
 TEST_CASE("Klipper that starts is waited for, and it is said why") {
-  ByHand hand;
+  SessionByHand hand;
   hand.greet_klipper(
       "// Printer is not ready\n// retry in a few moments.\n!! Printer is not ready\nok\n");
   for (int i = 0; i < 5; ++i) {
@@ -115,7 +47,7 @@ TEST_CASE("Klipper that starts is waited for, and it is said why") {
 }
 
 TEST_CASE("Klipper that does not become ready, or is shut down, ends the wait with its reason") {
-  ByHand hand;
+  SessionByHand hand;
   hand.greet_klipper();
   SUBCASE("starts for ever") {
     for (int i = 0; i < 130 && hand.session.state() == SessionState::kConnecting; ++i) {
@@ -148,7 +80,7 @@ TEST_CASE("Klipper that does not become ready, or is shut down, ends the wait wi
 }
 
 TEST_CASE("a shutdown's reason is waited for, and asked for where nothing is in flight") {
-  ByHand hand;
+  SessionByHand hand;
   hand.open_klipper();
   bool in_flight = false;
   std::string reason = "Lost communication with MCU 'mcu'";
@@ -178,7 +110,7 @@ TEST_CASE("a shutdown's reason is waited for, and asked for where nothing is in 
 }
 
 TEST_CASE("what others ask Klipper, and its notes, are no fault") {
-  ByHand hand;
+  SessionByHand hand;
   hand.open_klipper();
   hand.take(1000);
   (void)hand.output();
@@ -192,7 +124,7 @@ TEST_CASE("what others ask Klipper, and its notes, are no fault") {
 }
 
 TEST_CASE("a restart is told from a place that was lost") {
-  ByHand hand;
+  SessionByHand hand;
   hand.open_klipper();
   hand.take(1000);
   hand.take(2000);
@@ -218,7 +150,7 @@ TEST_CASE("a restart is told from a place that was lost") {
 TEST_CASE("to resume, Klipper is asked where it is, what it knows and whether it is homed") {
   SessionOptions options;
   options.ask_found_line = true;
-  ByHand hand(options);
+  SessionByHand hand(options);
   hand.pass(3s);
   (void)hand.output();
   hand.say("ok\nok\n");  // numbers nothing
@@ -255,7 +187,7 @@ TEST_CASE("to resume, Klipper is asked where it is, what it knows and whether it
 
 TEST_CASE("a paused Klipper is kept awake, and nothing moves") {
   SessionOptions options;
-  ByHand hand(options);
+  SessionByHand hand(options);
   hand.open_klipper();
   hand.session.hold(true, hand.now);
   int kept = 0;
@@ -274,7 +206,7 @@ TEST_CASE("a paused Klipper is kept awake, and nothing moves") {
 }
 
 TEST_CASE("a stop behind a long homing waits for it, on Marlin and on Klipper") {
-  ByHand hand;
+  SessionByHand hand;
   bool marlin = true;
   bool busy = false;
   SUBCASE("Marlin, silent") {}
@@ -314,7 +246,7 @@ TEST_CASE("a stop behind a long homing waits for it, on Marlin and on Klipper") 
 }
 
 TEST_CASE("a host that stood still holds nothing against the controller") {
-  ByHand hand;
+  SessionByHand hand;
   hand.open_marlin();
   hand.take(1000);
   (void)hand.output();
@@ -331,13 +263,13 @@ TEST_CASE("a host that stood still holds nothing against the controller") {
 
 TEST_CASE("a controller with any line ends connects") {
   for (const std::string end : {"\n", "\r\n", "\n\r", "\r"}) {
-    ByHand hand;
+    SessionByHand hand;
     hand.open_marlin(end);
   }
 }
 
 TEST_CASE("complaints about what was mended are counted, not told") {
-  ByHand hand;
+  SessionByHand hand;
   hand.open_marlin();
   hand.take(1000);
   hand.take(2000);
@@ -364,7 +296,7 @@ TEST_CASE("complaints about what was mended are counted, not told") {
 }
 
 TEST_CASE("one that does not count lines is not asked for ever") {
-  ByHand hand;
+  SessionByHand hand;
   hand.open_marlin();
   hand.take(1000);
   (void)hand.output();

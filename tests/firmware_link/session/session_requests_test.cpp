@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "firmware_link/session/link_step.h"
 #include "tests/firmware_link/virtual_link.h"
 
 using namespace firmware_link;
@@ -32,26 +31,6 @@ void stream(VirtualLink& link, const std::vector<Command>& commands, std::size_t
     link.turn();
   }
 }
-
-class DeafPort final : public BytePort {
- public:
-  explicit DeafPort(bool resets) : resets_(resets) {}
-  [[nodiscard]] std::size_t write(std::span<const std::byte> bytes) override {
-    for (const std::byte b : bytes) written += static_cast<char>(b);
-    return bytes.size();
-  }
-  [[nodiscard]] std::size_t read(std::span<std::byte>, int) override { return 0; }
-  [[nodiscard]] PortState state() const override { return PortState::kOpen; }
-  [[nodiscard]] bool reset_device() override {
-    ++reset_asked;
-    return resets_;
-  }
-  std::string written;
-  int reset_asked = 0;
-
- private:
-  bool resets_;
-};
 
 }  // namespace
 
@@ -139,24 +118,6 @@ TEST_CASE("actions of the printer's operator, waits and warnings are told as the
   }
   CHECK(events_of(*link.session).size() == kEventsMax);
   CHECK(link.session->statistics().events_dropped == 100 - static_cast<std::int64_t>(kEventsMax));
-}
-
-TEST_CASE("an emergency stop is told, and where nobody listens for it the board is reset") {
-  for (const bool listens : {true, false}) {
-    for (const bool resets : {true, false}) {
-      CAPTURE(listens);
-      CAPTURE(resets);
-      VirtualControllerOptions options;
-      options.emergency_parser = listens;
-      VirtualLink link(options, {});
-      while (link.session->state() == SessionState::kConnecting) link.turn();
-      DeafPort port(resets);
-      const Halt halted = halt(*link.session, port, 0, 5);
-      CHECK(port.written == "\nM112\n");
-      CHECK(port.reset_asked == (listens ? 0 : 1));
-      CHECK(halted == (listens ? Halt::kTold : resets ? Halt::kReset : Halt::kMaybe));
-    }
-  }
 }
 
 TEST_CASE("one question goes behind a command that waits, so that an M112 is read at once") {

@@ -5,61 +5,12 @@
 #include <chrono>
 #include <string>
 
+#include "tests/firmware_link/session/session_by_hand.h"
 #include "tests/firmware_link/virtual_link.h"
 
 using namespace firmware_link;
 using namespace link_test;
 using namespace std::chrono_literals;
-
-namespace {
-
-std::span<const std::byte> bytes_of(const std::string& text) {
-  return std::as_bytes(std::span(text.data(), text.size()));
-}
-
-// A session that is streaming, talked to by hand.
-struct ByHand {
-  Instant now{};
-  Session session;
-
-  // Nobody asks for temperatures here.
-  static SessionOptions quiet(SessionOptions options) {
-    options.temperature_interval = Duration(0);
-    return options;
-  }
-
-  explicit ByHand(const SessionOptions& options = {})
-      : session(std::make_unique<MarlinDialect>(), quiet(options), Instant{}) {
-    say("start\n");
-    pass(300ms);
-    CHECK(take_output() == "\nN0M110*3\n");
-    say("Line: 0\nok\n");
-    CHECK(take_output() == "N1M115*7\n");
-    say("FIRMWARE_NAME:Marlin 2.1 (x) SOURCE_CODE_URL:y\nCap:EEPROM:0\nok\n");
-    CHECK(session.state() == SessionState::kStreaming);
-  }
-
-  void say(const std::string& text) { session.input(bytes_of(text), now); }
-
-  void pass(Duration duration) {
-    for (const Instant end = now + duration; now < end; now += 10ms) session.tick(now);
-  }
-
-  std::string take_output() {
-    const auto span = session.output();
-    std::string text(reinterpret_cast<const char*>(span.data()), span.size());
-    session.written(span.size(), now);
-    return text;
-  }
-
-  void take(std::int64_t x_um) {
-    Move move;
-    move.x_um = x_um;
-    session.take(move, now);
-  }
-};
-
-}  // namespace
 
 TEST_CASE("a clean wire: every command once and in order, window kept, nothing repeated") {
   VirtualControllerOptions options;
@@ -107,30 +58,30 @@ TEST_CASE("long handlers keep the session waiting, not failing") {
 }
 
 TEST_CASE("a Resend is obeyed inside the history, its ok is no acknowledgement") {
-  ByHand hand;
+  MarlinByHand hand;
   hand.take(1000);
   hand.take(2000);
   hand.take(3000);
-  CHECK(hand.take_output() == "N2G0X1*98\nN3G0X2*96\nN4G0X3*102\n");
+  CHECK(hand.output() == "N2G0X1*98\nN3G0X2*96\nN4G0X3*102\n");
   hand.say("ok\nError:checksum mismatch, Last Line: 2\nResend: 3\nok\n");
   CHECK(hand.session.statistics().commands_acknowledged == 1);
   CHECK(hand.session.statistics().lines_in_flight == 0);
-  CHECK(hand.take_output().empty());
+  CHECK(hand.output().empty());
   hand.pass(80ms);
-  CHECK(hand.take_output().empty());
+  CHECK(hand.output().empty());
   hand.pass(100ms);
   // One line only until all is calm again.
-  CHECK(hand.take_output() == "N3G0X2*96\n");
+  CHECK(hand.output() == "N3G0X2*96\n");
   hand.say("ok\n");
-  CHECK(hand.take_output() == "N4G0X3*102\n");
+  CHECK(hand.output() == "N4G0X3*102\n");
   CHECK(hand.session.statistics().resends == 1);
   CHECK(hand.session.statistics().lines_repeated == 2);
 }
 
 TEST_CASE("a Resend for what is forgotten or was never sent changes nothing") {
-  ByHand hand;
+  MarlinByHand hand;
   hand.take(1000);
-  (void)hand.take_output();
+  (void)hand.output();
   for (const char* number : {"7", "99999999", "123456789012345678901234567890", "-4", "x", ""}) {
     CAPTURE(number);
     hand.say(std::string("Resend: ") + number + "\nok\n");
@@ -138,16 +89,16 @@ TEST_CASE("a Resend for what is forgotten or was never sent changes nothing") {
   CHECK(hand.session.statistics().resends_ignored == 6);
   CHECK(hand.session.statistics().lines_in_flight == 1);
   hand.pass(200ms);
-  CHECK(hand.take_output().empty());
+  CHECK(hand.output().empty());
   hand.say("ok\n");
   CHECK(hand.session.statistics().commands_acknowledged == 1);
 }
 
 TEST_CASE("a garbled Resend far back, and the true one behind it, leave nothing in flight") {
-  ByHand hand;
+  MarlinByHand hand;
   for (int i = 0; i < 40; ++i) {
     hand.take(1000 + i);
-    (void)hand.take_output();
+    (void)hand.output();
     hand.say("ok\n");
   }
   hand.say("Resend: 36\nok\n");
@@ -158,14 +109,14 @@ TEST_CASE("a garbled Resend far back, and the true one behind it, leave nothing 
 }
 
 TEST_CASE("an account that cannot be true, three times in a row, is a counter that has jumped") {
-  ByHand hand;
+  MarlinByHand hand;
   for (int i = 0; i < 40; ++i) {
     hand.take(1000 + i);
-    (void)hand.take_output();
+    (void)hand.output();
     hand.say("ok\n");
   }
   hand.take(2000);
-  (void)hand.take_output();
+  (void)hand.output();
   for (int i = 0; i < 3; ++i) {
     CHECK(hand.session.state() == SessionState::kStreaming);
     hand.say("Error:Line Number is not Last Line Number+1, Last Line: 14\nResend: 15\nok\n");
@@ -177,47 +128,47 @@ TEST_CASE("an account that cannot be true, three times in a row, is a counter th
 }
 
 TEST_CASE("a false ok is uncovered by the Resend that follows it") {
-  ByHand hand;
+  MarlinByHand hand;
   hand.take(1000);
-  (void)hand.take_output();
+  (void)hand.output();
   hand.say("echo:Unknown command: \"n2 G0 X1*103\"\nok\n");
   hand.take(2000);
-  CHECK(hand.take_output() == "N3G0X2*96\n");
+  CHECK(hand.output() == "N3G0X2*96\n");
   hand.say("Error:Line Number is not Last Line Number+1, Last Line: 1\nResend: 2\nok\n");
   CHECK(hand.session.statistics().commands_acknowledged == 0);
   hand.pass(200ms);
-  CHECK(hand.take_output() == "N2G0X1*98\n");
+  CHECK(hand.output() == "N2G0X1*98\n");
   // Nobody sent what it complained of: it is counted, and not told.
   CHECK(hand.session.statistics().fragments == 1);
   CHECK(hand.session.statistics().warnings == 0);
 }
 
 TEST_CASE("silence is met by a forced mismatch, and its answer settles what was lost") {
-  ByHand hand;
+  MarlinByHand hand;
   hand.take(1000);
-  (void)hand.take_output();
+  (void)hand.output();
   SUBCASE("the ok was lost") {
     hand.pass(1500ms);  // its planner is empty: nothing keeps it from answering
-    CHECK(hand.take_output() == "\nN99999999M105*55\n");
+    CHECK(hand.output() == "\nN99999999M105*55\n");
     hand.say("Error:Line Number is not Last Line Number+1, Last Line: 2\nResend: 3\nok\n");
     hand.pass(200ms);
-    CHECK(hand.take_output().empty());
+    CHECK(hand.output().empty());
     CHECK(hand.session.statistics().commands_acknowledged == 1);
     CHECK(hand.session.statistics().lines_repeated == 0);
   }
   SUBCASE("the line was lost") {
     hand.pass(1500ms);  // its planner is empty: nothing keeps it from answering
-    CHECK(hand.take_output() == "\nN99999999M105*55\n");
+    CHECK(hand.output() == "\nN99999999M105*55\n");
     hand.say("Error:Line Number is not Last Line Number+1, Last Line: 1\nResend: 2\nok\n");
     hand.pass(200ms);
-    CHECK(hand.take_output() == "N2G0X1*98\n");
+    CHECK(hand.output() == "N2G0X1*98\n");
   }
   SUBCASE("busy lines are no silence") {
     for (int i = 0; i < 20; ++i) {
       hand.say("echo:busy: processing\n");
       hand.pass(2s);
     }
-    CHECK(hand.take_output().empty());
+    CHECK(hand.output().empty());
   }
   SUBCASE("temperatures alone hide a lost ok, so it is asked for; they are believed for minutes") {
     const auto talk = [&](int seconds) {
@@ -228,7 +179,7 @@ TEST_CASE("silence is met by a forced mismatch, and its answer settles what was 
     };
     talk(90);
     const std::string asked = "\nN99999999M105*55\n";
-    CHECK(hand.take_output() == asked + asked + asked + asked + asked);
+    CHECK(hand.output() == asked + asked + asked + asked + asked);
     CHECK(hand.session.state() == SessionState::kStreaming);
     talk(600);
     CHECK(hand.session.fault_kind() == FaultKind::kSilence);
@@ -241,11 +192,11 @@ TEST_CASE("silence is met by a forced mismatch, and its answer settles what was 
 }
 
 TEST_CASE("a line that is refused again and again is a fault with the controller's words") {
-  ByHand hand;
+  MarlinByHand hand;
   hand.take(1000);
   int sent = 0;
   for (; hand.session.state() == SessionState::kStreaming && sent < 50; ++sent) {
-    CHECK(hand.take_output() == "N2G0X1*98\n");
+    CHECK(hand.output() == "N2G0X1*98\n");
     hand.say("Error:checksum mismatch, Last Line: 1\nResend: 2\nok\n");
     hand.pass(200ms);
   }
@@ -255,9 +206,9 @@ TEST_CASE("a line that is refused again and again is a fault with the controller
 }
 
 TEST_CASE("a reset and a kill in mid-print are faults") {
-  ByHand hand;
+  MarlinByHand hand;
   hand.take(1000);
-  (void)hand.take_output();
+  (void)hand.output();
   SUBCASE("reset") {
     hand.say("start\n");
     CHECK(hand.session.reason().find("was reset in mid-print") != std::string::npos);
@@ -272,22 +223,23 @@ TEST_CASE("a reset and a kill in mid-print are faults") {
   // A controller that has reset or halted has its heaters off; nothing is sent to it.
   const Command off = SetTemperature{};
   hand.session.stop_now({&off, 1}, hand.now);
-  CHECK(hand.take_output().empty());
+  CHECK(hand.output().empty());
 }
 
 TEST_CASE("other errors are warnings") {
-  ByHand hand;
+  MarlinByHand hand;
   hand.take(1000);
   hand.say("Error:G2/G3 bad parameters\nok\n");
   CHECK(hand.session.state() == SessionState::kStreaming);
   CHECK(hand.session.statistics().warnings == 1);
-  CHECK(hand.session.last_warning() == "G2/G3 bad parameters");
+  CHECK(hand.told(SessionEvent::Kind::kWarning) ==
+        std::vector<std::string>{"G2/G3 bad parameters"});
 }
 
 TEST_CASE("ADVANCED_OK's number acknowledges all up to it, so that a lost ok costs nothing") {
-  ByHand hand;
+  MarlinByHand hand;
   for (int i = 1; i <= 3; ++i) hand.take(std::int64_t{1000} * i);
-  (void)hand.take_output();
+  (void)hand.output();
   hand.say("ok N4 P12 B3\n");
   CHECK(hand.session.statistics().commands_acknowledged == 3);
   hand.say("ok N3 P12 B3\n");
@@ -324,20 +276,20 @@ TEST_CASE("a stop drops what has not been accepted and turns the heaters off") {
 }
 
 TEST_CASE("a stop of a session that has lost its controller still tries, unnumbered") {
-  ByHand hand;
+  MarlinByHand hand;
   hand.take(1000);
-  (void)hand.take_output();
+  (void)hand.output();
   hand.pass(60s);
   REQUIRE(hand.session.state() == SessionState::kFaulted);
   const Command off[] = {SetTemperature{Heater::kNozzle, 0, false}, SetFan{}};
   hand.session.stop_now(off, hand.now);
-  CHECK(hand.take_output() == "\nM104 S0\nM107\nM105\n");
+  CHECK(hand.output() == "\nM104 S0\nM107\nM105\n");
 }
 
 TEST_CASE("a stop that nobody acknowledges ends by its own limit") {
-  ByHand hand;
+  MarlinByHand hand;
   hand.take(1000);
-  (void)hand.take_output();
+  (void)hand.output();
   const Command off = SetTemperature{};
   hand.session.stop_now({&off, 1}, hand.now);
   for (int i = 0; i < 620; ++i) {
@@ -350,11 +302,11 @@ TEST_CASE("a stop that nobody acknowledges ends by its own limit") {
 }
 
 TEST_CASE("a Resend soon after another makes the narrow window last twice as long") {
-  ByHand hand;
+  MarlinByHand hand;
   std::int64_t line = 1;  // accepted last
   // Lines that go well one at a time until two are in flight.
   const auto narrow_lines = [&] {
-    (void)hand.take_output();
+    (void)hand.output();
     hand.say("Error:checksum mismatch, Last Line: " + std::to_string(line) +
              "\nResend: " + std::to_string(line + 1) + "\nok\n");
     hand.pass(200ms);
@@ -363,8 +315,7 @@ TEST_CASE("a Resend soon after another makes the narrow window last twice as lon
       while (hand.session.can_take()) hand.take(1000);
       if (hand.session.statistics().lines_in_flight > 1) break;
       // Each refused line may be followed by a question of the link's own.
-      hand.say(hand.take_output().find("M114") == std::string::npos ? "ok\n"
-                                                                    : "X:1.00 E:0.00\nok\n");
+      hand.say(hand.output().find("M114") == std::string::npos ? "ok\n" : "X:1.00 E:0.00\nok\n");
       ++line;
     }
     return lines;
@@ -375,7 +326,7 @@ TEST_CASE("a Resend soon after another makes the narrow window last twice as lon
   CHECK(narrow_lines() == 32);
 }
 
-TEST_CASE("line numbers start anew when they run out") {
+TEST_CASE("line numbers start again when they run out") {
   SessionOptions options;
   options.line_number_max = 50;
   VirtualLink link({}, options);
@@ -384,14 +335,4 @@ TEST_CASE("line numbers start anew when they run out") {
   CHECK(link.session->state() == SessionState::kFinished);
   CHECK(link.printed() == texts_of(commands));
   CHECK(link.controller->state().last_line <= 50);
-}
-
-TEST_CASE("the emergency bytes stop a controller at once when it listens for them") {
-  VirtualControllerOptions options;
-  options.emergency_parser = true;
-  VirtualLink link(options, {});
-  const auto text = emergency_stop_bytes();
-  link.to_controller("G28\n");
-  (void)link.controller->input(text, link.now);
-  CHECK(link.controller->state().halted);
 }
