@@ -13,8 +13,7 @@
 namespace host {
 
 core::Result<PrintSettings> load_settings_of(const Options& options, Reporter& reporter) {
-  core::Result<WholeSettings> whole =
-      whole_settings({options.profile, options.profile_lax, options.assignments});
+  core::Result<WholeSettings> whole = whole_settings(options.settings);
   if (!whole.ok()) return whole.error();
   const PrintSettings& settings = whole.value().settings;
   if (core::Status status = check_user_gcode(settings); !status.ok()) return status.error();
@@ -30,27 +29,28 @@ core::Result<Job> open_job(const Options& options, Reporter& reporter) {
       options.subcommand == Subcommand::kPrint || options.subcommand == Subcommand::kResume;
   const bool sliced = options.subcommand == Subcommand::kSlice;
   OpenOptions open;
-  open.sort_bytes = options.sort_bytes;
+  open.sort_bytes = options.part.sort_bytes;
   if (options.memory_limit_bytes > 0) {
     const std::size_t quarter = std::max(kSortBytesMin, options.memory_limit_bytes / 4);
     open.sort_bytes = std::min(open.sort_bytes, quarter);
   }
-  open.stream_pipes =
-      options.sorted == PipeSorted::kYes || (options.sorted == PipeSorted::kAuto && sliced);
-  open.order_is_sure = options.sorted == PipeSorted::kYes;
+  open.stream_pipes = options.part.sorted == PipeSorted::kYes ||
+                      (options.part.sorted == PipeSorted::kAuto && sliced);
+  open.order_is_sure = options.part.sorted == PipeSorted::kYes;
   // What is resumed was asked about when it began.
-  open.tall = options.tall || options.subcommand == Subcommand::kResume;
-  OnBadLayer on_bad_layer = options.on_bad_layer;
+  open.tall = options.part.tall || options.subcommand == Subcommand::kResume;
+  OnBadLayer on_bad_layer = options.part.on_bad_layer;
   if (on_bad_layer == OnBadLayer::kPause && !prints) on_bad_layer = OnBadLayer::kStop;
   const bool ends = on_bad_layer == OnBadLayer::kStop;
   if (prints) open.plane_check = ends ? PlaneCheck::kRefuse : PlaneCheck::kWarn;
   // A print reads the rest with its heaters on already.
-  core::Result<OpenedPart> part = prints ? open_part(options.part, settings.value(), open)
-                                         : open_whole_part(options.part, settings.value(), open);
+  core::Result<OpenedPart> part = prints
+                                      ? open_part(options.part.path, settings.value(), open)
+                                      : open_whole_part(options.part.path, settings.value(), open);
   if (!part.ok()) return part.error();
   const PartSummary& summary = part.value().summary;
   for (const std::string& warning : summary.warnings) reporter.note("warning", warning);
-  return Job{std::move(settings).value(), std::move(part).value(), part_title(options.part),
+  return Job{std::move(settings).value(), std::move(part).value(), part_title(options.part.path),
              on_bad_layer, options.jobs};
 }
 
@@ -93,9 +93,9 @@ int stopped(const Options& options, Reporter& reporter) {
 }
 
 std::string stopped_message(const Options& options) {
-  if (options.output.empty()) return "stopped";
-  if (options.output == "-") return "stopped; what was written is not whole";
-  return "stopped; " + options.output + " is not written";
+  if (options.output.path.empty()) return "stopped";
+  if (options.output.path == "-") return "stopped; what was written is not whole";
+  return "stopped; " + options.output.path + " is not written";
 }
 
 int fail(const core::Error& error, Reporter& reporter) {

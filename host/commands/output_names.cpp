@@ -34,21 +34,22 @@ Error refused(const std::string& path, const std::string& cause) {
 
 std::vector<Named> inputs_of(const Options& options) {
   std::vector<Named> inputs;
-  if (!options.part.empty()) inputs.push_back({"the part", options.part});
-  if (!options.profile.empty()) inputs.push_back({"the profile", options.profile});
-  if (options.subcommand == Subcommand::kResume && !options.journal.empty()) {
-    inputs.push_back({"the journal", options.journal});
+  if (!options.part.path.empty()) inputs.push_back({"the part", options.part.path});
+  if (!options.settings.profile.empty())
+    inputs.push_back({"the profile", options.settings.profile});
+  if (options.subcommand == Subcommand::kResume && !options.print.journal.empty()) {
+    inputs.push_back({"the journal", options.print.journal});
   }
   return inputs;
 }
 
 std::vector<Named> outputs_of(const Options& options) {
   std::vector<Named> outputs;
-  if (!options.output.empty()) outputs.push_back({"--output", options.output});
+  if (!options.output.path.empty()) outputs.push_back({"--output", options.output.path});
   if (!options.stats.empty()) outputs.push_back({"--stats", options.stats});
   if (!options.log.empty()) outputs.push_back({"--log", options.log});
-  if (options.subcommand == Subcommand::kPrint && !options.journal.empty()) {
-    outputs.push_back({"--journal", options.journal});
+  if (options.subcommand == Subcommand::kPrint && !options.print.journal.empty()) {
+    outputs.push_back({"--journal", options.print.journal});
   }
   return outputs;
 }
@@ -92,7 +93,7 @@ Status check_standard_output(const std::vector<Named>& inputs, const std::vector
 std::optional<FileKind> own_kind(const Options& options, const std::string& what) {
   if (what != "--output") return std::nullopt;
   if (options.subcommand == Subcommand::kShow) return FileKind::kSvg;
-  switch (options.format) {
+  switch (options.output.format) {
     case OutputFormat::kGcode:
       return std::nullopt;
     case OutputFormat::kCli:
@@ -124,7 +125,7 @@ bool named_so(const Options& options, const Claim& claim) {
   const std::optional<OutputFormat> named = output_format_of(claim.target.name, "");
   if (options.subcommand == Subcommand::kShow) return named == OutputFormat::kSvg;
   const bool cli = own_kind(options, claim.what) == FileKind::kCli;
-  return named == options.format || (cli && named == OutputFormat::kCli);
+  return named == options.output.format || (cli && named == OutputFormat::kCli);
 }
 
 // Of text that is no part: G-code's first word or comment, JSON, a log's first time.
@@ -135,7 +136,7 @@ bool is_alike(const Options& options, const std::string& text, const std::string
   const auto digit = [](char c) { return c >= '0' && c <= '9'; };
   if (what == "--stats") return first == '{' || first == '[';
   if (what == "--log") return digit(first);
-  if (options.subcommand == Subcommand::kShow || options.format != OutputFormat::kGcode)
+  if (options.subcommand == Subcommand::kShow || options.output.format != OutputFormat::kGcode)
     return false;
   const bool word = std::string_view("GMTNgmtn").find(first) != std::string_view::npos;
   return first == ';' || first == '%' || (word && digit(second));
@@ -227,8 +228,9 @@ Status check_output_names(const Options& options) {
 }
 
 bool result_on_standard_output(const Options& options) {
-  if (options.output.empty()) return false;
-  return options.output == "-" || identity_of(options.output) == identity_of(STDOUT_FILENO);
+  if (options.output.path.empty()) return false;
+  return options.output.path == "-" ||
+         identity_of(options.output.path) == identity_of(STDOUT_FILENO);
 }
 
 }  // namespace host

@@ -37,8 +37,8 @@ std::string table(const Options& options, const Job& job, const GeometryStatisti
   const core::Box& box = job.part.summary.box;
   const auto mm = [](std::int64_t units) { return core::Length::from_units(units).mm(); };
   const std::int64_t facets = job.part.summary.facets;
-  fmt::format_to(out, "part       {} ({}{})\n", part_title(options.part), job.part.summary.format,
-                 facets > 0 ? fmt::format(", {} facets", facets) : "");
+  fmt::format_to(out, "part       {} ({}{})\n", part_title(options.part.path),
+                 job.part.summary.format, facets > 0 ? fmt::format(", {} facets", facets) : "");
   if (!box.empty()) {
     fmt::format_to(out, "size       {:.2f} x {:.2f} x {:.2f} mm\n", mm(box.max.x - box.min.x),
                    mm(box.max.y - box.min.y), job.part.summary.height.mm());
@@ -74,8 +74,8 @@ std::string table(const Options& options, const Job& job, const GeometryStatisti
   fmt::format_to(out, "defects    {}\n",
                  statistics.defects.layers() == 0 ? "none" : statistics.defects.summary());
   fmt::format_to(out, "held       at most {} layers, {} partial intersections, {} triangles\n",
-                 statistics.peak_layers_held, statistics.peak_regions_held,
-                 statistics.peak_triangles_held);
+                 statistics.peak_held.layers, statistics.peak_held.regions,
+                 statistics.peak_held.triangles);
   return text;
 }
 

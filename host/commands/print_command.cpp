@@ -37,25 +37,25 @@ JournalHead head_of(const Options& options, const Job& job, const std::string& u
   JournalHead head;
   head.version = kVersion;
   std::error_code error;
-  head.part = std::filesystem::absolute(options.part, error).string();
+  head.part = std::filesystem::absolute(options.part.path, error).string();
   head.part_title = job.part_path;
   for (const SettingRow& row : describe_settings(job.settings)) {
     head.settings.emplace_back(row.key, row.value);
   }
   head.on_bad_layer = bad_layer_word(job.on_bad_layer);
-  head.port = options.port;
+  head.port = options.link.port;
   head.usb = usb;
-  head.baud = options.baud;
+  head.baud = options.link.baud;
   head.boot = boot_name();
   // As many digits as it will have when the part has been read.
-  const std::uintmax_t bytes = std::filesystem::file_size(options.part, error);
+  const std::uintmax_t bytes = std::filesystem::file_size(options.part.path, error);
   head.part_bytes = error ? 0 : static_cast<std::int64_t>(bytes);
   return head;
 }
 
 // Has the part's content summed up before the rest of it is read.
 void sum_part(const Options& options, Job& job, JournalKeeper& keeper) {
-  const auto sum = [path = options.part, &keeper]() -> core::Status {
+  const auto sum = [path = options.part.path, &keeper]() -> core::Status {
     const core::Result<FileContent> content = content_of(path);
     if (!content.ok()) return content.error();
     keeper.part_known(content.value());
@@ -90,26 +90,26 @@ Result<JournalChoice> named_journal(const std::string& path) {
 
 // Where a journal is to be, or why there is none.
 Result<JournalChoice> wanted_journal(const Options& options, Reporter& reporter) {
-  const bool told = !options.journal.empty();
-  if (options.no_journal || (options.port == "virtual" && !told)) return JournalChoice{};
+  const bool told = !options.print.journal.empty();
+  if (options.print.no_journal || (options.link.port == "virtual" && !told)) return JournalChoice{};
   std::error_code error;
-  if (options.part == "-" || !std::filesystem::is_regular_file(options.part, error)) {
+  if (options.part.path == "-" || !std::filesystem::is_regular_file(options.part.path, error)) {
     reporter.note("warning", "a part from a pipe can't be read again: this print can't be resumed");
     return JournalChoice{};
   }
-  if (told) return named_journal(options.journal);
+  if (told) return named_journal(options.print.journal);
   if (journal_folder().empty()) {
     reporter.note("warning", "no place for a journal ($HOME is not set): name one by --journal");
   }
-  return choose_journal(options.part);
+  return choose_journal(options.part.path);
 }
 
 std::string cut_text(const Options& options, const FoundJournal& journal) {
   if (!journal.content) return journal.why;
   const JournalRecord& record = journal.content->record;
-  const bool same = is_of_part(journal, options.part);
+  const bool same = is_of_part(journal, options.part.path);
   return fmt::format("{}: {} print was cut at {}, {} ({})",
-                     same ? part_title(options.part) : journal.path,
+                     same ? part_title(options.part.path) : journal.path,
                      same ? "a" : "of " + journal.content->head.part_title + " a",
                      layer_text(record), time_text(journal.written), state_text(record.state));
 }
@@ -117,7 +117,7 @@ std::string cut_text(const Options& options, const FoundJournal& journal) {
 int resume_instead(const Options& told, const FoundJournal& journal, Reporter& reporter) {
   Options options = told;
   options.subcommand = Subcommand::kResume;
-  options.journal = journal.path;
+  options.print.journal = journal.path;
   return resume_command(options, reporter);
 }
 
@@ -125,9 +125,9 @@ enum class CutAnswer { kAnew, kResume, kStop };
 
 // What is to become of a print of the part that was cut: from the command line, or from a person.
 CutAnswer ask_about(const Options& options, const FoundJournal& journal, Reporter& reporter) {
-  if (options.anew) return CutAnswer::kAnew;
+  if (options.print.anew) return CutAnswer::kAnew;
   const std::string what = cut_text(options, journal);
-  if (!options.yes) {
+  if (!options.print.yes) {
     Controls controls(false);
     const std::optional<std::string> answer = controls.ask(
         what + "\nr to go on with it, a to print anew and set its journal aside, s to stop:",
@@ -138,7 +138,7 @@ CutAnswer ask_about(const Options& options, const FoundJournal& journal, Reporte
   }
   reporter.error(fmt::format("{}; go on with it by: rind resume {} --port {}; or print it from the "
                              "begin with --anew, which sets that journal aside as {}",
-                             what, journal.path, options.port, set_aside_name(journal.path)),
+                             what, journal.path, options.link.port, set_aside_name(journal.path)),
                  kExitUsage);
   return CutAnswer::kStop;
 }
@@ -153,7 +153,7 @@ void plan_journal(const Options& options, const JournalChoice& choice, const std
     if (cut.path != plan.path) plan.set_aside.push_back(cut.path);
   }
   plan.head = head_of(options, job, usb);
-  plan.told = !options.journal.empty();
+  plan.told = !options.print.journal.empty();
   plan.anew = !choice.cut.empty();
   keeper.plan(std::move(plan));
   sum_part(options, job, keeper);
@@ -163,7 +163,7 @@ void plan_journal(const Options& options, const JournalChoice& choice, const std
 
 int print_command(const Options& options, Reporter& reporter) {
   const double started_s = steady_seconds();
-  if (options.port.empty()) {
+  if (options.link.port.empty()) {
     reporter.error(no_port_message(), kExitUsage);
     return kExitUsage;
   }
@@ -171,8 +171,9 @@ int print_command(const Options& options, Reporter& reporter) {
   if (!opened.ok()) return fail(opened.error(), reporter);
   Job& job = opened.value();
   double& segment_time_min_ms = job.settings.segment_time_min_ms;
-  if (segment_time_min_ms == 0) segment_time_min_ms = line_time_ms(options.port, options.baud);
-  const std::string usb = options.port == "virtual" ? "" : usb_of(options.port);
+  if (segment_time_min_ms == 0)
+    segment_time_min_ms = line_time_ms(options.link.port, options.link.baud);
+  const std::string usb = options.link.port == "virtual" ? "" : usb_of(options.link.port);
   const Result<JournalChoice> choice = wanted_journal(options, reporter);
   if (!choice.ok()) return fail(choice.error(), reporter);
   if (!choice.value().cut.empty()) {

@@ -27,7 +27,7 @@ using firmware_link::BytePort;
 // How long the geometry's last layer is waited for when the link has ended.
 constexpr double kGeometryGrace_s = 0.1;
 
-bool is_virtual(const Options& options) { return options.port == "virtual"; }
+bool is_virtual(const Options& options) { return options.link.port == "virtual"; }
 
 std::unique_ptr<BytePort> open_virtual_port(const Options& options,
                                             const core::Settings& settings) {
@@ -37,19 +37,20 @@ std::unique_ptr<BytePort> open_virtual_port(const Options& options,
   controller.bed_origin_x_mm = settings.bed_origin_x.mm();
   controller.bed_origin_y_mm = settings.bed_origin_y.mm();
   return std::make_unique<firmware_link::VirtualPort>(controller, steady_port_clock(),
-                                                      options.virtual_speed);
+                                                      options.link.virtual_speed);
 }
 
 // How to go on with a print that ended early, or that nothing is left to do so.
 void tell_resumable(const Options& options, const JournalKeeper& keeper, Reporter& reporter) {
   const std::string path = keeper.resumable_path();
   if (!path.empty()) {
-    reporter.note("resumable",
-                  fmt::format("to go on with it: rind resume {} --port {}", path, options.port),
-                  {{"journal", path}});
+    reporter.note(
+        "resumable",
+        fmt::format("to go on with it: rind resume {} --port {}", path, options.link.port),
+        {{"journal", path}});
     return;
   }
-  const bool kept_by_itself = !is_virtual(options) || !options.journal.empty();
+  const bool kept_by_itself = !is_virtual(options) || !options.print.journal.empty();
   reporter.note("not_resumable",
                 kept_by_itself
                     ? "there is no journal of it: it can't be gone on with"
@@ -100,7 +101,7 @@ MachineSpace told_space(const core::Settings& settings, const Options& told) {
   MachineSpace space = space_of(settings);
   const core::Settings by_default;
   const bool named =
-      std::any_of(told.assignments.begin(), told.assignments.end(),
+      std::any_of(told.settings.assignments.begin(), told.settings.assignments.end(),
                   [](const auto& pair) { return pair.first == "bed_x" || pair.first == "bed_y"; });
   space.guessed = !named && space.bed_x == by_default.bed_x && space.bed_y == by_default.bed_y;
   return space;
@@ -115,9 +116,11 @@ int run_print(const Options& options, Job& job, JournalKeeper& keeper, RunExtras
         "virtual",
         "printing to the virtual controller inside this program: nothing real is printed");
   } else {
-    firmware_link::OpenedPort attempt = firmware_link::open_port(options.port, options.baud);
+    firmware_link::OpenedPort attempt =
+        firmware_link::open_port(options.link.port, options.link.baud);
     if (const auto* error = std::get_if<firmware_link::PortError>(&attempt)) {
-      reporter.error(options.port + ": " + error->cause + "; " + error->remedy, kExitLinkFault);
+      reporter.error(options.link.port + ": " + error->cause + "; " + error->remedy,
+                     kExitLinkFault);
       return kExitLinkFault;
     }
     port = std::get<std::unique_ptr<BytePort>>(std::move(attempt));
@@ -126,17 +129,17 @@ int run_print(const Options& options, Job& job, JournalKeeper& keeper, RunExtras
   set_at_stake(true);
   PrintOutcome outcome;
   {
-    Controls controls(options.part != "-");
+    Controls controls(options.part.path != "-");
     ProgramControl control({options, controls, keeper, port, reporter}, extras.usb);
     PrintRequest request{job, *port, control, reporter};
     request.started_s = started_s;
     request.geometry_grace_s = kGeometryGrace_s;
-    request.options.hot_s = options.pause_heat_s;
+    request.options.hot_s = options.print.pause_heat_s;
     // A virtual controller's seconds may be others than geometry's.
     request.options.underrun_s =
-        is_virtual(options) && options.virtual_speed != 1 ? 0 : kUnderrun_s;
-    const bool waits = options.on_lost_port != OnLostPort::kStop && !is_virtual(options);
-    request.options.lost_port_wait_s = waits ? options.lost_port_wait_s : 0;
+        is_virtual(options) && options.link.virtual_speed != 1 ? 0 : kUnderrun_s;
+    const bool waits = options.link.on_lost_port != OnLostPort::kStop && !is_virtual(options);
+    request.options.lost_port_wait_s = waits ? options.link.lost_port_wait_s : 0;
     request.options.space = extras.space;
     request.options.resumption = std::move(extras.resumption);
     if (controls.has_keys()) reporter.note("keys", key_help());

@@ -26,7 +26,7 @@ namespace host {
 // profile) nor the settings say more than the defaults.
 [[nodiscard]] MachineSpace told_space(const core::Settings& settings, const Options& told);
 
-// What of a print is not in its options. REQUIRES: options.port is not empty.
+// What of a print is not in its options. REQUIRES: options.link.port is not empty.
 struct RunExtras {
   std::string usb;  // of the port (usb_of)
   MachineSpace space;

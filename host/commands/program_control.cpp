@@ -35,15 +35,15 @@ Journal* ProgramControl::journal() { return parts_.keeper.journal(); }
 std::unique_ptr<BytePort> ProgramControl::reopen_port() {
   parts_.port.reset();
   const Options& options = parts_.options;
-  if (usb_.empty()) return opened(options.port, options.baud);
+  if (usb_.empty()) return opened(options.link.port, options.link.baud);
   for (const firmware_link::PortDescription& port : firmware_link::list_ports()) {
-    if (port.usb == usb_) return opened(port.path, options.baud);
+    if (port.usb == usb_) return opened(port.path, options.link.baud);
   }
   return nullptr;
 }
 
 std::optional<std::int64_t> ProgramControl::nozzle_height(std::int64_t z_um, bool in_doubt) {
-  if (!parts_.options.yes) return ask_nozzle_height(parts_.controls, z_um);
+  if (!parts_.options.print.yes) return ask_nozzle_height(parts_.controls, z_um);
   return in_doubt ? std::nullopt : std::optional(z_um);
 }
 

@@ -47,12 +47,12 @@ Result<PrintSettings> named_again(const Options& options, const JournalHead& hea
   Result<PrintSettings> of_print = settings_in(head);
   if (!of_print.ok()) return of_print.error();
   PrintSettings told = of_print.value();
-  if (!options.profile.empty()) {
-    const Result<LoadedSettings> loaded = load_settings(options.profile, told);
+  if (!options.settings.profile.empty()) {
+    const Result<LoadedSettings> loaded = load_settings(options.settings.profile, told);
     if (!loaded.ok()) return loaded.error();
     told = loaded.value().settings;
   }
-  for (const auto& [key, value] : options.assignments) {
+  for (const auto& [key, value] : options.settings.assignments) {
     if (Status set = set_setting(told, key, value); !set.ok()) return set.error();
   }
   const std::vector<SettingRow> rows = describe_settings(told);
@@ -99,10 +99,10 @@ Status check_part(const std::string& path, const JournalHead& head) {
 // How high the nozzle is, from whoever can see it.
 Result<std::int64_t> nozzle_height(const Options& options, const JournalRecord& record,
                                    Reporter& reporter) {
-  if (options.nozzle_height_mm) return std::llround(*options.nozzle_height_mm * 1'000);
+  if (options.print.nozzle_height_mm) return std::llround(*options.print.nozzle_height_mm * 1'000);
   if (record.height_in_doubt) {
     const std::string doubt = "the nozzle was on its way up or down when the print was cut";
-    if (options.yes) {
+    if (options.print.yes) {
       return Error{ErrorCode::kBadSetting,
                    doubt +
                        ", so nobody but its user knows where it is: look, and say "
@@ -110,7 +110,7 @@ Result<std::int64_t> nozzle_height(const Options& options, const JournalRecord& 
     }
     reporter.note("warning", doubt + ": do not rely on where it was sent, measure");
   }
-  if (options.yes) return record.nozzle_z_um;
+  if (options.print.yes) return record.nozzle_z_um;
   Controls controls(false);
   const std::optional<std::int64_t> told = ask_nozzle_height(controls, record.nozzle_z_um);
   if (told) return *told;
@@ -126,13 +126,13 @@ Result<Job> job_of(Options& options, const JournalHead& head, Reporter& reporter
                                              ", this is " + kVersion +
                                              ", which may lay other roads; use that one"};
   }
-  if (options.part.empty()) options.part = head.part;
-  if (Status same = check_part(options.part, head); !same.ok()) return same.error();
+  if (options.part.path.empty()) options.part.path = head.part;
+  if (Status same = check_part(options.part.path, head); !same.ok()) return same.error();
   const Result<PrintSettings> settings = settings_in(head);
   if (!settings.ok()) return settings.error();
-  options.profile.clear();
-  options.assignments = head.settings;
-  if (!options.bad_layer_told) options.on_bad_layer = bad_layer_of(head.on_bad_layer);
+  options.settings.profile.clear();
+  options.settings.assignments = head.settings;
+  if (!options.print.bad_layer_told) options.part.on_bad_layer = bad_layer_of(head.on_bad_layer);
   return open_job(options, reporter);
 }
 
@@ -141,22 +141,22 @@ Result<Job> job_of(Options& options, const JournalHead& head, Reporter& reporter
 int resume_command(const Options& told, Reporter& reporter) {
   const double started_s = steady_seconds();
   Options options = told;
-  if (options.journal.empty()) return list_journals(options, reporter);
-  const Result<std::string> which = journal_named(options.journal);
+  if (options.print.journal.empty()) return list_journals(options, reporter);
+  const Result<std::string> which = journal_named(options.print.journal);
   if (!which.ok()) {
     reporter.error(which.error().message, kExitUsage);
     return kExitUsage;
   }
-  options.journal = which.value();
+  options.print.journal = which.value();
 
-  Result<Journal> journal = Journal::go_on(options.journal);
+  Result<Journal> journal = Journal::go_on(options.print.journal);
   if (!journal.ok()) return fail(journal.error(), reporter);
-  const Result<JournalContent> read = read_journal(options.journal);
+  const Result<JournalContent> read = read_journal(options.print.journal);
   if (!read.ok()) return fail(read.error(), reporter);
   const JournalHead& head = read.value().head;
   const JournalRecord& record = read.value().record;
-  if (options.port.empty()) options.port = head.port;
-  if (!options.baud_told) options.baud = head.baud;
+  if (options.link.port.empty()) options.link.port = head.port;
+  if (!options.link.baud_told) options.link.baud = head.baud;
 
   const Result<PrintSettings> named = named_again(options, head);
   if (!named.ok()) return fail(named.error(), reporter);
@@ -179,7 +179,7 @@ int resume_command(const Options& told, Reporter& reporter) {
   JournalKeeper keeper;
   keeper.take_up(std::move(journal).value());
   Resumption resumption{record, boot_name() == head.boot, z_um.value()};
-  const std::string usb = options.port == "virtual" ? "" : usb_of(options.port);
+  const std::string usb = options.link.port == "virtual" ? "" : usb_of(options.link.port);
   return run_print(options, job.value(), keeper, {usb, space, std::move(resumption)}, started_s,
                    reporter);
 }

@@ -26,25 +26,25 @@ namespace {
 int show_layer(const Options& options, Job& job, OutputFile& file, Reporter& reporter) {
   const core::LayerIndex layers = job.part.summary.layers;
   const auto no_such_layer = [&](core::LayerIndex highest) {
-    return fail(
-        {core::ErrorCode::kOutOfBounds, fmt::format("{}: there is no layer {}; the highest is {}",
-                                                    options.part, options.layer, highest)},
-        reporter);
+    return fail({core::ErrorCode::kOutOfBounds,
+                 fmt::format("{}: there is no layer {}; the highest is {}", options.part.path,
+                             options.output.layer, highest)},
+                reporter);
   };
   // How many there are is not always known before the end.
-  if (layers > 0 && options.layer > layers) return no_such_layer(layers);
+  if (layers > 0 && options.output.layer > layers) return no_such_layer(layers);
   std::string svg;
   std::vector<core::Road> roads_there;
   core::LayerWindow window(core::with_style(job.settings));
   const auto draw = [&] {
     while (svg.empty() && window.next()) {
-      if (window.layer().slice.index + 1 != options.layer) continue;
-      svg = draw_layer({part_title(options.part), &window, &roads_there});
+      if (window.layer().slice.index + 1 != options.output.layer) continue;
+      svg = draw_layer({part_title(options.part.path), &window, &roads_there});
     }
   };
   PipelineOutputs outputs;
   outputs.on_roads = [&](const core::SplitLayer& layer, const std::vector<core::Road>& roads) {
-    if (layer.slice.index + 1 == options.layer) roads_there = roads;
+    if (layer.slice.index + 1 == options.output.layer) roads_there = roads;
     window.push(layer);
     draw();
     return svg.empty();
@@ -68,9 +68,9 @@ int show_layer(const Options& options, Job& job, OutputFile& file, Reporter& rep
     return fail(status.error(), reporter);
   }
   reporter.note("done",
-                fmt::format("{}: layer {}{}", options.output, options.layer,
+                fmt::format("{}: layer {}{}", options.output.path, options.output.layer,
                             layers > 0 ? fmt::format(" of {}", layers) : ""),
-                {{"output", options.output}});
+                {{"output", options.output.path}});
   return save_statistics(options, statistics, nullptr, kExitDone, reporter);
 }
 
@@ -135,7 +135,7 @@ SectionPicture::Options picture_options(const Options& options, const Job& job,
                                 ? fmt::format("{:.4g} mm behind its front, seen from the front", mm)
                                 : fmt::format("{:.4g} mm from its left, seen from the right", mm);
   SectionPicture::Options asked;
-  asked.title = part_title(options.part);
+  asked.title = part_title(options.part.path);
   asked.subtitle = fmt::format("cut {}; {} layers of {:g} mm; {}", where, summary.layers,
                                job.settings.layer_height.mm(), wall_words(job.settings));
   asked.line = line;
@@ -148,12 +148,12 @@ SectionPicture::Options picture_options(const Options& options, const Job& job,
 // Row by row into the file: what is held does not grow with the part.
 int show_section(const Options& options, Job& job, OutputFile& file, Reporter& reporter) {
   const core::Result<core::SectionLine> line =
-      line_through(*options.section, job.part.summary.box, options.part);
+      line_through(*options.output.section, job.part.summary.box, options.part.path);
   if (!line.ok()) return fail(line.error(), reporter);
   SectionPicture::Options asked = picture_options(options, job, line.value());
-  if (options.zoom) {
+  if (options.output.zoom) {
     const core::Result<SectionPicture::View> view =
-        view_of(*options.zoom, job.part.summary, line.value(), options.part);
+        view_of(*options.output.zoom, job.part.summary, line.value(), options.part.path);
     if (!view.ok()) return fail(view.error(), reporter);
     asked.view = view.value();
   }
@@ -194,20 +194,20 @@ int show_section(const Options& options, Job& job, OutputFile& file, Reporter& r
     return fail(status.error(), reporter);
   }
   reporter.note("done",
-                fmt::format("{}: a cut through {} layers", options.output, statistics.layers),
-                {{"output", options.output}});
+                fmt::format("{}: a cut through {} layers", options.output.path, statistics.layers),
+                {{"output", options.output.path}});
   return save_statistics(options, statistics, nullptr, kExitDone, reporter);
 }
 
 }  // namespace
 
 int show_command(const Options& options, Reporter& reporter) {
-  core::Result<OutputFile> file = OutputFile::open(options.output);
+  core::Result<OutputFile> file = OutputFile::open(options.output.path);
   if (!file.ok()) return fail(file.error(), reporter);
   core::Result<Job> opened = open_job(options, reporter);
   if (!opened.ok()) return fail(opened.error(), reporter);
-  return options.section ? show_section(options, opened.value(), file.value(), reporter)
-                         : show_layer(options, opened.value(), file.value(), reporter);
+  return options.output.section ? show_section(options, opened.value(), file.value(), reporter)
+                                : show_layer(options, opened.value(), file.value(), reporter);
 }
 
 }  // namespace host

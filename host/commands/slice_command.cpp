@@ -31,8 +31,8 @@ std::unique_ptr<LayerWriter> layer_writer(const Options& options, const Job& job
   head.layer_height = job.settings.layer_height;
   head.bed_x = job.settings.bed_x;
   head.bed_y = job.settings.bed_y;
-  head.contents = options.contents;
-  switch (options.format) {
+  head.contents = options.output.contents;
+  switch (options.output.format) {
     case OutputFormat::kGcode:
       return nullptr;
     case OutputFormat::kCli:
@@ -152,8 +152,8 @@ class SliceFile {
 };
 
 void report_done(const Options& options, const GeometryStatistics& statistics, Reporter& reporter) {
-  std::string message = fmt::format("{}: {} layers", options.output, statistics.layers);
-  if (options.format == OutputFormat::kGcode) {
+  std::string message = fmt::format("{}: {} layers", options.output.path, statistics.layers);
+  if (options.output.format == OutputFormat::kGcode) {
     message +=
         fmt::format(", {:.2f} m of filament, about {}", total_mm(statistics.filament_mm) / 1'000,
                     duration_text(statistics.time_s));
@@ -167,14 +167,14 @@ void report_done(const Options& options, const GeometryStatistics& statistics, R
                 {{"layers", statistics.layers},
                  {"filament_mm", total_mm(statistics.filament_mm)},
                  {"time_s", statistics.time_s},
-                 {"output", options.output}});
+                 {"output", options.output.path}});
 }
 
 }  // namespace
 
 int slice_command(const Options& options, Reporter& reporter) {
   const double began_s = steady_seconds();
-  core::Result<OutputFile> output = OutputFile::open(options.output);
+  core::Result<OutputFile> output = OutputFile::open(options.output.path);
   if (!output.ok()) return fail(output.error(), reporter);
   core::Result<Job> opened = open_job(options, reporter);
   if (!opened.ok()) return fail(opened.error(), reporter);

@@ -273,7 +273,7 @@ class Pipeline {
     clock.set_seconds(Stage::kRead, used.read_cpu_s);
     clock.set_seconds(Stage::kSort, used.sort_cpu_s);
     clock.set_seconds(Stage::kSlice, used.slice_cpu_s);
-    statistics_.peak_triangles_held = used.peak_triangles_held;
+    statistics_.peak_held.triangles = used.peak_triangles_held;
     statistics_.spilled_bytes = used.spilled_bytes;
     statistics_.bad_layers = bad_layers_.count();
     statistics_.slow_layers = watch_.slow_layers();
@@ -285,8 +285,8 @@ class Pipeline {
           slowest.seconds));
     }
     const core::WallSplitter::Usage window = splitter_.usage();
-    statistics_.peak_layers_held = static_cast<std::int64_t>(window.layers_held_peak);
-    statistics_.peak_regions_held = static_cast<std::int64_t>(window.regions_held_peak);
+    statistics_.peak_held.layers = static_cast<std::int64_t>(window.layers_held_peak);
+    statistics_.peak_held.regions = static_cast<std::int64_t>(window.regions_held_peak);
     statistics_.region_operations = window.operations;
     statistics_.region_operations_worst = window.operations_worst;
     statistics_.reused = {cutter_.reused(), window.layers_reused, planner_.reused()};

@@ -81,15 +81,20 @@ class AllocationLog {
   StageCounts counts_{};
 };
 
+// What was in memory at a time.
+struct HeldCounts {
+  std::int64_t layers = 0;
+  std::int64_t regions = 0;    // partial intersections of the window
+  std::int64_t triangles = 0;  // crossing one plane
+};
+
 // Filled by the geometry side.
 struct GeometryStatistics {
   StageClock clock;
   std::int64_t layers = 0;
   std::int64_t roads = 0;
   std::int64_t arcs = 0;
-  std::int64_t peak_layers_held = 0;
-  std::int64_t peak_regions_held = 0;
-  std::int64_t peak_triangles_held = 0;
+  HeldCounts peak_held;
   std::int64_t spilled_bytes = 0;      // to the temporary file for sorting
   std::int64_t bad_layers = 0;         // bad_layers.h
   SlowLayers slow_layers;              // layer_watch.h

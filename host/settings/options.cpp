@@ -28,17 +28,17 @@ void add_bad_layer(CLI::App& command, Options& options) {
                                                            {"stop", OnBadLayer::kStop}};
   command
       .add_option(
-          "--on-bad-layer", options.on_bad_layer,
+          "--on-bad-layer", options.part.on_bad_layer,
           "where contours stay open, or nothing is there: repair (print what is sound), "
           "neighbour (the slice below once more), pause (wait for the user before it), stop")
       ->type_name("WORD")
       ->transform(CLI::CheckedTransformer(kWords).description(""))
-      ->each([&options](const std::string&) { options.bad_layer_told = true; });
+      ->each([&options](const std::string&) { options.print.bad_layer_told = true; });
 }
 
 void add_memory(CLI::App& command, Options& options) {
   command
-      .add_option("--memory", options.sort_bytes,
+      .add_option("--memory", options.part.sort_bytes,
                   "for sorting a mesh, as 8M or 512k; what it can't hold goes to a file in $TMPDIR")
       ->type_name("BYTES")
       ->transform(CLI::AsSizeValue(false).description(""))
@@ -57,13 +57,13 @@ void add_memory(CLI::App& command, Options& options) {
 }
 
 void add_tall(CLI::App& command, Options& options) {
-  command.add_flag("--tall", options.tall,
+  command.add_flag("--tall", options.part.tall,
                    "the part is meant to be as high as it is: what looks like a corner gone astray "
                    "is not asked about");
 }
 
 void add_part(CLI::App& command, Options& options) {
-  command.add_option("PART", options.part, "the part's file, or - for standard input")
+  command.add_option("PART", options.part.path, "the part's file, or - for standard input")
       ->required()
       ->type_name("");
   add_tall(command, options);
@@ -76,7 +76,7 @@ void add_sorted(CLI::App& command, Options& options) {
       {"auto", PipeSorted::kAuto}, {"yes", PipeSorted::kYes}, {"no", PipeSorted::kNo}};
   command
       .add_option(
-          "--sorted", options.sorted,
+          "--sorted", options.part.sorted,
           "whether a mesh from a pipe is in order of height, so that it can be sliced as it "
           "comes: yes, no, or auto (slice: if it begins so; print: no)")
       ->type_name("WORD")
@@ -94,17 +94,17 @@ void add_reports(CLI::App& command, Options& options) {
 
 void add_port(CLI::App& command, Options& options) {
   command
-      .add_option("--port", options.port,
+      .add_option("--port", options.link.port,
                   "serial device of the printer, or 'virtual': a controller inside this "
                   "program, nothing real is printed")
       ->type_name("DEVICE");
-  command.add_option("--baud", options.baud, "speed of the serial line")
+  command.add_option("--baud", options.link.baud, "speed of the serial line")
       ->type_name("N")
       ->check(CLI::Range(300, 4'000'000))
       ->capture_default_str()
-      ->each([&options](const std::string&) { options.baud_told = true; });
+      ->each([&options](const std::string&) { options.link.baud_told = true; });
   command
-      .add_option("--virtual-speed", options.virtual_speed,
+      .add_option("--virtual-speed", options.link.virtual_speed,
                   "how many times faster than real time the virtual controller's clock "
                   "runs; 0: as fast as it can")
       ->type_name("X")
@@ -113,22 +113,23 @@ void add_port(CLI::App& command, Options& options) {
   static const std::map<std::string, OnLostPort> kWords = {{"wait", OnLostPort::kWait},
                                                            {"stop", OnLostPort::kStop}};
   command
-      .add_option("--on-lost-port", options.on_lost_port,
+      .add_option("--on-lost-port", options.link.on_lost_port,
                   "when the cable or the controller fails in mid-print: wait for it and go on, or "
                   "stop")
       ->type_name("WORD")
       ->transform(CLI::CheckedTransformer(kWords).description(""));
-  command.add_option("--lost-port-wait", options.lost_port_wait_s, "how long to wait, in seconds")
+  command
+      .add_option("--lost-port-wait", options.link.lost_port_wait_s, "how long to wait, in seconds")
       ->type_name("S")
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
   command
-      .add_option("--pause-heat", options.pause_heat_s,
+      .add_option("--pause-heat", options.print.pause_heat_s,
                   "how many seconds of a pause the nozzle stays hot")
       ->type_name("S")
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
-  command.add_flag("--yes", options.yes,
+  command.add_flag("--yes", options.print.yes,
                    "go on after a reset without asking where the nozzle is: where it was left");
 }
 
@@ -139,12 +140,13 @@ CLI::App* add_print(CLI::App& app, Options& options) {
   add_port(*command, options);
   CLI::Option* journal =
       command
-          ->add_option("--journal", options.journal,
+          ->add_option("--journal", options.print.journal,
                        "what `rind resume` needs; else kept in $XDG_STATE_HOME/rind or "
                        "~/.local/state/rind")
           ->type_name("FILE");
-  command->add_flag("--no-journal", options.no_journal, "keep none")->excludes(journal);
-  command->add_flag("--anew", options.anew, "set the journal of a print that was cut aside (.old)");
+  command->add_flag("--no-journal", options.print.no_journal, "keep none")->excludes(journal);
+  command->add_flag("--anew", options.print.anew,
+                    "set the journal of a print that was cut aside (.old)");
   add_settings(*command, options);
   add_reports(*command, options);
   return command;
@@ -153,13 +155,14 @@ CLI::App* add_print(CLI::App& app, Options& options) {
 CLI::App* add_resume(CLI::App& app, Options& options) {
   CLI::App* command =
       app.add_subcommand("resume", "go on with a print that was cut, behind what was executed");
-  command->add_option("JOURNAL", options.journal, "a journal, or its part; without: lists them")
+  command
+      ->add_option("JOURNAL", options.print.journal, "a journal, or its part; without: lists them")
       ->type_name("");
-  command->add_option("--part", options.part, "the part's file, when it was moved")
+  command->add_option("--part", options.part.path, "the part's file, when it was moved")
       ->type_name("FILE");
   add_port(*command, options);
   command
-      ->add_option("--nozzle-height", options.nozzle_height_mm,
+      ->add_option("--nozzle-height", options.print.nozzle_height_mm,
                    "how high above the bed the nozzle is now; with --yes")
       ->type_name("MM")
       ->check(CLI::Range(0.0, 1e7));
@@ -175,7 +178,7 @@ CLI::App* add_slice(CLI::App& app, Options& options, std::string& format, std::s
   add_part(*command, options);
   add_sorted(*command, options);
   command
-      ->add_option("-o,--output", options.output,
+      ->add_option("-o,--output", options.output.path,
                    "OUT.gcode, .cli, .lsif, .ssl, .svg, or - for standard output")
       ->type_name("OUT")
       ->required();
@@ -209,14 +212,14 @@ CLI::App* add_show(CLI::App& app, Options& options) {
   add_part(*command, options);
   // One of the two, and not both.
   CLI::Option_group* which = command->add_option_group("what to show");
-  which->add_option("--layer", options.layer, "which layer; the lowest is 1")
+  which->add_option("--layer", options.output.layer, "which layer; the lowest is 1")
       ->type_name("N")
       ->check(CLI::Range(std::int64_t{1}, INT64_MAX));
   which
       ->add_option_function<std::string>(
           "--section",
           [&options](const std::string& text) {
-            options.section = taken("--section", section_place(text));
+            options.output.section = taken("--section", section_place(text));
           },
           "cut across all layers, in mm from the part's front (Y) or left side (X), or in per cent")
       ->type_name("Y=MM|X=MM")
@@ -226,14 +229,14 @@ CLI::App* add_show(CLI::App& app, Options& options) {
       ->add_option_function<std::string>(
           "--zoom",
           [&options](const std::string& text) {
-            options.zoom = taken("--zoom", section_zoom(text));
+            options.output.zoom = taken("--zoom", section_zoom(text));
           },
           "only a square of the section: the middle's mm from the part's edge, mm above the bed, "
           "and its side in mm")
       ->type_name("ALONG,HEIGHT,SIZE")
       ->needs("--section")
       ->trigger_on_parse();
-  command->add_option("-o,--output", options.output, "FILE.svg, or - for standard output")
+  command->add_option("-o,--output", options.output.path, "FILE.svg, or - for standard output")
       ->type_name("FILE")
       ->required();
   add_settings(*command, options);
@@ -250,12 +253,12 @@ CLI::App* add_formats(CLI::App& app, Options& options) {
 std::string unknown_format(const Options& options) {
   std::string known;
   for (const std::string& name : output_format_names()) known += " " + name;
-  return "what '" + options.output +
+  return "what '" + options.output.path +
          "' is to be can't be told from its name; add --format, one of" + known;
 }
 
 std::string no_picture(const Options& options) {
-  return "a picture is SVG, and '" + options.output +
+  return "a picture is SVG, and '" + options.output.path +
          "' is the name of something else; name it .svg";
 }
 
@@ -314,15 +317,15 @@ std::variant<Options, OptionsExit> parse_options(int argc, const char* const* ar
     options.subcommand = Subcommand::kResume;
   } else if (*slice) {
     options.subcommand = Subcommand::kSlice;
-    const std::optional<OutputFormat> known = output_format_of(options.output, format);
+    const std::optional<OutputFormat> known = output_format_of(options.output.path, format);
     if (!known) return usage_error(unknown_format(options));
-    options.format = *known;
-    options.contents = contents_of(options.format, contents);
+    options.output.format = *known;
+    options.output.contents = contents_of(options.output.format, contents);
   } else if (*plan) {
     options.subcommand = Subcommand::kPlan;
   } else if (*show) {
     options.subcommand = Subcommand::kShow;
-    if (!may_be_picture(options.output)) return usage_error(no_picture(options));
+    if (!may_be_picture(options.output.path)) return usage_error(no_picture(options));
   } else if (*ports) {
     options.subcommand = Subcommand::kPorts;
   } else if (*formats) {

@@ -6,15 +6,15 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <utility>
 #include <variant>
 #include <vector>
 
-#include "core/units.h"                   // LayerIndex
-#include "host/output/output_format.h"    // OutputFormat
-#include "host/part/bad_layers.h"         // OnBadLayer
-#include "host/settings/section_words.h"  // SectionPlace, SectionZoom
-#include "host/system/limits.h"           // kSortBytesDefault
+#include "core/units.h"                    // LayerIndex
+#include "host/output/output_format.h"     // OutputFormat
+#include "host/part/bad_layers.h"          // OnBadLayer
+#include "host/settings/section_words.h"   // SectionPlace, SectionZoom
+#include "host/settings/whole_settings.h"  // SettingsRequest
+#include "host/system/limits.h"            // kSortBytesDefault
 
 namespace host {
 
@@ -34,50 +34,59 @@ enum class PipeSorted {
 // As many as there are processors, and at most kJobsDefaultMax.
 [[nodiscard]] int jobs_by_default();
 
-struct Options {
-  Subcommand subcommand = Subcommand::kPlan;
-  std::string part;  // "-": standard input
-
-  // print
-  std::string port;  // a device, or "virtual"
-  int baud = 115'200;
-  bool baud_told = false;
-  std::string journal;  // empty: the default place
-  bool no_journal = false;
-  bool anew = false;  // a print of the part that was cut may be set aside
-  OnLostPort on_lost_port = OnLostPort::kWait;
-  double lost_port_wait_s = 600;
-  double pause_heat_s = kPausedHot_s;  // how long a paused nozzle stays hot
-  bool yes = false;                    // nobody is there to be asked
-
-  // resume, besides; `journal` is a journal, or a part's name, or empty: list what there is
-  std::optional<double> nozzle_height_mm;
-  bool bad_layer_told = false;
-
-  double virtual_speed = 1;  // seconds of the virtual controller's clock a real second
-
-  // slice, show
-  std::string output;  // "-": standard output
-  OutputFormat format = OutputFormat::kGcode;
-  LayerContents contents = LayerContents::kWalls;
-  core::LayerIndex layer = 0;  // 0: none, a section is asked for
-  std::optional<SectionPlace> section;
-  std::optional<SectionZoom> zoom;  // only with a section
-
-  int jobs = jobs_by_default();        // processors for the geometry
-  std::size_t memory_limit_bytes = 0;  // 0: none
-  OnBadLayer on_bad_layer = OnBadLayer::kRepair;
-  std::string log;  // empty: none
+// Where the part comes from, and how it is read.
+struct PartOptions {
+  std::string path;  // "-": standard input
   std::size_t sort_bytes = kSortBytesDefault;
   PipeSorted sorted = PipeSorted::kAuto;
   bool tall = false;  // OpenOptions::tall
+  OnBadLayer on_bad_layer = OnBadLayer::kRepair;
+};
 
-  // Settings: the profile first, then these in the order they were typed, shortcuts included.
-  std::string profile;       // empty: none
-  bool profile_lax = false;  // without what of it can't be read
-  std::vector<std::pair<std::string, std::string>> assignments;
+// print, resume: the printer.
+struct LinkOptions {
+  std::string port;  // a device, or "virtual"
+  int baud = 115'200;
+  bool baud_told = false;
+  OnLostPort on_lost_port = OnLostPort::kWait;
+  double lost_port_wait_s = 600;
+  double virtual_speed = 1;  // seconds of the virtual controller's clock per real second
+};
 
-  std::string stats;  // file for statistics; empty: none
+// print, resume: the print and its journal.
+struct PrintCommandOptions {
+  // print: empty: the default folder. resume: a journal or a part's name; empty: list all journals.
+  std::string journal;
+  bool no_journal = false;
+  bool anew = false;  // the journal of a print of this part that was cut may be set aside
+  double pause_heat_s = kPausedHot_s;  // how long a paused nozzle stays hot
+  bool yes = false;                    // nobody can answer questions
+  std::optional<double> nozzle_height_mm;
+  bool bad_layer_told = false;
+};
+
+// slice, show: what is written.
+struct OutputOptions {
+  std::string path;  // "-": standard output
+  OutputFormat format = OutputFormat::kGcode;
+  LayerContents contents = LayerContents::kWalls;
+  core::LayerIndex layer = 0;  // 0: a section is shown instead
+  std::optional<SectionPlace> section;
+  std::optional<SectionZoom> zoom;  // only with a section
+};
+
+struct Options {
+  Subcommand subcommand = Subcommand::kPlan;
+  PartOptions part;
+  SettingsRequest settings;
+  LinkOptions link;
+  PrintCommandOptions print;
+  OutputOptions output;
+
+  int jobs = jobs_by_default();        // threads for the geometry
+  std::size_t memory_limit_bytes = 0;  // 0: no limit
+  std::string log;                     // a file; empty: none
+  std::string stats;                   // a file for statistics; empty: none
   bool quiet = false;
   bool json = false;
 };

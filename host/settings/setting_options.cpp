@@ -14,7 +14,7 @@ void add_shortcut(CLI::App& command, Options& options, const std::string& flag,
       .add_option_function<std::string>(
           flag,
           [&options, key](const std::string& value) {
-            options.assignments.emplace_back(key, value);
+            options.settings.assignments.emplace_back(key, value);
           },
           help)
       ->type_name(value_name)
@@ -26,15 +26,16 @@ void add_assignment(Options& options, const std::string& text) {
   if (equals == std::string::npos || equals == 0) {
     throw CLI::ValidationError("--set", "'" + text + "' is not KEY=VALUE, as in layer_height=0.2");
   }
-  options.assignments.emplace_back(text.substr(0, equals), text.substr(equals + 1));
+  options.settings.assignments.emplace_back(text.substr(0, equals), text.substr(equals + 1));
 }
 
 }  // namespace
 
 void add_settings(CLI::App& command, Options& options) {
-  command.add_option("--profile", options.profile, "settings file (INI); see 'rind settings'")
+  command
+      .add_option("--profile", options.settings.profile, "settings file (INI); see 'rind settings'")
       ->type_name("FILE");
-  command.add_flag("--profile-lax", options.profile_lax,
+  command.add_flag("--profile-lax", options.settings.lax,
                    "print without what of the profile's bed and G-code can't be read");
   add_shortcut(command, options, "--allow-gcode", "allow_gcode", "CODES",
                "send these though they are refused otherwise, as M500,M501");

@@ -39,7 +39,7 @@ Computed compute(const core::Settings& settings, const std::string& path,
   host::GeometryStatistics statistics;
   const auto end = host::run_pipeline(job, outputs, signals, statistics);
   REQUIRE(end.ok());
-  computed.layers_held = statistics.peak_layers_held;
+  computed.layers_held = statistics.peak_held.layers;
   return computed;
 }
 

@@ -316,8 +316,8 @@ TEST_CASE("a tall part starts as early, and holds as little, as a short one") {
   REQUIRE_EQ(outcome.exit_code, host::kExitDone);
   CHECK_EQ(outcome.geometry.layers, kLayers);
   const std::int64_t t = core::wall_layers(settings);
-  CHECK_LE(outcome.geometry.peak_layers_held, 2 * t + 1);
-  CHECK_LE(outcome.geometry.peak_regions_held, 2 * t);
+  CHECK_LE(outcome.geometry.peak_held.layers, 2 * t + 1);
+  CHECK_LE(outcome.geometry.peak_held.regions, 2 * t);
   // Every layer has 8 commands or more: what the queue can hold at most.
   REQUIRE(outcome.link.slices_cut_at_first_road.has_value());
   CHECK_GE(*outcome.link.slices_cut_at_first_road, 1);

@@ -42,37 +42,39 @@ TEST_CASE("print takes a part, a port and settings in the order typed") {
       parse_good({"print", "part.stl", "--port", "/dev/ttyUSB0", "--baud", "250000", "--set",
                   "perimeters=3", "--wall-thickness", "1.2", "--set", "perimeters=1", "--quiet"});
   CHECK_EQ(options.subcommand, Subcommand::kPrint);
-  CHECK_EQ(options.part, "part.stl");
-  CHECK_EQ(options.port, "/dev/ttyUSB0");
-  CHECK_EQ(options.baud, 250'000);
+  CHECK_EQ(options.part.path, "part.stl");
+  CHECK_EQ(options.link.port, "/dev/ttyUSB0");
+  CHECK_EQ(options.link.baud, 250'000);
   CHECK(options.quiet);
-  REQUIRE_EQ(options.assignments.size(), 3);
-  CHECK_EQ(options.assignments[0], std::pair<std::string, std::string>("perimeters", "3"));
-  CHECK_EQ(options.assignments[1], std::pair<std::string, std::string>("wall_thickness", "1.2"));
-  CHECK_EQ(options.assignments[2], std::pair<std::string, std::string>("perimeters", "1"));
+  REQUIRE_EQ(options.settings.assignments.size(), 3);
+  CHECK_EQ(options.settings.assignments[0], std::pair<std::string, std::string>("perimeters", "3"));
+  CHECK_EQ(options.settings.assignments[1],
+           std::pair<std::string, std::string>("wall_thickness", "1.2"));
+  CHECK_EQ(options.settings.assignments[2], std::pair<std::string, std::string>("perimeters", "1"));
 }
 
 TEST_CASE("--set takes one assignment and leaves the part alone") {
   const Options options =
       parse_good({"slice", "--set", "perimeters=3", "part.stl", "-o", "out.gcode"});
-  CHECK_EQ(options.part, "part.stl");
-  REQUIRE_EQ(options.assignments.size(), 1);
+  CHECK_EQ(options.part.path, "part.stl");
+  REQUIRE_EQ(options.settings.assignments.size(), 1);
 }
 
 TEST_CASE("the form of the output follows its name, or --format") {
-  CHECK_EQ(parse_good({"slice", "p.stl", "-o", "a.gcode"}).format, OutputFormat::kGcode);
-  CHECK_EQ(parse_good({"slice", "p.stl", "-o", "a.CLI"}).format, OutputFormat::kCli);
-  CHECK_EQ(parse_good({"slice", "p.stl", "-o", "-", "--format", "cli"}).format, OutputFormat::kCli);
-  CHECK_EQ(parse_good({"slice", "-", "-o", "-", "--format", "gcode"}).part, "-");
+  CHECK_EQ(parse_good({"slice", "p.stl", "-o", "a.gcode"}).output.format, OutputFormat::kGcode);
+  CHECK_EQ(parse_good({"slice", "p.stl", "-o", "a.CLI"}).output.format, OutputFormat::kCli);
+  CHECK_EQ(parse_good({"slice", "p.stl", "-o", "-", "--format", "cli"}).output.format,
+           OutputFormat::kCli);
+  CHECK_EQ(parse_good({"slice", "-", "-o", "-", "--format", "gcode"}).part.path, "-");
 
-  CHECK_EQ(parse_good({"slice", "p.stl", "-o", "-"}).format, OutputFormat::kGcode);
-  CHECK_EQ(parse_good({"slice", "p.stl", "-o", "/dev/null"}).format, OutputFormat::kGcode);
+  CHECK_EQ(parse_good({"slice", "p.stl", "-o", "-"}).output.format, OutputFormat::kGcode);
+  CHECK_EQ(parse_good({"slice", "p.stl", "-o", "/dev/null"}).output.format, OutputFormat::kGcode);
 
-  CHECK_EQ(parse_good({"slice", "p.stl", "-o", "a.lsif"}).format, OutputFormat::kLsif);
-  CHECK_EQ(parse_good({"slice", "p.stl", "-o", "a.ssl"}).format, OutputFormat::kSliceV0);
-  CHECK_EQ(parse_good({"slice", "p.stl", "-o", "a.svg"}).format, OutputFormat::kSvg);
+  CHECK_EQ(parse_good({"slice", "p.stl", "-o", "a.lsif"}).output.format, OutputFormat::kLsif);
+  CHECK_EQ(parse_good({"slice", "p.stl", "-o", "a.ssl"}).output.format, OutputFormat::kSliceV0);
+  CHECK_EQ(parse_good({"slice", "p.stl", "-o", "a.svg"}).output.format, OutputFormat::kSvg);
   const Options roads = parse_good({"slice", "p.stl", "-o", "a.cli", "--format", "cli-roads"});
-  CHECK_EQ(roads.format, OutputFormat::kCliRoads);
+  CHECK_EQ(roads.output.format, OutputFormat::kCliRoads);
 
   CHECK(says(parse_bad({"slice", "p.stl", "-o", "a.stl"}), "what 'a.stl' is to be"));
   CHECK(says(parse_bad({"slice", "p.stl", "-o", "a"}), "--format"));
@@ -81,8 +83,8 @@ TEST_CASE("the form of the output follows its name, or --format") {
 TEST_CASE("a layer file holds walls where it can tell them apart, or what is asked for") {
   using host::LayerContents;
   const auto contents = [](const char* output, const char* asked) {
-    if (asked == nullptr) return parse_good({"slice", "p.stl", "-o", output}).contents;
-    return parse_good({"slice", "p.stl", "-o", output, "--contents", asked}).contents;
+    if (asked == nullptr) return parse_good({"slice", "p.stl", "-o", output}).output.contents;
+    return parse_good({"slice", "p.stl", "-o", output, "--contents", asked}).output.contents;
   };
   CHECK_EQ(contents("a.cli", nullptr), LayerContents::kWalls);
   CHECK_EQ(contents("a.lsif", nullptr), LayerContents::kWalls);
@@ -96,8 +98,8 @@ TEST_CASE("a layer file holds walls where it can tell them apart, or what is ask
 TEST_CASE("a cut is asked for by axis, in mm or per cent") {
   const auto section = [](const char* text) {
     const Options options = parse_good({"show", "p.stl", "-o", "a.svg", "--section", text});
-    CHECK_EQ(options.layer, 0);
-    return options.section.value();
+    CHECK_EQ(options.output.layer, 0);
+    return options.output.section.value();
   };
   CHECK_EQ(section("Y=12.5").axis, 'Y');
   CHECK_EQ(section("Y=12.5").value, 12.5);
@@ -106,12 +108,13 @@ TEST_CASE("a cut is asked for by axis, in mm or per cent") {
   CHECK_EQ(section("x=50%").axis, 'X');
   CHECK_EQ(section("x=50%").value, 50);
   CHECK(section("x=50%").percent);
-  CHECK_FALSE(parse_good({"show", "p.stl", "-o", "a.svg", "--layer", "2"}).section.has_value());
+  CHECK_FALSE(
+      parse_good({"show", "p.stl", "-o", "a.svg", "--layer", "2"}).output.section.has_value());
   const Options zoomed =
       parse_good({"show", "p.stl", "-o", "a.svg", "--section", "Y=1", "--zoom", "4,10.5,6"});
-  CHECK_EQ(zoomed.zoom.value().along, 4);
-  CHECK_EQ(zoomed.zoom.value().height, 10.5);
-  CHECK_EQ(zoomed.zoom.value().size, 6);
+  CHECK_EQ(zoomed.output.zoom.value().along, 4);
+  CHECK_EQ(zoomed.output.zoom.value().height, 10.5);
+  CHECK_EQ(zoomed.output.zoom.value().size, 6);
 }
 
 TEST_CASE("what can't be understood is refused with exit code 2 and the reason") {
@@ -164,20 +167,20 @@ TEST_CASE("help and version end well and say what they should") {
 
 TEST_CASE("bounds of memory, the order of a pipe, bad layers and a log") {
   const Options plain = parse_good({"print", "part.stl", "--port", "virtual"});
-  CHECK_EQ(plain.sort_bytes, std::size_t{8} << 20);
+  CHECK_EQ(plain.part.sort_bytes, std::size_t{8} << 20);
   CHECK_EQ(plain.memory_limit_bytes, 0);
-  CHECK_EQ(plain.sorted, host::PipeSorted::kAuto);
-  CHECK_EQ(plain.on_bad_layer, host::OnBadLayer::kRepair);
+  CHECK_EQ(plain.part.sorted, host::PipeSorted::kAuto);
+  CHECK_EQ(plain.part.on_bad_layer, host::OnBadLayer::kRepair);
   CHECK(plain.log.empty());
   const Options options =
       parse_good({"print", "-", "--port", "virtual", "--memory", "512k", "--memory-limit", "64M",
                   "--sorted", "yes", "--on-bad-layer", "neighbour", "--log", "rind.log"});
-  CHECK_EQ(options.sort_bytes, std::size_t{512} << 10);
+  CHECK_EQ(options.part.sort_bytes, std::size_t{512} << 10);
   CHECK_EQ(options.memory_limit_bytes, std::size_t{64} << 20);
-  CHECK_EQ(options.sorted, host::PipeSorted::kYes);
-  CHECK_EQ(options.on_bad_layer, host::OnBadLayer::kNeighbour);
+  CHECK_EQ(options.part.sorted, host::PipeSorted::kYes);
+  CHECK_EQ(options.part.on_bad_layer, host::OnBadLayer::kNeighbour);
   CHECK_EQ(options.log, "rind.log");
-  CHECK_EQ(parse_good({"slice", "-", "-o", "a.gcode", "--sorted", "no"}).sorted,
+  CHECK_EQ(parse_good({"slice", "-", "-o", "a.gcode", "--sorted", "no"}).part.sorted,
            host::PipeSorted::kNo);
   CHECK_EQ(parse_bad({"plan", "a.stl", "--memory", "63k"}).exit_code, host::kExitUsage);
   CHECK_EQ(parse_bad({"plan", "a.stl", "--memory", "much"}).exit_code, host::kExitUsage);
@@ -187,35 +190,36 @@ TEST_CASE("bounds of memory, the order of a pipe, bad layers and a log") {
 }
 
 TEST_CASE("resume takes a journal; the rest is in it") {
-  const Options options = parse_good({"resume", "p.journal", "--yes", "--nozzle-height", "12.5"});
+  const Options options =
+      parse_good({"resume", "p.print.journal", "--yes", "--nozzle-height", "12.5"});
   CHECK_EQ(options.subcommand, Subcommand::kResume);
-  CHECK_EQ(options.journal, "p.journal");
-  CHECK(options.part.empty());
-  CHECK(options.port.empty());
-  CHECK(options.yes);
-  CHECK_EQ(options.nozzle_height_mm, 12.5);
-  CHECK_FALSE(options.baud_told);
-  CHECK_FALSE(options.bad_layer_told);
-  const Options told = parse_good({"resume", "p.journal", "--port", "/dev/x", "--baud", "250000",
-                                   "--on-bad-layer", "repair", "--part", "q.stl"});
-  CHECK(told.baud_told);
-  CHECK(told.bad_layer_told);
-  CHECK_EQ(told.part, "q.stl");
-  CHECK(parse_good({"resume"}).journal.empty());  // lists
+  CHECK_EQ(options.print.journal, "p.print.journal");
+  CHECK(options.part.path.empty());
+  CHECK(options.link.port.empty());
+  CHECK(options.print.yes);
+  CHECK_EQ(options.print.nozzle_height_mm, 12.5);
+  CHECK_FALSE(options.link.baud_told);
+  CHECK_FALSE(options.print.bad_layer_told);
+  const Options told = parse_good({"resume", "p.print.journal", "--port", "/dev/x", "--baud",
+                                   "250000", "--on-bad-layer", "repair", "--part", "q.stl"});
+  CHECK(told.link.baud_told);
+  CHECK(told.print.bad_layer_told);
+  CHECK_EQ(told.part.path, "q.stl");
+  CHECK(parse_good({"resume"}).print.journal.empty());  // lists
 }
 
 TEST_CASE("what a print does when the line is lost, and where its journal is") {
   const Options plain = parse_good({"print", "part.stl"});
-  CHECK_EQ(plain.on_lost_port, host::OnLostPort::kWait);
-  CHECK_FALSE(plain.no_journal);
-  CHECK_FALSE(plain.anew);
-  CHECK(parse_good({"print", "part.stl", "--anew"}).anew);
+  CHECK_EQ(plain.link.on_lost_port, host::OnLostPort::kWait);
+  CHECK_FALSE(plain.print.no_journal);
+  CHECK_FALSE(plain.print.anew);
+  CHECK(parse_good({"print", "part.stl", "--anew"}).print.anew);
   const Options told = parse_good({"print", "part.stl", "--on-lost-port", "stop", "--journal", "j",
                                    "--lost-port-wait", "5", "--pause-heat", "7"});
-  CHECK_EQ(told.on_lost_port, host::OnLostPort::kStop);
-  CHECK_EQ(told.journal, "j");
-  CHECK_EQ(told.lost_port_wait_s, 5);
-  CHECK_EQ(told.pause_heat_s, 7);
+  CHECK_EQ(told.link.on_lost_port, host::OnLostPort::kStop);
+  CHECK_EQ(told.print.journal, "j");
+  CHECK_EQ(told.link.lost_port_wait_s, 5);
+  CHECK_EQ(told.print.pause_heat_s, 7);
   CHECK_EQ(parse_bad({"print", "part.stl", "--journal", "j", "--no-journal"}).exit_code,
            host::kExitUsage);
 }
