@@ -1,9 +1,10 @@
 // Links boundary pieces to rings.
 //
 // A ring that comes back to a node is cut there into two, so that no ring touches itself at a
-// node. A node at which the boundary runs exactly straight on is left out. Every ring starts at
-// its least point (by x, then y), and rings are sorted by their first points. So the result
-// depends neither on where the operands' rings started nor on the order of the operands.
+// node. A node that the boundary passes only once, and exactly straight on, is left out. Every
+// ring starts at its least point (by x, then y), and rings are sorted by their first points. So
+// the result depends neither on where the operands' rings started nor on the order of the
+// operands.
 #pragma once
 
 #include <cstdint>

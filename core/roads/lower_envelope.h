@@ -5,8 +5,9 @@
 //     1 ┆ 2 ┆ 1 ┆ 3 ┆            double low, high                   where the curve is defined
 //                                two members for pairs of curves    below
 //
-// No dip of one curve below another is missed. That needs curves of which any two meet at most
-// twice where both are defined.
+// Any two curves of a type meet at most twice where both are defined. With two curves the envelope
+// is exact. With more, it is the lowest at every end of a piece, but between two pieces that cross,
+// a third curve's dip can be missed. narrow_diagram.h notices that when it links the pieces.
 #pragma once
 
 #include <algorithm>
