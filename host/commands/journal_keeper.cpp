@@ -8,14 +8,14 @@ namespace host {
 
 void JournalKeeper::take_up(Journal journal) {
   journal_.emplace(std::move(journal));
-  begun_ = true;
+  started_ = true;
 }
 
 core::Status JournalKeeper::reserve(Reporter& reporter) {
   if (!plan_ || journal_) return {};
-  core::Result<Journal> made = Journal::create(plan_->path, plan_->head, plan_->anew);
+  core::Result<Journal> made = Journal::create(plan_->path, plan_->head, plan_->sets_aside);
   if (!made.ok()) {
-    if (plan_->told) return made.error();
+    if (plan_->named) return made.error();
     reporter.note("warning", made.error().message + "; this print can't be resumed");
     return {};
   }
@@ -35,7 +35,7 @@ void JournalKeeper::part_known(const FileContent& content) {
 
 Journal* JournalKeeper::journal() {
   if (!journal_) return nullptr;
-  if (begun_) return &*journal_;
+  if (started_) return &*journal_;
   {
     const std::lock_guard lock(mutex_);
     if (!content_) return nullptr;
@@ -46,7 +46,7 @@ Journal* JournalKeeper::journal() {
     drop_if_empty();
     return nullptr;
   }
-  begun_ = true;
+  started_ = true;
   return &*journal_;
 }
 

@@ -1,9 +1,9 @@
 // The journal of one print, from the plan to the end.
 //
-//     planned    its name is chosen, and that nothing worth keeping has it (journal_file.h)
-//     reserved   the controller has answered: the file is there, and locked
-//     begun      the part has been read through, and what tells it is in the head
-//     dropped    the print ended before its first road: nothing is left behind
+//     planned    its name is chosen, and no journal worth keeping has that name (journal_file.h)
+//     reserved   the controller has answered: the file exists, and is locked
+//     started    the part has been read, and its hash is in the head: records can be written
+//     dropped    the print ended before its first road: the file is deleted
 #pragma once
 
 #include <mutex>
@@ -21,32 +21,32 @@ namespace host {
 struct JournalPlan {
   std::string path;
   JournalHead head;
-  bool told = false;                   // by --journal: without it there is no print
-  bool anew = false;                   // a print that was cut may be set aside
-  std::vector<std::string> set_aside;  // journals of other names that are set aside with it
+  bool named = false;                  // by --journal: without it there is no print
+  bool sets_aside = false;             // the journal of an interrupted print that has its name
+  std::vector<std::string> set_aside;  // journals of other names that are set aside, too
 };
 
 class JournalKeeper {
  public:
-  // None is kept.
+  // Keeps no journal.
   JournalKeeper() = default;
 
   void plan(JournalPlan plan) { plan_ = std::move(plan); }
-  // Takes up one that was read.
+  // Keeps one that was opened again.
   void take_up(Journal journal);
 
-  // When the controller has answered. An error: the print may not begin.
+  // When the controller has answered. An error: the print may not start.
   [[nodiscard]] core::Status reserve(Reporter& reporter);
-  // From any thread: the part has been read, this is its content.
+  // For any thread: the part has been read, and this is its content.
   void part_known(const FileContent& content);
 
-  // Null as long as nothing can be noted.
+  // Null until it has started.
   [[nodiscard]] Journal* journal();
 
   // The print has ended.
   void drop_if_empty();
 
-  // Where it is, when there is something to resume; empty: nowhere.
+  // Its path, if the print can be resumed from it; empty otherwise.
   [[nodiscard]] std::string resumable_path() const;
 
  private:
@@ -54,7 +54,7 @@ class JournalKeeper {
   std::mutex mutex_;
   std::optional<FileContent> content_;  // by mutex_
   std::optional<Journal> journal_;
-  bool begun_ = false;
+  bool started_ = false;
 };
 
 }  // namespace host

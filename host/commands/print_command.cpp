@@ -53,25 +53,25 @@ JournalHead head_of(const Options& options, const Job& job, const std::string& u
   return head;
 }
 
-// Has the part's content summed up before the rest of it is read.
-void sum_part(const Options& options, Job& job, JournalKeeper& keeper) {
-  const auto sum = [path = options.part.path, &keeper]() -> core::Status {
+// Has the part's content hashed before the rest of it is read.
+void hash_part(const Options& options, Job& job, JournalKeeper& keeper) {
+  const auto hash = [path = options.part.path, &keeper]() -> core::Status {
     const core::Result<FileContent> content = content_of(path);
     if (!content.ok()) return content.error();
     keeper.part_known(content.value());
     return {};
   };
   if (!job.part.read_rest) {
-    (void)sum();  // a small one; if it can't be read again, there is no journal
+    (void)hash();  // a small one; if it can't be read again, there is no journal
     return;
   }
-  job.part.read_rest = [sum, rest = job.part.read_rest]() -> core::Result<PartSummary> {
-    if (const core::Status summed = sum(); !summed.ok()) return summed.error();
+  job.part.read_rest = [hash, rest = job.part.read_rest]() -> core::Result<PartSummary> {
+    if (const core::Status hashed = hash(); !hashed.ok()) return hashed.error();
     return rest();
   };
 }
 
-// The journal that the user named, and the print that was cut in it.
+// The journal that the user named, and the interrupted print in it.
 Result<JournalChoice> named_journal(const std::string& path) {
   const JournalLook look = look_at_journal(path);
   if (look.standing == JournalStanding::kForeign) {
@@ -84,31 +84,33 @@ Result<JournalChoice> named_journal(const std::string& path) {
     return core::Error{core::ErrorCode::kUnreadable,
                        path + ": another rind is printing with this journal; name another one"};
   }
-  choice.cut.push_back(std::move(*found));
+  choice.interrupted.push_back(std::move(*found));
   return choice;
 }
 
-// Where a journal is to be, or why there is none.
+// Which journal the print gets, or why it gets none.
 Result<JournalChoice> wanted_journal(const Options& options, Reporter& reporter) {
-  const bool told = !options.print.journal.empty();
-  if (options.print.no_journal || (options.link.port == "virtual" && !told)) return JournalChoice{};
+  const bool named = !options.print.journal.empty();
+  if (options.print.no_journal || (options.link.port == "virtual" && !named))
+    return JournalChoice{};
   std::error_code error;
   if (options.part.path == "-" || !std::filesystem::is_regular_file(options.part.path, error)) {
     reporter.note("warning", "a part from a pipe can't be read again: this print can't be resumed");
     return JournalChoice{};
   }
-  if (told) return named_journal(options.print.journal);
-  if (journal_folder().empty()) {
-    reporter.note("warning", "no place for a journal ($HOME is not set): name one by --journal");
+  if (named) return named_journal(options.print.journal);
+  if (journal_directory().empty()) {
+    reporter.note("warning",
+                  "no directory for a journal ($HOME is not set): name one by --journal");
   }
   return choose_journal(options.part.path);
 }
 
-std::string cut_text(const Options& options, const FoundJournal& journal) {
+std::string interrupted_text(const Options& options, const FoundJournal& journal) {
   if (!journal.content) return journal.why;
   const JournalRecord& record = journal.content->record;
   const bool same = is_of_part(journal, options.part.path);
-  return fmt::format("{}: {} print was cut at {}, {} ({})",
+  return fmt::format("{}: {} print was interrupted at {}, {} ({})",
                      same ? part_title(options.part.path) : journal.path,
                      same ? "a" : "of " + journal.content->head.part_title + " a",
                      layer_text(record), time_text(journal.written), state_text(record.state));
@@ -121,42 +123,43 @@ int resume_instead(const Options& told, const FoundJournal& journal, Reporter& r
   return resume_command(options, reporter);
 }
 
-enum class CutAnswer { kAnew, kResume, kStop };
+enum class InterruptedAnswer { kPrintAgain, kResume, kStop };
 
-// What is to become of a print of the part that was cut: from the command line, or from a person.
-CutAnswer ask_about(const Options& options, const FoundJournal& journal, Reporter& reporter) {
-  if (options.print.anew) return CutAnswer::kAnew;
-  const std::string what = cut_text(options, journal);
+// What is done about an interrupted print of the part: as the command line says, or its user.
+InterruptedAnswer ask_about(const Options& options, const FoundJournal& journal,
+                            Reporter& reporter) {
+  if (options.print.anew) return InterruptedAnswer::kPrintAgain;
+  const std::string what = interrupted_text(options, journal);
   if (!options.print.yes) {
     Controls controls(false);
     const std::optional<std::string> answer = controls.ask(
-        what + "\nr to go on with it, a to print anew and set its journal aside, s to stop:",
+        what + "\nr to resume it, a to print the part again and set its journal aside, s to stop:",
         [] { return stop_signal_count() > 0; });
-    if (answer && trimmed(*answer) == "r") return CutAnswer::kResume;
-    if (answer && trimmed(*answer) == "a") return CutAnswer::kAnew;
-    if (answer || stop_signal_count() > 0) return CutAnswer::kStop;
+    if (answer && trimmed(*answer) == "r") return InterruptedAnswer::kResume;
+    if (answer && trimmed(*answer) == "a") return InterruptedAnswer::kPrintAgain;
+    if (answer || stop_signal_count() > 0) return InterruptedAnswer::kStop;
   }
-  reporter.error(fmt::format("{}; go on with it by: rind resume {} --port {}; or print it from the "
-                             "begin with --anew, which sets that journal aside as {}",
+  reporter.error(fmt::format("{}; resume it by: rind resume {} --port {}; or print it from the "
+                             "start with --anew, which sets that journal aside as {}",
                              what, journal.path, options.link.port, set_aside_name(journal.path)),
                  kExitUsage);
-  return CutAnswer::kStop;
+  return InterruptedAnswer::kStop;
 }
 
 // Nothing is written before the controller has answered.
 void plan_journal(const Options& options, const JournalChoice& choice, const std::string& usb,
                   Job& job, JournalKeeper& keeper) {
-  if (choice.path.empty() && choice.cut.empty()) return;
+  if (choice.path.empty() && choice.interrupted.empty()) return;
   JournalPlan plan;
-  plan.path = choice.cut.empty() ? choice.path : choice.cut.front().path;
-  for (const FoundJournal& cut : choice.cut) {
-    if (cut.path != plan.path) plan.set_aside.push_back(cut.path);
+  plan.path = choice.interrupted.empty() ? choice.path : choice.interrupted.front().path;
+  for (const FoundJournal& found : choice.interrupted) {
+    if (found.path != plan.path) plan.set_aside.push_back(found.path);
   }
   plan.head = head_of(options, job, usb);
-  plan.told = !options.print.journal.empty();
-  plan.anew = !choice.cut.empty();
+  plan.named = !options.print.journal.empty();
+  plan.sets_aside = !choice.interrupted.empty();
   keeper.plan(std::move(plan));
-  sum_part(options, job, keeper);
+  hash_part(options, job, keeper);
 }
 
 }  // namespace
@@ -176,19 +179,19 @@ int print_command(const Options& options, Reporter& reporter) {
   const std::string usb = options.link.port == "virtual" ? "" : usb_of(options.link.port);
   const Result<JournalChoice> choice = wanted_journal(options, reporter);
   if (!choice.ok()) return fail(choice.error(), reporter);
-  if (!choice.value().cut.empty()) {
-    switch (ask_about(options, choice.value().cut.front(), reporter)) {
-      case CutAnswer::kAnew:
+  if (!choice.value().interrupted.empty()) {
+    switch (ask_about(options, choice.value().interrupted.front(), reporter)) {
+      case InterruptedAnswer::kPrintAgain:
         break;
-      case CutAnswer::kResume:
-        return resume_instead(options, choice.value().cut.front(), reporter);
-      case CutAnswer::kStop:
+      case InterruptedAnswer::kResume:
+        return resume_instead(options, choice.value().interrupted.front(), reporter);
+      case InterruptedAnswer::kStop:
         return stop_signal_count() > 0 ? stopped(options, reporter) : kExitUsage;
     }
   }
   JournalKeeper keeper;
   plan_journal(options, choice.value(), usb, job, keeper);
-  return run_print(options, job, keeper, {usb, told_space(job.settings, options), {}}, started_s,
+  return run_print(options, job, keeper, {usb, space_in(job.settings, options), {}}, started_s,
                    reporter);
 }
 

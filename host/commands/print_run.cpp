@@ -24,7 +24,7 @@ namespace {
 
 using firmware_link::BytePort;
 
-// How long the geometry's last layer is waited for when the link has ended.
+// How long the geometry may take for its last layer when the link has ended.
 constexpr double kGeometryGrace_s = 0.1;
 
 bool is_virtual(const Options& options) { return options.link.port == "virtual"; }
@@ -40,22 +40,21 @@ std::unique_ptr<BytePort> open_virtual_port(const Options& options,
                                                       options.link.virtual_speed);
 }
 
-// How to go on with a print that ended early, or that nothing is left to do so.
+// How to resume a print that ended early, or why it can't be resumed.
 void tell_resumable(const Options& options, const JournalKeeper& keeper, Reporter& reporter) {
   const std::string path = keeper.resumable_path();
   if (!path.empty()) {
-    reporter.note(
-        "resumable",
-        fmt::format("to go on with it: rind resume {} --port {}", path, options.link.port),
-        {{"journal", path}});
+    reporter.note("resumable",
+                  fmt::format("to resume it: rind resume {} --port {}", path, options.link.port),
+                  {{"journal", path}});
     return;
   }
-  const bool kept_by_itself = !is_virtual(options) || !options.print.journal.empty();
+  const bool kept_by_default = !is_virtual(options) || !options.print.journal.empty();
   reporter.note("not_resumable",
-                kept_by_itself
-                    ? "there is no journal of it: it can't be gone on with"
+                kept_by_default
+                    ? "there is no journal of it: it can't be resumed"
                     : "there is no journal of it, because the virtual controller keeps one only "
-                      "when --journal names it: it can't be gone on with");
+                      "when --journal names it: it can't be resumed");
 }
 
 void tell_end(const Options& options, const PrintOutcome& outcome, const JournalKeeper& keeper,
@@ -97,11 +96,11 @@ std::string usb_of(const std::string& port) {
   return {};
 }
 
-MachineSpace told_space(const core::Settings& settings, const Options& told) {
+MachineSpace space_in(const core::Settings& settings, const Options& options) {
   MachineSpace space = space_of(settings);
   const core::Settings by_default;
   const bool named =
-      std::any_of(told.settings.assignments.begin(), told.settings.assignments.end(),
+      std::any_of(options.settings.assignments.begin(), options.settings.assignments.end(),
                   [](const auto& pair) { return pair.first == "bed_x" || pair.first == "bed_y"; });
   space.guessed = !named && space.bed_x == by_default.bed_x && space.bed_y == by_default.bed_y;
   return space;
@@ -151,7 +150,7 @@ int run_print(const Options& options, Job& job, JournalKeeper& keeper, RunExtras
   const int exit_code =
       save_statistics(options, outcome.geometry, &outcome.link, outcome.exit_code, reporter);
   if (!outcome.geometry.ended) {
-    // The geometry still computes, and uses what lies below on the stack: nothing of it goes.
+    // The geometry still computes, and uses objects on this stack: none of them may be destroyed.
     port.reset();
     reporter.clear();
     _exit(exit_code);

@@ -1,5 +1,5 @@
-// What `print` and `resume` do in common, once the job is known: port, journal, keys, the print
-// itself, and what is told in the end.
+// What `print` and `resume` have in common, once the job is known: port, journal, keys, the print
+// itself, and its end.
 #pragma once
 
 #include <optional>
@@ -17,14 +17,14 @@ namespace host {
 // Which USB device a port is, as `rind ports` tells; empty: none, or not known.
 [[nodiscard]] std::string usb_of(const std::string& port);
 
-// How long a usual move's line is on its way through a serial port at that baud, with a little to
-// spare; 0 where the baud does not say how fast it is: USB devices of their own kind (ttyACM),
+// How long a usual move's line takes through a serial port at that baud, with a little to spare. 0
+// where the baud does not say how fast the port is: USB devices without a serial chip (ttyACM),
 // pseudo-terminals, networks, the virtual controller.
 [[nodiscard]] double line_time_ms(const std::string& port, int baud);
 
-// Where the machine can go by the settings; guessed, when neither `told` (the command line, a
-// profile) nor the settings say more than the defaults.
-[[nodiscard]] MachineSpace told_space(const core::Settings& settings, const Options& told);
+// Where the machine can move by the settings. It is guessed where neither the command line nor a
+// profile says more than the defaults.
+[[nodiscard]] MachineSpace space_in(const core::Settings& settings, const Options& options);
 
 // What of a print is not in its options. REQUIRES: options.link.port is not empty.
 struct RunExtras {

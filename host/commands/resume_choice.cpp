@@ -30,7 +30,7 @@ std::string state_of_part(const JournalHead& head) {
   return content.value().hash == head.part_hash ? "unchanged" : "changed";
 }
 
-// What becomes of it: `resumable` is a word for programs.
+// A word for programs.
 std::string standing_of(const FoundJournal& journal) {
   if (journal.standing == JournalStanding::kHeld) return "printing";
   return journal.content ? "cut" : "unreadable";
@@ -60,7 +60,7 @@ std::string text_of(const FoundJournal& journal) {
     const std::string part = journal.content ? journal.content->head.part_title + ": " : "";
     return fmt::format("{}being printed\n  journal  {}", part, journal.path);
   }
-  if (!journal.content) return fmt::format("can't be gone on with: {}", journal.why);
+  if (!journal.content) return fmt::format("can't be resumed: {}", journal.why);
   const JournalHead& head = journal.content->head;
   const JournalRecord& record = journal.content->record;
   return fmt::format("{}: {}, {} ({})\n  part     {} ({})\n  journal  {}", head.part_title,
@@ -116,7 +116,7 @@ int list_journals(const Options& options, Reporter& reporter) {
     return show_result(text, reporter);
   }
   for (const FoundJournal& journal : journals) text += text_of(journal) + "\n";
-  if (journals.empty()) text = "no print was cut: there is nothing to go on with\n";
+  if (journals.empty()) text = "no print was interrupted: there is nothing to resume\n";
   return show_result(text, reporter);
 }
 
@@ -134,23 +134,22 @@ Result<std::string> journal_named(const std::string& name) {
   }
   const std::vector<FoundJournal> all = find_journals();
   const std::vector<FoundJournal> known = journals_of(name, all);
-  std::vector<FoundJournal> cut;
+  std::vector<FoundJournal> interrupted;
   for (const FoundJournal& journal : known) {
     if (journal.standing != JournalStanding::kHeld && !is_set_aside(journal))
-      cut.push_back(journal);
+      interrupted.push_back(journal);
   }
-  if (cut.size() == 1) return cut.front().path;
-  if (cut.empty() && known.size() == 1) return known.front().path;
+  if (interrupted.size() == 1) return interrupted.front().path;
+  if (interrupted.empty() && known.size() == 1) return known.front().path;
   if (!known.empty()) {
     return Error{ErrorCode::kUnreadable, name +
-                                             ": several prints of it can be gone on with; name "
-                                             "the journal of one:" +
+                                             ": several prints of it can be resumed; name the "
+                                             "journal of one:" +
                                              named_ones(known)};
   }
-  return Error{
-      ErrorCode::kUnreadable,
-      name + ": is no journal, and no print of such a part was cut; " +
-          (all.empty() ? "there is nothing to go on with" : "there are:" + named_ones(all))};
+  return Error{ErrorCode::kUnreadable,
+               name + ": is no journal, and no print of such a part was interrupted; " +
+                   (all.empty() ? "there is nothing to resume" : "there are:" + named_ones(all))};
 }
 
 }  // namespace host

@@ -1,4 +1,4 @@
-// Which prints can be gone on with, and which of them somebody means.
+// Which prints can be resumed, and which of them the user means.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace host {
 
-// `rind resume` without a name: part, layer, time, journal, and whether the part still is what it
-// was, on standard output; as JSON with --json. COSTS: reads each part that is there once.
+// `rind resume` without a name: part, layer, time, journal, and whether the part is unchanged, on
+// standard output; as JSON with --json. COSTS: reads each part that is there once.
 // Returns the exit code.
 [[nodiscard]] int list_journals(const Options& options, Reporter& reporter);
 

@@ -24,9 +24,9 @@ using core::ErrorCode;
 using core::Result;
 using core::Status;
 
-constexpr const char* kBegin = "; print the part from the begin";
+constexpr const char* kPrintAgain = "; print the part from the start";
 
-// What the journal's settings mean, if this program still knows them all.
+// The journal's settings, if this program still knows them all.
 Result<PrintSettings> settings_in(const JournalHead& head) {
   PrintSettings settings;
   for (const auto& [key, value] : head.settings) {
@@ -36,14 +36,14 @@ Result<PrintSettings> settings_in(const JournalHead& head) {
   return settings;
 }
 
-// What concerns only where the nozzle may be parked; no command of the print comes from it.
+// Whether the setting decides only where the nozzle may be parked, and no command of the print.
 bool is_of_space(const std::string& key) {
   return key == "bed_x" || key == "bed_y" || key == "axis_z";
 }
 
-// The print's settings, with what is named once more over them: that must be the same, but for the
-// machine's space.
-Result<PrintSettings> named_again(const Options& options, const JournalHead& head) {
+// The print's settings, and over them those that the user names again. These must be equal, but for
+// the machine's space.
+Result<PrintSettings> settings_with(const Options& options, const JournalHead& head) {
   Result<PrintSettings> of_print = settings_in(head);
   if (!of_print.ok()) return of_print.error();
   PrintSettings told = of_print.value();
@@ -62,16 +62,15 @@ Result<PrintSettings> named_again(const Options& options, const JournalHead& hea
     // The print's came from the port's baud.
     const bool by_baud = rows[i].key == "segment_time_min_ms" && told.segment_time_min_ms == 0;
     if (by_baud) continue;
-    return Error{
-        ErrorCode::kBadSetting,
-        fmt::format("{} was {} when the print began and is {} now: the print can't be gone "
-                    "on with; leave the settings out, the journal has them",
-                    rows[i].key, rows_of_print[i].value, rows[i].value)};
+    return Error{ErrorCode::kBadSetting,
+                 fmt::format("{} was {} when the print started and is {} now: the print can't be "
+                             "resumed; leave the settings out, the journal has them",
+                             rows[i].key, rows_of_print[i].value, rows[i].value)};
   }
   return told;
 }
 
-// A bed that is named now has to hold the part where it lies.
+// A bed that the user names now must hold the part at its position.
 Status check_space(const MachineSpace& space, const PartSummary& part) {
   const bool higher = space.axis_z > core::Length() && part.height > space.axis_z;
   if (part.box.empty() || (core::Length::from_units(part.box.max.x) <= space.bed_x &&
@@ -91,24 +90,24 @@ Status check_part(const std::string& path, const JournalHead& head) {
   const Result<FileContent> content = content_of(path);
   if (!content.ok()) return content.error();
   if (content.value().hash == head.part_hash && content.value().bytes == head.part_bytes) return {};
-  return Error{ErrorCode::kBadPart, path + ": the part has changed since the print began (" +
+  return Error{ErrorCode::kBadPart, path + ": the part has changed since the print started (" +
                                         std::to_string(content.value().bytes) + " bytes, it had " +
-                                        std::to_string(head.part_bytes) + ")" + kBegin};
+                                        std::to_string(head.part_bytes) + ")" + kPrintAgain};
 }
 
-// How high the nozzle is, from whoever can see it.
+// How high the nozzle is, as its user sees it.
 Result<std::int64_t> nozzle_height(const Options& options, const JournalRecord& record,
                                    Reporter& reporter) {
   if (options.print.nozzle_height_mm) return std::llround(*options.print.nozzle_height_mm * 1'000);
   if (record.height_in_doubt) {
-    const std::string doubt = "the nozzle was on its way up or down when the print was cut";
+    const std::string doubt = "the nozzle was moving up or down when the print was interrupted";
     if (options.print.yes) {
       return Error{ErrorCode::kBadSetting,
                    doubt +
-                       ", so nobody but its user knows where it is: look, and say "
+                       ", so only its user can see where it is: measure it, and say "
                        "--nozzle-height MM"};
     }
-    reporter.note("warning", doubt + ": do not rely on where it was sent, measure");
+    reporter.note("warning", doubt + ": do not rely on where it was sent, but measure it");
   }
   if (options.print.yes) return record.nozzle_z_um;
   Controls controls(false);
@@ -122,7 +121,7 @@ Result<std::int64_t> nozzle_height(const Options& options, const JournalRecord& 
 // The job as it was, checked against the journal.
 Result<Job> job_of(Options& options, const JournalHead& head, Reporter& reporter) {
   if (head.version != kVersion) {
-    return Error{ErrorCode::kBadSetting, "the print was begun by rind " + head.version +
+    return Error{ErrorCode::kBadSetting, "the print was started by rind " + head.version +
                                              ", this is " + kVersion +
                                              ", which may lay other roads; use that one"};
   }
@@ -149,7 +148,7 @@ int resume_command(const Options& told, Reporter& reporter) {
   }
   options.print.journal = which.value();
 
-  Result<Journal> journal = Journal::go_on(options.print.journal);
+  Result<Journal> journal = Journal::reopen(options.print.journal);
   if (!journal.ok()) return fail(journal.error(), reporter);
   const Result<JournalContent> read = read_journal(options.print.journal);
   if (!read.ok()) return fail(read.error(), reporter);
@@ -158,9 +157,9 @@ int resume_command(const Options& told, Reporter& reporter) {
   if (options.link.port.empty()) options.link.port = head.port;
   if (!options.link.baud_told) options.link.baud = head.baud;
 
-  const Result<PrintSettings> named = named_again(options, head);
+  const Result<PrintSettings> named = settings_with(options, head);
   if (!named.ok()) return fail(named.error(), reporter);
-  const MachineSpace space = told_space(named.value(), options);
+  const MachineSpace space = space_in(named.value(), options);
   Result<Job> job = job_of(options, head, reporter);
   if (!job.ok()) return fail(job.error(), reporter);
   if (Status fits = check_space(space, job.value().part.summary); !fits.ok()) {

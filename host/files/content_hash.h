@@ -10,10 +10,10 @@
 
 namespace host {
 
-inline constexpr std::uint64_t kHashBegin = 14'695'981'039'346'656'037U;
+inline constexpr std::uint64_t kHashStart = 14'695'981'039'346'656'037U;
 
 [[nodiscard]] constexpr std::uint64_t hash_of(std::string_view bytes,
-                                              std::uint64_t before = kHashBegin) {
+                                              std::uint64_t before = kHashStart) {
   for (const char byte : bytes) {
     before = (before ^ static_cast<unsigned char>(byte)) * 1'099'511'628'211U;
   }
@@ -21,7 +21,7 @@ inline constexpr std::uint64_t kHashBegin = 14'695'981'039'346'656'037U;
 }
 
 struct FileContent {
-  std::uint64_t hash = kHashBegin;
+  std::uint64_t hash = kHashStart;
   std::int64_t bytes = 0;
 };
 

@@ -21,7 +21,7 @@ core::Result<NameLock> NameLock::take(const OutputTarget& target, const std::str
   // A leading zero makes a name that is no file.
   const std::string name =
       fmt::format("{}rind-output-{:x}-{:x}-{:x}", '\0', target.folder_place.device,
-                  target.folder_place.number, hash_of(target.name, kHashBegin));
+                  target.folder_place.number, hash_of(target.name, kHashStart));
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
   const std::size_t length = std::min(name.size(), sizeof address.sun_path);

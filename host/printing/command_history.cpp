@@ -18,8 +18,9 @@ bool empties_planner(std::string_view text) {
   return word == "G4" || word == "G28" || word == "M400";
 }
 
-// Nothing: not known from where.
-std::int64_t way(const std::optional<std::int64_t>& to, const std::optional<std::int64_t>& from) {
+// 0 where it is not known from where.
+std::int64_t distance_um(const std::optional<std::int64_t>& to,
+                         const std::optional<std::int64_t>& from) {
   return to && from ? std::abs(*to - *from) : 0;
 }
 
@@ -29,8 +30,8 @@ std::size_t blocks_at_least(const firmware_link::Command& command, const Machine
   if (const auto* move = std::get_if<Move>(&command)) {
     if (move->arc) return planner_blocks_of(*move);
     const std::int64_t farthest =
-        std::max({way(move->x_um, before.x_um), way(move->y_um, before.y_um),
-                  way(move->z_um, before.z_um), std::abs(move->e_10nm.value_or(0)) / 100});
+        std::max({distance_um(move->x_um, before.x_um), distance_um(move->y_um, before.y_um),
+                  distance_um(move->z_um, before.z_um), std::abs(move->e_10nm.value_or(0)) / 100});
     return farthest >= kBlockLengthUm ? 1 : 0;
   }
   const auto* words = std::get_if<firmware_link::Verbatim>(&command);

@@ -16,7 +16,7 @@
 
 namespace host {
 
-// The deepest planner that is reckoned with: RepRapFirmware's has 40 to 60 moves.
+// The deepest planner that is expected: RepRapFirmware's has 40 to 60 moves.
 inline constexpr std::size_t kPlannerBlocksMax = 64;
 
 // More than can be in doubt: the session's lines, and the moves in the planner with commands of
@@ -33,10 +33,11 @@ inline constexpr std::size_t kAllBlocks = ~std::size_t{0};
 [[nodiscard]] std::size_t blocks_at_least(const firmware_link::Command& command,
                                           const MachineState& before);
 
-// What lies before a command: of the layer of the command before it (checkpoint.h).
+// What a journal keeps of all commands before one: the layer of the last of them, and the hash of
+// their texts (checkpoint.h).
 struct HistoryMark {
   std::shared_ptr<const Checkpoint> checkpoint;  // null: before the first layer
-  std::uint64_t hash = kHashBegin;
+  std::uint64_t hash = kHashStart;
 };
 
 class CommandHistory {
@@ -55,7 +56,7 @@ class CommandHistory {
       mark_ = {oldest.checkpoint, oldest.hash};
       ++begin_;
     }
-    place(end_++) = std::move(command);
+    slot(end_++) = std::move(command);
   }
 
   [[nodiscard]] std::int64_t begin() const { return begin_; }
@@ -82,19 +83,19 @@ class CommandHistory {
     return {last.checkpoint, last.hash};
   }
 
-  // A planner of so many blocks that has accepted all before `number` has executed all before the
-  // command that is returned; what is behind that it may hold still. Nothing: that is farther back
-  // than the history. REQUIRES: begin() <= number <= end()
+  // A planner of so many blocks has accepted all commands before `number`. All before the command
+  // that is returned were executed then; the planner may still hold the others. Nothing: the answer
+  // is farther back than the history. REQUIRES: begin() <= number <= end()
   [[nodiscard]] std::optional<std::int64_t> executed_before(std::int64_t number,
                                                             std::size_t blocks) const;
 
-  // The same of a controller that plans by time: it has executed all but the last so many seconds
-  // of motion at full speed.
+  // The same for a controller that plans by time, of which it may still hold so many seconds of
+  // motion at full speed.
   [[nodiscard]] std::optional<std::int64_t> executed_before(std::int64_t number,
                                                             double seconds) const;
 
  private:
-  [[nodiscard]] QueuedCommand& place(std::int64_t number) {
+  [[nodiscard]] QueuedCommand& slot(std::int64_t number) {
     return commands_[static_cast<std::size_t>(number) % kHistoryCommandsMax];
   }
 

@@ -49,7 +49,9 @@ std::optional<UserRequest> request_of_key(char key) {
   }
 }
 
-std::string key_help() { return "keys: p pause, r go on, s stop, + - feed, > < flow, ? this line"; }
+std::string key_help() {
+  return "keys: p pause, r resume, s stop, + - feed, > < flow, ? this line";
+}
 
 // The terminal's mode while keys are read.
 struct Controls::Terminal {

@@ -1,11 +1,11 @@
-// What a person may want of a running print, and where that comes from: keys, when standard input
-// is a terminal, and signals.
+// What a user may request of a running print, and where requests come from: keys, where standard
+// input is a terminal, and signals.
 //
-//     p pause   r go on   s stop   + - feed   > < flow   ? which keys there are
-//     SIGUSR1   pause, and go on
+//     p pause   r resume   s stop   + - feed   > < flow   ? which keys there are
+//     SIGUSR1   pause, or resume
 //
-// Keys are read without waiting for the end of line and without being shown; the terminal is as it
-// was when the object is gone, and while a question is asked.
+// Keys are read at once, without an end of line, and are not shown. The terminal gets its own mode
+// back when the object is destroyed, and while a question is asked.
 #pragma once
 
 #include <functional>

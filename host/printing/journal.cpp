@@ -18,11 +18,11 @@ using core::Error;
 using core::ErrorCode;
 using core::Result;
 
-constexpr std::size_t kLooseSlot = 2;  // the first one that is not synced
+constexpr std::size_t kUnsyncedSlot = 2;  // the first one that is not synced
 
 }  // namespace
 
-// Waits for the disk, so that the link does not have to.
+// Waits for the disk in place of the link.
 class Journal::Syncer {
  public:
   explicit Syncer(const HeldFile& file)
@@ -43,8 +43,8 @@ class Journal::Syncer {
 
   [[nodiscard]] bool busy() const { return busy_.load(); }
 
-  // Brings to the disk what was written there.
-  void begin(std::string bytes, std::int64_t at) {
+  // Syncs the bytes that were written at that offset.
+  void start(std::string bytes, std::int64_t at) {
     {
       const std::lock_guard lock(mutex_);
       bytes_ = std::move(bytes);
@@ -61,7 +61,7 @@ class Journal::Syncer {
       changed_.wait(lock, [this] { return busy_.load() || ends_; });
       if (ends_ && !busy_.load()) return;
       lock.unlock();
-      // The same bytes once more: only their block has to wait, not what is loose.
+      // Writes the same bytes again, by a descriptor that syncs: their block alone is waited for.
       if (::pwrite(descriptor_, bytes_.data(), bytes_.size(), at_) !=
           static_cast<ssize_t>(bytes_.size())) {
         (void)::fdatasync(file_descriptor_);
@@ -82,17 +82,17 @@ class Journal::Syncer {
   std::thread thread_;
 };
 
-Result<Journal> Journal::create(const std::string& path, const JournalHead& head, bool anew) {
+Result<Journal> Journal::create(const std::string& path, const JournalHead& head, bool sets_aside) {
   std::string bytes = head_bytes(head);
   const auto records_at = static_cast<std::int64_t>(bytes.size());
-  // Not a hole, so that a record needs no new block of the disk.
+  // No hole in the file, so that a record needs no new block of the disk.
   bytes.resize(bytes.size() + kJournalRecords * kJournalBlockBytes, '\0');
-  Result<HeldFile> file = HeldFile::make(path, bytes, anew);
+  Result<HeldFile> file = HeldFile::make(path, bytes, sets_aside);
   if (!file.ok()) return file.error();
   return Journal(path, std::move(file).value(), records_at, 0);
 }
 
-Result<Journal> Journal::go_on(const std::string& path) {
+Result<Journal> Journal::reopen(const std::string& path) {
   Result<HeldFile> held = HeldFile::take(path);
   if (!held.ok()) return held.error();
   const Result<JournalContent> read = read_journal(path);
@@ -102,19 +102,19 @@ Result<Journal> Journal::go_on(const std::string& path) {
   const ssize_t count = ::pread(held.value().descriptor(), bytes.data(), bytes.size(), records_at);
   if (count < 0) return Error{ErrorCode::kUnreadable, path + ": " + std::strerror(errno)};
   Journal journal(path, std::move(held).value(), records_at, 0);
-  // One that was cut gets its length back.
+  // A file that was cut short gets its length back.
   const auto whole = static_cast<std::size_t>(count);
   if (!journal.file_.write(std::string_view(bytes).substr(whole),
                            records_at + static_cast<std::int64_t>(whole))) {
     return Error{ErrorCode::kUnreadable, path + ": " + std::strerror(errno)};
   }
-  // Behind the newest, and not over it.
+  // The next record must not overwrite the newest one.
   for (std::size_t slot = 0; slot < kJournalRecords; ++slot) {
     const auto old = read_record(std::string_view(bytes).substr(slot * kJournalBlockBytes));
     if (!old || old->sequence < journal.sequence_) continue;
     journal.sequence_ = old->sequence + 1;
     journal.synced_turn_ = slot == 0 ? 1 : 0;
-    journal.loose_turn_ = slot == kLooseSlot ? 1 : 0;
+    journal.unsynced_turn_ = slot == kUnsyncedSlot ? 1 : 0;
   }
   return journal;
 }
@@ -139,13 +139,13 @@ bool Journal::set_head(const JournalHead& head) {
   return true;
 }
 
-std::int64_t Journal::place_of(std::size_t slot) const {
+std::int64_t Journal::offset_of(std::size_t slot) const {
   return records_at_ + static_cast<std::int64_t>(slot * kJournalBlockBytes);
 }
 
 std::string Journal::write(const JournalRecord& record, std::size_t slot) {
   std::string bytes = record_bytes(record, sequence_);
-  if (file_.write(bytes, place_of(slot))) {
+  if (file_.write(bytes, offset_of(slot))) {
     ++sequence_;
     failed_.clear();
   } else {
@@ -159,15 +159,15 @@ void Journal::note(const JournalRecord& record, bool sync) {
     const std::size_t slot = synced_turn_;
     synced_turn_ = 1 - synced_turn_;
     std::string bytes = write(record, slot);
-    syncer_->begin(std::move(bytes), place_of(slot));
+    syncer_->start(std::move(bytes), offset_of(slot));
     return;
   }
-  (void)write(record, kLooseSlot + loose_turn_);
-  loose_turn_ = 1 - loose_turn_;
+  (void)write(record, kUnsyncedSlot + unsynced_turn_);
+  unsynced_turn_ = 1 - unsynced_turn_;
 }
 
 void Journal::note_last(const JournalRecord& record) {
-  syncer_ = nullptr;  // waits for what it is at
+  syncer_ = nullptr;  // waits for the sync under way
   (void)write(record, synced_turn_);
   synced_turn_ = 1 - synced_turn_;
   (void)::fdatasync(file_.descriptor());
@@ -175,10 +175,10 @@ void Journal::note_last(const JournalRecord& record) {
 }
 
 void Journal::renumber(const JournalRecord& record) {
-  // Those that count less first: while this lasts, the newest is whole.
+  // At each moment the newest record is whole.
   note_last(record);
-  (void)write(record, kLooseSlot + loose_turn_);
-  (void)write(record, kLooseSlot + 1 - loose_turn_);
+  (void)write(record, kUnsyncedSlot + unsynced_turn_);
+  (void)write(record, kUnsyncedSlot + 1 - unsynced_turn_);
   note_last(record);
 }
 

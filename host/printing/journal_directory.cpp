@@ -25,7 +25,7 @@ std::string whole_path(const std::string& path) {
   return std::filesystem::weakly_canonical(path, error).string();
 }
 
-// Cut where a character begins.
+// Shortened at the start of a character.
 std::string shortened(std::string name) {
   if (name.size() <= kNameBytesMax) return name;
   std::size_t end = kNameBytesMax;
@@ -45,7 +45,7 @@ std::time_t written_at(const std::string& path) {
 
 }  // namespace
 
-std::string journal_folder() {
+std::string journal_directory() {
   const char* state = std::getenv("XDG_STATE_HOME");
   const char* home = std::getenv("HOME");
   if (state != nullptr && *state == '/') return std::string(state) + "/rind";
@@ -53,14 +53,14 @@ std::string journal_folder() {
   return {};
 }
 
-std::string default_journal_path(const std::string& part, int turn) {
-  const std::string folder = journal_folder();
+std::string default_journal_path(const std::string& part, int number) {
+  const std::string folder = journal_directory();
   if (folder.empty()) return {};
   const std::string whole = whole_path(part);
   return fmt::format("{}/{}-{:08x}{}{}", folder,
                      shortened(std::filesystem::path(whole).filename().string()),
                      static_cast<std::uint32_t>(hash_of(whole)),
-                     turn > 1 ? fmt::format("-{}", turn) : "", kEnding);
+                     number > 1 ? fmt::format("-{}", number) : "", kEnding);
 }
 
 std::optional<FoundJournal> find_journal(const std::string& path) {
@@ -81,7 +81,7 @@ std::optional<FoundJournal> find_journal(const std::string& path) {
 std::vector<FoundJournal> find_journals() {
   std::vector<std::pair<std::time_t, std::string>> names;
   std::error_code error;
-  for (std::filesystem::directory_iterator at(journal_folder(), error), end; !error && at != end;
+  for (std::filesystem::directory_iterator at(journal_directory(), error), end; !error && at != end;
        at.increment(error)) {
     const std::string path = at->path().string();
     if (ends_with(path, kEnding) || ends_with(path, set_aside_name(std::string(kEnding)))) {
@@ -103,8 +103,8 @@ bool is_of_part(const FoundJournal& journal, const std::string& part) {
 
 JournalChoice choose_journal(const std::string& part) {
   JournalChoice choice;
-  for (int turn = 1; turn <= kPrintsOfOnePartMax; ++turn) {
-    const std::string path = default_journal_path(part, turn);
+  for (int number = 1; number <= kPrintsOfOnePartMax; ++number) {
+    const std::string path = default_journal_path(part, number);
     if (path.empty()) return choice;
     const JournalStanding standing = look_at_journal(path).standing;
     if (standing == JournalStanding::kAbsent || standing == JournalStanding::kEmpty) {
@@ -115,7 +115,7 @@ JournalChoice choose_journal(const std::string& part) {
     std::optional<FoundJournal> found = find_journal(path);
     // Another part's path may have the same sum.
     if (found && (!found->content || is_of_part(*found, part))) {
-      choice.cut.push_back(std::move(*found));
+      choice.interrupted.push_back(std::move(*found));
     }
   }
   return choice;
@@ -139,7 +139,7 @@ std::string state_text(PrintState state) {
     case PrintState::kLinkFault:
       return "the controller did not answer any more";
   }
-  return "cut";
+  return "interrupted";
 }
 
 std::string time_text(std::time_t time) {

@@ -1,7 +1,7 @@
-// Where journals are kept when nobody says, and which are there.
+// The directory of journals that the user has not named, and which journals are there.
 //
 //     $XDG_STATE_HOME/rind, or ~/.local/state/rind
-//         NAME-HASH.journal         the part's file name, and a sum of its whole path
+//         NAME-HASH.journal         the part's file name, and a hash of its whole path
 //         NAME-HASH-2.journal …     when a running print holds the one before: one part on several
 //                                   printers
 //         NAME-HASH.journal.old     set aside by --anew (journal_file.h)
@@ -18,16 +18,16 @@
 
 namespace host {
 
-// Prints of one part at the same time that have a journal each.
+// Prints of one part that run at the same time, each with its own journal.
 inline constexpr int kPrintsOfOnePartMax = 16;
 // Journals that are listed; the newest ones.
 inline constexpr std::size_t kJournalsListedMax = 1'000;
 
-// Empty: there is no such place.
-[[nodiscard]] std::string journal_folder();
+// Empty: there is no such directory ($HOME is not set).
+[[nodiscard]] std::string journal_directory();
 
-// `turn`: 1 … kPrintsOfOnePartMax. Empty: there is no place.
-[[nodiscard]] std::string default_journal_path(const std::string& part, int turn = 1);
+// `number`: 1 … kPrintsOfOnePartMax. Empty: there is no such directory.
+[[nodiscard]] std::string default_journal_path(const std::string& part, int number = 1);
 
 struct FoundJournal {
   std::string path;
@@ -37,26 +37,26 @@ struct FoundJournal {
   std::time_t written = 0;
 };
 
-// A journal of ours with that name, held or worth keeping; nothing: there is none.
+// The journal with that name, if one is held or worth keeping.
 [[nodiscard]] std::optional<FoundJournal> find_journal(const std::string& path);
 
-// All in the folder, newest first.
+// All in the directory, newest first.
 [[nodiscard]] std::vector<FoundJournal> find_journals();
 
 // Whether a journal is of the part with that path.
 [[nodiscard]] bool is_of_part(const FoundJournal& journal, const std::string& part);
 
-// Which journal a print of the part is to have, and which prints of it were cut. Empty path: all
-// names are taken, or there is no place.
+// Which journal a print of the part gets, and which prints of it were interrupted. Empty path: all
+// names are taken, or there is no directory.
 struct JournalChoice {
   std::string path;
-  std::vector<FoundJournal> cut;
+  std::vector<FoundJournal> interrupted;
 };
 [[nodiscard]] JournalChoice choose_journal(const std::string& part);
 
-// "layer 12 of 40": the layer that the print would go on with.
+// "layer 12 of 40": the layer that the print would resume with.
 [[nodiscard]] std::string layer_text(const JournalRecord& record);
-// Why it was cut.
+// Why it was interrupted.
 [[nodiscard]] std::string state_text(PrintState state);
 // Local time, "2026-11-27 20:41".
 [[nodiscard]] std::string time_text(std::time_t time);

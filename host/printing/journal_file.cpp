@@ -22,7 +22,7 @@ using core::ErrorCode;
 using core::Result;
 using core::Status;
 
-// Somebody who only looks holds a journal for a moment.
+// A program that only looks at a journal holds it for a moment.
 constexpr int kLockAttempts = 20;
 constexpr useconds_t kLockPause_us = 10'000;
 // Of a name that is taken by another program each time that it was found free.
@@ -75,10 +75,11 @@ Result<int> open_journal(const std::string& path, int flags) {
   const int descriptor = ::open(path.c_str(), flags | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
   if (descriptor < 0) return failure(path, "the journal can't be opened");
   struct stat opened {};
-  char begin[kJournalWord.size()] = {};
+  char first_bytes[kJournalWord.size()] = {};
   if (::fstat(descriptor, &opened) == 0 && S_ISREG(opened.st_mode) &&
-      ::pread(descriptor, begin, sizeof begin, 0) == static_cast<ssize_t>(sizeof begin) &&
-      std::string_view(begin, sizeof begin) == kJournalWord) {
+      ::pread(descriptor, first_bytes, sizeof first_bytes, 0) ==
+          static_cast<ssize_t>(sizeof first_bytes) &&
+      std::string_view(first_bytes, sizeof first_bytes) == kJournalWord) {
     return descriptor;
   }
   ::close(descriptor);
@@ -119,7 +120,7 @@ Status move_aside(const std::string& path) {
 }
 
 // What has the name goes out of the way, if it may.
-Status make_way(const std::string& path, bool anew) {
+Status make_way(const std::string& path, bool sets_aside) {
   const Result<HeldFile> old = HeldFile::take(path);
   if (!old.ok()) return old.error();
   if (!old.value().is_named(path)) return {};
@@ -127,9 +128,9 @@ Status make_way(const std::string& path, bool anew) {
     old.value().remove(path);
     return {};
   }
-  if (anew) return move_aside(path);
-  return refusal(path, "holds a print that was cut; go on with it by `rind resume " + path +
-                           "`, or say --anew");
+  if (sets_aside) return move_aside(path);
+  return refusal(
+      path, "holds an interrupted print; resume it by `rind resume " + path + "`, or say --anew");
 }
 
 }  // namespace
@@ -160,7 +161,8 @@ Result<HeldFile> HeldFile::take(const std::string& path) {
   return errno == EWOULDBLOCK ? held_error(path) : failure(path, "the journal can't be locked");
 }
 
-Result<HeldFile> HeldFile::make(const std::string& path, std::string_view content, bool anew) {
+Result<HeldFile> HeldFile::make(const std::string& path, std::string_view content,
+                                bool sets_aside) {
   std::error_code error;
   const std::filesystem::path folder = std::filesystem::absolute(path, error).parent_path();
   std::filesystem::create_directories(folder, error);
@@ -183,7 +185,7 @@ Result<HeldFile> HeldFile::make(const std::string& path, std::string_view conten
       return file;
     }
     if (errno != EEXIST) return given_up(failure(path, "the journal can't be made"));
-    if (Status way = make_way(path, anew); !way.ok()) return given_up(way.error());
+    if (Status way = make_way(path, sets_aside); !way.ok()) return given_up(way.error());
   }
   return given_up(held_error(path));
 }

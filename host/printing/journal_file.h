@@ -1,18 +1,18 @@
-// A journal's file: how it gets its name, who holds it, what it may take the place of, how it goes.
+// A journal's file: how it gets its name, who holds it, what it may replace, how it is removed.
 //
-// A journal is a regular file that begins with "rind journal ". Whoever writes one holds an
-// exclusive flock() on it from before it has its name until the program ends, however it ends. So
+// A journal is a regular file whose first bytes are "rind journal ". The program that writes it
+// holds an exclusive flock() on it, from before the file has its name until the program ends. So a
+// file is
 //
 //     locked                 a print is running with it: refused, whatever the options
-//     ours, with a record    a print that was cut: replaced only when that was asked for, and then
+//     ours, with a record    an interrupted print: replaced only when that was asked for, and then
 //                            set aside as NAME.old
 //     ours, without one      nothing could be resumed from it: replaced
 //     anything else          refused: other files, links, folders, devices, pipes
 //
 // A new one is made under a random name (NAME.partial-XXXXXX, O_EXCL), locked and synced, and then
-// gets its name only where there is none (RENAME_NOREPLACE): of two prints that begin at the same
-// moment with one name, one is refused. It is deleted by its name only while that name is the file
-// that is held.
+// gets its name only where there is none (RENAME_NOREPLACE): of two prints that start at the same
+// moment with one name, one is refused. The name is deleted only while it is that of the held file.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,7 @@ inline constexpr std::string_view kJournalWord = "rind journal ";
 
 // Where an old journal is kept when its name is taken by a new one.
 [[nodiscard]] std::string set_aside_name(const std::string& path);
-// Gives it that name, in place of an older one of ours. Errors: it is no journal, or is held.
+// Gives it that name, and replaces an older journal there. Errors: it is no journal, or is held.
 [[nodiscard]] core::Status set_aside(const std::string& path);
 
 enum class JournalStanding {
@@ -50,9 +50,10 @@ class HeldFile {
  public:
   // One that exists; its name may not be a link.
   [[nodiscard]] static core::Result<HeldFile> take(const std::string& path);
-  // A new one with that content, synced. `anew`: a print that was cut is set aside for it.
+  // A new one with that content, synced. `sets_aside`: the journal of an
+  // interrupted print is set aside for it.
   [[nodiscard]] static core::Result<HeldFile> make(const std::string& path,
-                                                   std::string_view content, bool anew);
+                                                   std::string_view content, bool sets_aside);
 
   HeldFile(HeldFile&& other) noexcept;
   HeldFile& operator=(HeldFile&&) = delete;

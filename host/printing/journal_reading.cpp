@@ -140,7 +140,8 @@ Result<JournalContent> read_journal_bytes(const std::string& bytes, const std::s
   const Result<WholeParts> parts = whole_parts_of(bytes, name);
   if (!parts.ok()) return parts.error();
   if (!parts.value().newest) {
-    return unusable(name, "the print was cut before its first road: print the part from the begin");
+    return unusable(
+        name, "the print was interrupted before its first road: print the part from the start");
   }
   return JournalContent{parts.value().head, parts.value().newest->record};
 }

@@ -3,10 +3,10 @@
 //     checkpoint ──── commands ────┬── … ──┬───────────┬─ … ─┬── not sent
 //                                 sure   accepted    lines in flight
 //
-// Commands before `sure` have moved the machine, whatever happens; those up to `accepted` have been
-// accepted, but their moves may wait in the controller's planner, which a reset empties: as many as
-// a planner holds (16 blocks, or what the controller tells) are taken to. Of the lines in flight
-// only the controller knows.
+// Commands before `sure` have moved the machine, whatever happens. Those from there to `accepted`
+// have been accepted, but their moves may wait in the planner, which a reset empties: as many are
+// taken to wait as a planner holds (16 blocks, or what the controller tells). Which of the lines in
+// flight have arrived only the controller knows.
 #pragma once
 
 #include <cstdint>
@@ -19,13 +19,13 @@
 
 namespace host {
 
-// What has become of the print when a record was written.
+// How the print stood when the record was written.
 enum class PrintState : std::uint8_t {
   kRunning,
   kStopped,    // by the user, or because its geometry failed: the safe sequence was executed
   kReset,      // the controller said `start`, or halted
-  kPortLost,   // the device went; whether the printer lives is not known
-  kLinkFault,  // the controller fell silent, refused …
+  kPortLost,   // the device vanished; the printer may be running or not
+  kLinkFault,  // the controller fell silent, refused a command …
 };
 
 inline constexpr int kJournalLinesMax = 32;
@@ -39,7 +39,8 @@ struct JournalRecord {
   std::int32_t lines_more = 0;   // sent, or about to be, behind it; at most kJournalLinesMax
   std::uint32_t line_kinds = 0;  // bit i: the i-th of these is a command of the print
   MachineState machine;          // after the accepted commands
-  std::int64_t nozzle_z_um = 0;  // where the nozzle was sent to: lifted, when the print is parked
+  std::int64_t nozzle_z_um =
+      0;  // the height that the nozzle was sent to: lifted, when it is parked
   PrintState state = PrintState::kRunning;
   core::LayerIndex layers = 0;   // of the part; 0: not known yet
   bool height_in_doubt = false;  // the nozzle was on its way to nozzle_z_um, or from there

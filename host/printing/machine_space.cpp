@@ -72,7 +72,7 @@ std::string space_note(const MachineSpace& space, const std::optional<TravelLimi
   if (!limits) {
     if (!space.guessed) return {};
     return fmt::format(
-        "nobody has said how large the bed is, and the controller does not tell: it is taken to be "
+        "the bed's size was not given, and the controller does not tell it: it is taken to be "
         "{:g} × {:g} mm. A pause or a resumed print drives to its corner: give the printer's own "
         "by --set bed_x=… --set bed_y=…",
         space.bed_x.mm(), space.bed_y.mm());

@@ -1,6 +1,5 @@
-// Where a machine can go: as the settings say, and as its controller tells, which is believed. What
-// is parked, primed and lifted stays within both; a part that does not fit is refused before
-// anything moves.
+// Where a machine can move: as the settings say, and as its controller tells. Parking, priming and
+// lifting stay within both. A part that does not fit is refused before anything moves.
 #pragma once
 
 #include <optional>
@@ -18,7 +17,7 @@ struct MachineSpace {
   core::Length bed_x;
   core::Length bed_y;
   core::Length axis_z;   // 0: not limited
-  bool guessed = false;  // nobody has said how large the bed is
+  bool guessed = false;  // the user has not said how large the bed is
 };
 
 [[nodiscard]] MachineSpace space_of(const core::Settings& settings);
@@ -26,10 +25,11 @@ struct MachineSpace {
 // The settings with that space: for parking and lifting.
 [[nodiscard]] core::Settings with_space(core::Settings settings, const MachineSpace& space);
 
-// What is in both. The limits count from the bed's front left corner.
+// What lies in both. The limits count from the bed's front left corner.
 [[nodiscard]] MachineSpace within(MachineSpace space, const firmware_link::TravelLimits& limits);
 
-// What to say of it, once; empty: nothing. `limits`: nothing, where the controller tells none.
+// What the user should know of it; may be empty. `limits`: nothing, where the controller tells
+// none.
 [[nodiscard]] std::string space_note(const MachineSpace& space,
                                      const std::optional<firmware_link::TravelLimits>& limits);
 

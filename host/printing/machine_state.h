@@ -1,4 +1,4 @@
-// What the machine is told by a print's commands: where it is and how it is set after them.
+// The machine as a print's commands have set it: position, feed, temperatures, fan.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 namespace host {
 
 struct MachineState {
-  std::optional<std::int64_t> x_um, y_um, z_um;  // nothing: unknown, as after a user's own line
+  std::optional<std::int64_t> x_um, y_um, z_um;  // nothing: unknown, as after user G-code
   std::optional<std::int64_t> f_mm_min;
   std::int64_t drawn_back_10nm = 0;  // of the filament
   std::int32_t nozzle_tenths = 0;    // targets
@@ -20,7 +20,7 @@ struct MachineState {
 
   void apply(const firmware_link::Command& command);
 
-  [[nodiscard]] bool placed() const { return x_um && y_um && z_um; }
+  [[nodiscard]] bool position_known() const { return x_um && y_um && z_um; }
 };
 
 // After all commands before the checkpoint's layer.

@@ -25,7 +25,7 @@ using firmware_link::Move;
 
 constexpr std::int64_t kEdge_um = 5'000;  // of the bed, that parking keeps away from
 
-// What sets a controller up and moves nothing.
+// Whether the line sets the controller up and moves nothing.
 bool sets_up(const std::string& line) {
   constexpr std::array<std::string_view, 22> kCodes = {
       "M92",  "M200", "M201", "M203", "M204", "M205", "M206", "M207", "M208", "M209", "M211",
@@ -35,10 +35,10 @@ bool sets_up(const std::string& line) {
          std::find(kCodes.begin(), kCodes.end(), codes.front()) != kCodes.end();
 }
 
-ParkingPosition from_bed_origin(ParkingPosition place, const core::Settings& settings) {
-  place.x_um += settings.bed_origin_x.units() / kUnitsPerUm;
-  place.y_um += settings.bed_origin_y.units() / kUnitsPerUm;
-  return place;
+ParkingPosition from_bed_origin(ParkingPosition position, const core::Settings& settings) {
+  position.x_um += settings.bed_origin_x.units() / kUnitsPerUm;
+  position.y_um += settings.bed_origin_y.units() / kUnitsPerUm;
+  return position;
 }
 
 std::int64_t gap(std::int64_t at, std::int64_t low, std::int64_t high) {
@@ -76,10 +76,10 @@ ParkingPosition parking_position(const core::Settings& settings, const core::Box
 }
 
 std::vector<Command> ParkMoves::leave_part(const MachineState& here) const {
-  if (!here.placed()) return {};
+  if (!here.position_known()) return {};
   std::vector<Command> way =
       lift_off(retraction_10nm(settings_) - here.drawn_back_10nm, here.z_um, settings_);
-  way.push_back(travel_move(place_.x_um, place_.y_um, settings_.travel_speed_mm_s));
+  way.push_back(travel_move(position_.x_um, position_.y_um, settings_.travel_speed_mm_s));
   return way;
 }
 
@@ -89,7 +89,7 @@ std::vector<Command> ParkMoves::come_back(const MachineState& here, bool reheat)
     way.emplace_back(firmware_link::SetTemperature{Heater::kBed, here.bed_tenths, false});
     way.emplace_back(firmware_link::SetTemperature{Heater::kNozzle, here.nozzle_tenths, true});
   }
-  if (!here.placed()) return way;
+  if (!here.position_known()) return way;
   const std::int64_t back = retraction_10nm(settings_);
   const std::int64_t drawn = std::max(here.drawn_back_10nm, back);
   if (drawn > 0) way.push_back(filament_move(drawn, settings_.retraction_speed_mm_s));
@@ -120,7 +120,7 @@ std::vector<Command> ParkMoves::restart(const MachineState& here, std::int64_t n
     const double z_mm = static_cast<double>(nozzle_z_um) / 1'000;
     way.push_back(command_of(fmt::format("{}{:.3f}", height_command, z_mm)));
   }
-  // Both warm up together. The nozzle may stand in what it laid: it is hot before it moves.
+  // Both heat up together. The nozzle may stick to what it laid, so it is hot before it moves.
   way.emplace_back(firmware_link::SetTemperature{Heater::kNozzle, here.nozzle_tenths, false});
   const bool bed = here.bed_tenths > 0;
   if (bed) way.emplace_back(firmware_link::SetTemperature{Heater::kBed, here.bed_tenths, true});
@@ -129,7 +129,7 @@ std::vector<Command> ParkMoves::restart(const MachineState& here, std::int64_t n
   const std::vector<Command> off = lift_off(retraction_10nm(settings_), from_um, settings_);
   way.insert(way.end(), off.begin(), off.end());
   way.push_back(command_of("G28 X Y"));
-  way.push_back(travel_move(place_.x_um, place_.y_um, settings_.travel_speed_mm_s));
+  way.push_back(travel_move(position_.x_um, position_.y_um, settings_.travel_speed_mm_s));
   return way;
 }
 

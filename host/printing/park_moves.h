@@ -1,9 +1,10 @@
-// Ways off the part and back to it, as commands between those of the print.
+// Moves off the part and back to it, as commands between those of the print.
 //
-//     leave_part    draw back, lift by park_lift, travel to the parking place
-//     restart    after a reset: heat, draw back, lift, home X and Y only, travel to the place
-//     come_back     push out what oozed and kPrime_mm more, draw back, travel to above the road's
-//                   next point, go down, return the filament, set fan and feed as they were
+//     leave_part    draw back, lift by park_lift, travel to the parking position
+//     restart       after a reset: heat, draw back, lift, home X and Y only, travel to the parking
+//                   position
+//     come_back     return the filament and push out kPrime_mm more, draw back, travel to above the
+//                   road's next point, go down, return the filament, set fan and feed as they were
 //
 //        ┌──────── travel ────────┐
 //        │ lift                   │ down
@@ -24,12 +25,12 @@
 
 namespace host {
 
-// Filament pushed out at the parking place before the print goes on, and how fast: what is in a
-// nozzle that stood hot.
+// Filament that is pushed out at the parking position before the print resumes, because a hot
+// nozzle has oozed, and how fast.
 inline constexpr double kPrime_mm = 4;
 inline constexpr double kPrimeSpeed_mm_s = 4;
 
-// In the printer's coordinates.
+// Where the nozzle waits off the part, in the printer's coordinates.
 struct ParkingPosition {
   std::int64_t x_um = 0;
   std::int64_t y_um = 0;
@@ -45,18 +46,18 @@ struct ParkingPosition {
 
 class ParkMoves {
  public:
-  ParkMoves(const core::Settings& settings, ParkingPosition place)
-      : settings_(settings), place_(place) {}
+  ParkMoves(const core::Settings& settings, ParkingPosition position)
+      : settings_(settings), position_(position) {}
 
-  // `here` is how the machine is set by the print's commands so far. Nothing where its place is not
-  // known, that is before the first road and behind the last.
+  // `here`: the machine as the print's commands so far have set it. Empty where its position is not
+  // known, which is before the first road and after the last.
   [[nodiscard]] std::vector<firmware_link::Command> leave_part(const MachineState& here) const;
 
-  // `reheat`: the nozzle was let cool.
+  // `reheat`: the nozzle has cooled.
   [[nodiscard]] std::vector<firmware_link::Command> come_back(const MachineState& here,
                                                               bool reheat) const;
 
-  // A controller that may have forgotten all. `nozzle_z_um`: how high the nozzle is; the
+  // For a controller that may have forgotten everything. `nozzle_z_um`: how high the nozzle is; the
   // controller is told by `height_command` (LinkRules::height_command), unless that is empty. Lines
   // of the start G-code that set the controller up and move nothing (M92, M220, M420 …) are sent
   // again.
@@ -66,7 +67,7 @@ class ParkMoves {
 
  private:
   core::Settings settings_;
-  ParkingPosition place_;
+  ParkingPosition position_;
 };
 
 }  // namespace host

@@ -13,7 +13,7 @@ void PauseControl::set_out(Phase phase, std::vector<Command> way) {
   way_.assign(way.begin(), way.end());
 }
 
-void PauseControl::go(std::vector<Command> way, std::int64_t nozzle_z_um) {
+void PauseControl::follow(std::vector<Command> way, std::int64_t nozzle_z_um) {
   set_out(Phase::kReturning, std::move(way));
   nozzle_z_um_ = nozzle_z_um;
 }
@@ -30,7 +30,7 @@ std::optional<Command> PauseControl::next() {
   return command;
 }
 
-bool PauseControl::turn(double now_s, const MachineState& here) {
+bool PauseControl::advance(double now_s, const MachineState& here) {
   const bool wanted = user_wants_ || underrun_;
   switch (phase_) {
     case Phase::kPrinting:

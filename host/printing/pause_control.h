@@ -1,5 +1,5 @@
-// When the print leaves the part, waits, and comes back: because somebody wants it so, or because
-// geometry has fallen behind and the nozzle must not stand on the part.
+// When the nozzle leaves the part, waits, and comes back: because the user has asked for a pause,
+// or because geometry has fallen behind and the nozzle must not stand on the part.
 //
 //     printing ──wanted──▶ leaving ──▶ away ──not wanted──▶ returning ──▶ printing
 //                   (park_moves.h)          │
@@ -35,33 +35,33 @@ class PauseControl {
   [[nodiscard]] bool pause_wanted() const { return user_wants_; }
   [[nodiscard]] bool underrun() const { return underrun_; }
 
-  // The ways from now on.
+  // Which moves are made from now on.
   void set_park_moves(const ParkMoves& park_moves) { park_moves_ = park_moves; }
 
-  // Goes a way that is not a pause's: `way` ends where the print goes on. `nozzle_z_um`: how high
-  // the nozzle is.
-  void go(std::vector<firmware_link::Command> way, std::int64_t nozzle_z_um);
+  // Makes other moves than those of a pause: they end where the print resumes. `nozzle_z_um`: how
+  // high the nozzle is.
+  void follow(std::vector<firmware_link::Command> way, std::int64_t nozzle_z_um);
 
   // --- what follows ---
 
   [[nodiscard]] Phase phase() const { return phase_; }
   [[nodiscard]] bool printing() const { return phase_ == Phase::kPrinting; }
 
-  // The next command of the way, if any.
+  // The next command of the moves off the part or back, if any.
   [[nodiscard]] std::optional<firmware_link::Command> next();
 
-  // Whether turn() would do anything. REQUIRES: next() gave nothing.
-  [[nodiscard]] bool turn_due() const {
+  // Whether advance() would do anything. REQUIRES: next() gave nothing.
+  [[nodiscard]] bool advance_due() const {
     return phase_ != Phase::kPrinting || user_wants_ || underrun_;
   }
 
-  // To be called whenever next() gives nothing; true when the phase has changed. `here`: how the
-  // machine is set by the print's commands so far.
-  bool turn(double now_s, const MachineState& here);
+  // To be called whenever next() gives nothing. True when the phase has changed. `here`: the
+  // machine as the print's commands so far have set it.
+  bool advance(double now_s, const MachineState& here);
 
-  // How high the way's commands so far have sent the nozzle; nothing: no way is gone.
+  // The height to which these moves have sent the nozzle so far; nothing: it is on the part.
   [[nodiscard]] std::optional<std::int64_t> nozzle_z_um() const { return nozzle_z_um_; }
-  // Whether it may be there, or still where it was before: it is on its way up or down.
+  // Whether the nozzle is moving up or down, so that it may not be at that height yet.
   [[nodiscard]] bool height_in_doubt() const {
     return z_given_ && (phase_ == Phase::kLeaving || phase_ == Phase::kReturning);
   }
@@ -78,7 +78,7 @@ class PauseControl {
   Phase phase_ = Phase::kPrinting;
   std::deque<firmware_link::Command> way_;
   std::optional<std::int64_t> nozzle_z_um_;
-  bool z_given_ = false;  // by this way
+  bool z_given_ = false;  // by the moves of this phase
 };
 
 }  // namespace host

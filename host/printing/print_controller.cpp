@@ -98,7 +98,7 @@ bool PrintController::feed_one(Instant now) {
     link_.insert(*command, now);
     return true;
   }
-  if (pauses_.turn_due() && pauses_.turn(steady_seconds(), commands_.state())) {
+  if (pauses_.advance_due() && pauses_.advance(steady_seconds(), commands_.state())) {
     note_phase(now);
     return true;
   }

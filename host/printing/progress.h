@@ -1,4 +1,4 @@
-// What the program says while it works: one line that is renewed on a terminal, a line every few
+// What the program says while it works: one line that is updated on a terminal, a line every few
 // seconds elsewhere, JSON lines with --json, nothing but errors with --quiet.
 #pragma once
 
@@ -17,7 +17,7 @@
 
 namespace host {
 
-// Where a print stands. What isn't known is not set.
+// How far a print is. What is not known is not set.
 struct ProgressReport {
   core::LayerIndex layer = 0;   // counted from 1
   core::LayerIndex layers = 0;  // 0: not known
@@ -61,22 +61,22 @@ class Reporter {
   // Something worth a line; with --json {"event": name, "message": …, fields}.
   void note(const std::string& name, const std::string& message, const EventFields& fields = {});
 
-  // Something that only those want who read events: told with --json only.
+  // For programs that read events: told with --json only.
   void event(const std::string& name, EventFields fields);
 
   // Why it ends badly; told even when quiet.
   void error(const std::string& message, int exit_code);
 
-  // As often as it is called; shows what is due. `now_s` never goes back.
+  // May be called at any time; shows the report when it is due. `now_s` never goes back.
   void progress(const ProgressReport& report, double now_s);
 
   // True when a progress() at this time would show something, so that a report is worth making.
   [[nodiscard]] bool progress_due(double now_s) const;
 
-  // Takes the progress line away, before something else is printed.
+  // Removes the progress line, before something else is printed.
   void clear();
 
-  // What error() would say, for whoever can't call it.
+  // What error() would say, for a signal handler that can't call it.
   [[nodiscard]] LastWords words_of_error(const std::string& message, int exit_code) const;
 
  private:

@@ -10,8 +10,8 @@ namespace host {
 namespace {
 
 constexpr const char* kOtherPrint =
-    "the print that is computed now is not the one that was begun: its commands differ; it can't "
-    "be gone on with";
+    "the print that is computed now is not the one that was started: its commands differ; it can't "
+    "be resumed";
 
 }  // namespace
 
@@ -26,10 +26,10 @@ QueueFiller::QueueFiller(CommandQueue& queue, const core::Settings& settings,
 
 void QueueFiller::start_layer(const Checkpoint& checkpoint) {
   next_.checkpoint = std::make_shared<const Checkpoint>(checkpoint);
-  next_.hash = kHashBegin;
+  next_.hash = kHashStart;
 }
 
-void QueueFiller::add_way(core::Point to, double speed_mm_s) {
+void QueueFiller::add_line(core::Point to, double speed_mm_s) {
   if (position_ && speed_mm_s > 0) {
     const double dx = static_cast<double>(to.x) - position_->x;
     const double dy = static_cast<double>(to.y) - position_->y;
@@ -46,14 +46,14 @@ void QueueFiller::note(const core::Motion& motion) {
   } else if (const auto* extrude = std::get_if<core::Extrude>(&motion)) {
     next_.lays_road = true;
     next_.filament_mm += extrude->filament_mm;
-    add_way(extrude->to, extrude->speed_mm_s);
+    add_line(extrude->to, extrude->speed_mm_s);
   } else if (const auto* arc = std::get_if<core::ExtrudeArc>(&motion)) {
     next_.lays_road = true;
     next_.filament_mm += arc->filament_mm;
     next_.seconds += arc->length_mm / arc->speed_mm_s;
     position_ = arc->to;
   } else if (const auto* travel = std::get_if<core::Travel>(&motion)) {
-    add_way(travel->to, travel->speed_mm_s);
+    add_line(travel->to, travel->speed_mm_s);
   }
 }
 
@@ -85,7 +85,7 @@ bool QueueFiller::take(const core::Motion& motion,
 
 bool QueueFiller::finish() {
   if (resumed_ == nullptr) return true;
-  // The record's sum is of its own layer's commands, up to the last one.
+  // The record's hash is of its own layer's commands, up to the last one.
   if (number_ < resumed_->sure || last_hash_ != resumed_->sure_hash) error_ = kOtherPrint;
   return !error_;
 }

@@ -1,5 +1,6 @@
-// Puts the pipeline's commands into the queue, each with its place in the print. Of a print that is
-// gone on with, drops those that were executed, having seen that they are the same ones.
+// Puts the pipeline's commands into the queue, each with its layer, filament and time in the print.
+// When a print is resumed, drops the commands that were executed already, after checking that their
+// hash is the journal's.
 #pragma once
 
 #include <atomic>
@@ -19,7 +20,8 @@ namespace host {
 
 class QueueFiller {
  public:
-  // `resumed`: the record that the print is gone on from; null: from the begin. Both outlive it.
+  // `resumed`: the record that the print resumes from; null: it starts from its first layer. Both
+  // outlive the filler.
   QueueFiller(CommandQueue& queue, const core::Settings& settings, const JournalRecord* resumed);
 
   void start_layer(const Checkpoint& checkpoint);
@@ -35,17 +37,18 @@ class QueueFiller {
 
   [[nodiscard]] const std::optional<std::string>& error() const { return error_; }
 
-  // Of motion at full speed, from the begin to what was queued last. For other threads too.
+  // Of motion at full speed, from the print's start to what was queued last. For any thread.
+  // Neither acceleration nor heating is counted: it is a lower bound, unlike core::MotionClock.
   [[nodiscard]] double seconds_made() const { return seconds_made_.load(); }
 
  private:
   void note(const core::Motion& motion);
-  void add_way(core::Point to, double speed_mm_s);
+  void add_line(core::Point to, double speed_mm_s);
 
   CommandQueue& queue_;
   QueuedCommand next_;
   std::int64_t number_ = 0;               // of the next command in the print
-  std::uint64_t last_hash_ = kHashBegin;  // of the one before it
+  std::uint64_t last_hash_ = kHashStart;  // of the one before it
   std::optional<core::Point> position_;
   std::atomic<double> seconds_made_ = 0;
 

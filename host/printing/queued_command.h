@@ -1,4 +1,4 @@
-// What passes from the geometry to the link: a command, and where in the print it belongs.
+// What passes from the geometry to the link: a command, and where in the print it stands.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 #include "core/units.h"                   // LayerIndex, Length
 #include "firmware_link/wire/command.h"   // Command
-#include "host/files/content_hash.h"      // kHashBegin
+#include "host/files/content_hash.h"      // kHashStart
 #include "host/pipeline/checkpoint.h"     // Checkpoint
 #include "host/printing/bounded_queue.h"  // BoundedQueue
 #include "host/printing/machine_state.h"  // MachineState
@@ -19,17 +19,18 @@ struct QueuedCommand {
   core::LayerIndex layer = 0;  // counted from 1; 0: before the first
   core::Length top;            // of the layer
   bool lays_road = false;
-  double filament_mm = 0;  // in roads, from the begin to here
+  double filament_mm = 0;  // in roads, from the print's start to here
   double seconds = 0;      // of motion at full speed, likewise
 
-  // Of the layer; null before the first. With the texts from its first command to this one.
+  // Of the layer; null before the first. The hash is of the commands' texts, from the layer's first
+  // to this one.
   std::shared_ptr<const Checkpoint> checkpoint;
-  std::uint64_t hash = kHashBegin;
+  std::uint64_t hash = kHashStart;
 
-  // Why to pause before it; null mostly.
+  // Why to pause before it; null: no pause.
   std::shared_ptr<const std::string> pause;
 
-  // Of the first command of a print that is gone on with: how the machine is set before it.
+  // Of the first command of a resumed print: the machine before it. Null elsewhere.
   std::shared_ptr<const MachineState> before;
 };
 

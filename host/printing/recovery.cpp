@@ -57,13 +57,14 @@ bool Recovery::find_start() {
   commands.set_first_road(left.sure);
   start_point_ = point;
   end_search();
-  parts_.journal.start_session(left.sure, point.lives);
+  parts_.journal.start_session(left.sure, point.position_known);
   parts_.journal.renumber(left, std::max(point.command, left.sure), resumption_->nozzle_z_um);
   const bool told = session.found_line() || session.found_position();
-  parts_.reporter.note("resume",
-                       fmt::format("resuming after command {} of the print{}", point.command,
-                                   point.lives && told ? ", which the controller confirms" : ""),
-                       {{"command", point.command}});
+  parts_.reporter.note(
+      "resume",
+      fmt::format("resuming after command {} of the print{}", point.command,
+                  point.position_known && told ? ", which the controller confirms" : ""),
+      {{"command", point.command}});
   return true;
 }
 
@@ -78,7 +79,7 @@ bool Recovery::start_way_back(Instant now) {
 bool Recovery::possible() const {
   if (!parts_.commands.road_given() || pending()) return false;
   const CommandHistory& history = parts_.commands.history();
-  return parts_.commands.state().placed() || history.end() == history.begin();
+  return parts_.commands.state().position_known() || history.end() == history.begin();
 }
 
 std::optional<Recovery::Failure> Recovery::resume_after_fault(const JournalRecord& left,
@@ -90,7 +91,7 @@ std::optional<Recovery::Failure> Recovery::resume_after_fault(const JournalRecor
   const CommandHistory& history = parts_.commands.history();
   point.command = std::clamp(point.command, history.begin(), history.end());
   std::int64_t z_um = left.nozzle_z_um;
-  if (!point.lives) {
+  if (!point.position_known) {
     const std::optional<std::int64_t> told =
         parts_.control.nozzle_height(z_um, left.height_in_doubt);
     if (!told) {
@@ -100,13 +101,13 @@ std::optional<Recovery::Failure> Recovery::resume_after_fault(const JournalRecor
     z_um = *told;
   }
   parts_.commands.resume(point.command, point.command);
-  parts_.journal.start_session(left.sure, point.lives);
+  parts_.journal.start_session(left.sure, point.position_known);
   parts_.journal.renumber(left, point.command, z_um);
   set_out(point, z_um, steady_seconds() - fault_s < kMotorsHold_s, link_now());
   parts_.reporter.note(
       "resume",
       fmt::format("the controller is back{}; resuming after command {} of the print",
-                  point.lives ? "" : ", and has forgotten its position", point.command),
+                  point.position_known ? "" : ", and has forgotten its position", point.command),
       {{"command", point.command}});
   return std::nullopt;
 }
@@ -129,7 +130,7 @@ ResumePoint Recovery::point_of(const JournalRecord& left, bool same_boot) const 
 // Why a controller that has lost its position cannot be told its height; empty: it can, or need not
 // be told.
 std::string Recovery::height_unknown(const ResumePoint& point) const {
-  if (point.lives) return {};
+  if (point.position_known) return {};
   const firmware_link::Session& session = parts_.link.session();
   return std::string(session.dialect().no_height_command(session.capabilities()));
 }
@@ -139,9 +140,9 @@ std::vector<Command> Recovery::way_back(const ResumePoint& point, std::int64_t n
                                         bool still_hot) const {
   const MachineState here = parts_.commands.history().state_before(point.command);
   const ParkMoves& moves = parts_.start.park_moves();
-  const bool from_here = still_hot && point.lives;
+  const bool from_here = still_hot && point.position_known;
   const std::string_view height_command =
-      point.lives ? std::string_view() : parts_.link.session().rules().height_command;
+      point.position_known ? std::string_view() : parts_.link.session().rules().height_command;
   std::vector<Command> way =
       from_here ? moves.leave_part(here) : moves.restart(here, nozzle_z_um, height_command);
   // What is accepted behind it shows that all before it was executed (JournalWriter::record()).
@@ -153,7 +154,7 @@ std::vector<Command> Recovery::way_back(const ResumePoint& point, std::int64_t n
 
 void Recovery::set_out(const ResumePoint& point, std::int64_t nozzle_z_um, bool still_hot,
                        Instant now) {
-  parts_.pauses.go(way_back(point, nozzle_z_um, still_hot), nozzle_z_um);
+  parts_.pauses.follow(way_back(point, nozzle_z_um, still_hot), nozzle_z_um);
   parts_.link.session().hold(true, now);
 }
 

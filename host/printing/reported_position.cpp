@@ -34,10 +34,10 @@ ResumePoint resume_point_at(const JournalRecord& record, const ReportedPosition&
   if (record.state == PrintState::kReset) return {record.sure, told.homed};
   if (record.state == PrintState::kStopped) return {record.accepted, told.homed};
   for (std::int64_t command = record.accepted; command <= last; ++command) {
-    if (stands_at(before(command), told.place)) return {command, told.homed};
+    if (stands_at(before(command), told.position)) return {command, told.homed};
   }
   const MachineState accepted = before(record.accepted);
-  const bool parked = !accepted.placed() || record.nozzle_z_um != accepted.z_um.value_or(0);
+  const bool parked = !accepted.position_known() || record.nozzle_z_um != accepted.z_um.value_or(0);
   if (parked && told.homed) return {record.accepted, true};
   return {record.sure, told.homed};
 }

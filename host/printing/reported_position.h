@@ -1,18 +1,23 @@
-// Which of the last lines a controller that numbers nothing has taken (Klipper): it reads in order,
-// and tells where it was commanded to last.
+// With which command a print resumes on a controller that numbers no lines, but reports the
+// position to which it was commanded last (Klipper). It reads lines in order, so the position tells
+// how many of the lines in flight it has executed:
 //
 //     accepted ──line──line──line──line── sent
-//        P0       P1    P2    P3    P4            it is at P2: two were taken
+//        P0       P1    P2    P3    P4            it reports P2: two lines were executed
 //
-// Where several places are alike (filament alone, a fan), the first is meant: what may not have run
-// is done again, so that nothing is missing.
+// Several of these positions may be equal, because a line moved only filament, or set a fan. Then
+// the first of them counts: a line that may not have been executed is executed again.
 //
-//     homed, at one of these places     behind that one
-//     not homed, at one of them         likewise, and it must be told its height: it stood idle for
-//                                       long and let its motors go
-//     homed, off the part               `accepted`: it was parked, or stopped
-//     anywhere else                     `sure`: it was restarted, which its planner does not
-//     survive
+//     it reports                          the print resumes with
+//     ─────────────────────────────────────────────────────────────────────────────────────
+//     one of these positions, homed       the command after that line
+//     one of them, not homed              the same, and it must be told its height: it was idle
+//                                         for long, and has switched its motors off
+//     another one, homed, and the print
+//     was parked                          `accepted`
+//     anything else                       `sure`: it was restarted, and its planner is lost
+//
+// A print that was stopped resumes with `accepted`, one that was reset with `sure`.
 #pragma once
 
 #include <cstdint>
@@ -24,14 +29,14 @@
 namespace host {
 
 struct ReportedPosition {
-  firmware_link::Position place;
-  bool homed = true;  // it knows that it is there
+  firmware_link::Position position;
+  bool homed = true;  // the controller knows that it is there
 };
 
-// How many commands of the print were accepted or on their way.
+// How many commands of the print were accepted or in flight.
 [[nodiscard]] std::int64_t commands_sent(const JournalRecord& record);
 
-// `before`: how the machine is set before a command; asked for record.accepted … `last`.
+// `before`: the machine before a command; asked for record.accepted … `last`.
 // REQUIRES: record.accepted <= last.
 [[nodiscard]] ResumePoint resume_point_at(const JournalRecord& record, const ReportedPosition& told,
                                           std::int64_t last,

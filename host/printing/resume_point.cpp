@@ -5,13 +5,13 @@
 namespace host {
 namespace {
 
-// Of the first `lines` lines behind the last accepted one.
+// How many of the first `lines` lines after the last accepted one are commands of the print.
 std::int64_t commands_in_flight(const JournalRecord& record, std::int32_t lines) {
   const std::uint32_t all = record.line_kinds;
   return std::popcount(lines >= kJournalLinesMax ? all : all & ((std::uint32_t{1} << lines) - 1));
 }
 
-ResumePoint where_nothing_is_numbered(const JournalRecord& record, bool same_boot) {
+ResumePoint without_line_numbers(const JournalRecord& record, bool same_boot) {
   const std::int64_t sent = record.accepted + commands_in_flight(record, record.lines_more);
   switch (record.state) {
     case PrintState::kReset:
@@ -34,7 +34,7 @@ ResumePoint resume_point(const JournalRecord& record, const FoundController& fou
   if (found.line && *found.line >= record.line && *found.line - record.line <= record.lines_more) {
     return {record.accepted + commands_in_flight(record, *found.line - record.line), true};
   }
-  if (!found.numbers_lines) return where_nothing_is_numbered(record, found.same_boot);
+  if (!found.numbers_lines) return without_line_numbers(record, found.same_boot);
   return {record.sure, false};
 }
 

@@ -1,5 +1,5 @@
 // What makes a nozzle safe, wherever it stands: drawn back, lifted off the part, and cold. Parking,
-// restarting and every end of a print begin with these.
+// restarting and every end of a print start with these.
 #pragma once
 
 #include <cstdint>

@@ -21,25 +21,22 @@
 #include "host/printing/journal.h"
 #include "tests/support/part_folder.h"
 #include "tests/support/random_regions.h"
+#include "tests/support/run_program.h"
 #include "tests/support/running_program.h"
 
 namespace fs = std::filesystem;
+using test::content;
+using test::kRind;
 using test::PartFolder;
 using test::Random;
 using test::RunningProgram;
 
 namespace {
 
-const std::string kRind = std::string(RIND_BINARY_DIR) + "/rind";
 const std::vector<std::string> kCoarse = {"--quiet", "--layer-height", "0.4", "--wall-thickness",
                                           "0.8"};
 
 using Files = std::map<std::string, std::string>;  // content by name; a link's is its target's
-
-std::string content(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 Files files_in(const PartFolder& folder) {
   Files files;

@@ -9,12 +9,12 @@
 #include "tests/support/part_folder.h"
 #include "tests/support/run_program.h"
 
+using test::kRind;
 using test::PartFolder;
 using test::ProgramRun;
+using test::says;
 
 namespace {
-
-const std::string kRind = std::string(RIND_BINARY_DIR) + "/rind";
 
 // Sanitizers need memory of their own.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -30,10 +30,6 @@ constexpr bool kSanitized = false;
 #endif
 
 ProgramRun run(const std::string& command) { return test::run_program(command); }
-
-bool says(const ProgramRun& outcome, const std::string& text) {
-  return outcome.output.find(text) != std::string::npos;
-}
 
 std::int64_t peak_rss(const PartFolder& folder, const std::string& part,
                       const std::string& arguments) {

@@ -15,24 +15,15 @@
 #include "tests/support/run_program.h"
 
 namespace fs = std::filesystem;
+using test::content;
 using test::PartFolder;
 using test::ProgramRun;
+using test::rind;
+using test::says;
 
 namespace {
 
-const std::string kRind = std::string(RIND_BINARY_DIR) + "/rind";
 const std::string kCoarse = " --quiet --layer-height 0.4 --wall-thickness 0.8";
-
-ProgramRun rind(const std::string& arguments) { return test::run_program(kRind + " " + arguments); }
-
-bool says(const ProgramRun& run, const std::string& text) {
-  return run.output.find(text) != std::string::npos;
-}
-
-std::string content(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 std::set<std::string> names_in(const PartFolder& folder) {
   std::set<std::string> names;

@@ -16,24 +16,16 @@
 #include "tests/support/svg_text.h"
 
 namespace fs = std::filesystem;
+using test::content;
+using test::kRind;
 using test::PartFolder;
 using test::ProgramRun;
+using test::rind;
+using test::says;
 
 namespace {
 
-const std::string kRind = std::string(RIND_BINARY_DIR) + "/rind";
 const std::string kCoarse = " --layer-height 0.4 --wall-thickness 0.8";
-
-ProgramRun rind(const std::string& arguments) { return test::run_program(kRind + " " + arguments); }
-
-bool says(const ProgramRun& run, const std::string& text) {
-  return run.output.find(text) != std::string::npos;
-}
-
-std::string content(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 parts::Part small_box() { return parts::box({1, 1, 0}, 8, 6, 4); }
 

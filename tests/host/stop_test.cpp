@@ -9,15 +9,15 @@
 #include <vector>
 
 #include "tests/support/part_folder.h"
+#include "tests/support/run_program.h"
 #include "tests/support/running_program.h"
 
 namespace fs = std::filesystem;
+using test::kRind;
 using test::PartFolder;
 using test::RunningProgram;
 
 namespace {
-
-const std::string kRind = std::string(RIND_BINARY_DIR) + "/rind";
 
 // Far above kStopGrace_ms, for slow machines; far below the layers of holed_plate().
 constexpr double kSoon_s = 5;

@@ -1,10 +1,12 @@
-// Runs a command through the shell and keeps what it said.
+// Runs a command through the shell, rind above all, and keeps what it said.
 #pragma once
 
 #include <sys/wait.h>
 
 #include <array>
 #include <cstdio>
+#include <fstream>
+#include <iterator>
 #include <string>
 
 namespace test {
@@ -26,6 +28,24 @@ inline ProgramRun run_program(const std::string& command) {
   const int status = pclose(pipe);
   run.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   return run;
+}
+
+// Whether the program said that.
+[[nodiscard]] inline bool says(const ProgramRun& run, const std::string& text) {
+  return run.output.find(text) != std::string::npos;
+}
+
+// The program under test.
+inline const std::string kRind = std::string(RIND_BINARY_DIR) + "/rind";
+
+inline ProgramRun rind(const std::string& arguments) {
+  return run_program(kRind + " " + arguments);
+}
+
+// A file's bytes; empty when it can't be read.
+[[nodiscard]] inline std::string content(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 }  // namespace test

@@ -147,7 +147,7 @@ class Fate {
     died_.reset();
     core::Result<host::JournalContent> left = host::read_journal(journal_);
     core::Result<host::Journal> journal =
-        left.ok() ? host::Journal::go_on(journal_) : host::Journal::create(journal_, {});
+        left.ok() ? host::Journal::reopen(journal_) : host::Journal::create(journal_, {});
     REQUIRE(journal.ok());
     host::Job job = print_test::open(coarse(), part_);
     host::PrintOptions options;

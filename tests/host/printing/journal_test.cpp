@@ -167,10 +167,10 @@ TEST_CASE("a journal is held by one program, taken up behind its newest record, 
     core::Result<host::Journal> journal = host::Journal::create(path, some_head());
     REQUIRE(journal.ok());
     CHECK_FALSE(host::Journal::create(path, some_head()).ok());
-    CHECK_FALSE(host::Journal::go_on(path).ok());
+    CHECK_FALSE(host::Journal::reopen(path).ok());
     for (int i = 0; i < 7; ++i) journal.value().note(last = record_of(random), false);
   }
-  core::Result<host::Journal> again = host::Journal::go_on(path);
+  core::Result<host::Journal> again = host::Journal::reopen(path);
   REQUIRE(again.ok());
   REQUIRE(same(host::read_journal(path).value().record, last));
   for (int i = 0; i < 5; ++i) {
@@ -185,8 +185,8 @@ TEST_CASE("a journal is held by one program, taken up behind its newest record, 
 TEST_CASE("a journal takes the place of nothing but a useless one of ours") {
   const test::TemporaryFolder folder;
   std::mt19937_64 random(5);
-  const auto made = [](const std::string& path, bool anew = false) {
-    return host::Journal::create(path, some_head(), anew).ok();
+  const auto made = [](const std::string& path, bool sets_aside = false) {
+    return host::Journal::create(path, some_head(), sets_aside).ok();
   };
   const std::string other = folder.path("part.stl");
   std::ofstream(other) << "solid part";
@@ -196,7 +196,7 @@ TEST_CASE("a journal takes the place of nothing but a useless one of ours") {
   std::ofstream(folder.path("nothing")).close();
   for (const char* name : {"part.stl", "link", "dangling", "pipe", "nothing", "."}) {
     CAPTURE(name);
-    for (const bool anew : {false, true}) CHECK_FALSE(made(folder.path(name), anew));
+    for (const bool sets_aside : {false, true}) CHECK_FALSE(made(folder.path(name), sets_aside));
     CHECK(host::look_at_journal(folder.path(name)).standing == host::JournalStanding::kForeign);
   }
   CHECK_EQ(bytes_of(other), "solid part");
@@ -246,7 +246,7 @@ TEST_CASE("a journal that is cut short is taken up where it can be, and not dama
     CAPTURE(size);
     std::ofstream(path, std::ios::binary | std::ios::trunc) << whole.substr(0, size);
     const auto before = host::read_journal(path);
-    core::Result<host::Journal> journal = host::Journal::go_on(path);
+    core::Result<host::Journal> journal = host::Journal::reopen(path);
     REQUIRE_EQ(journal.ok(), before.ok());
     if (!journal.ok()) {
       REQUIRE_EQ(bytes_of(path), whole.substr(0, size));

@@ -114,7 +114,7 @@ int kills_wanted() {
 
 }  // namespace
 
-TEST_CASE("a print that is killed in its midst is gone on with, every road once") {
+TEST_CASE("a print that is killed is resumed, every road once") {
   const test::PartFolder parts_folder;
   const test::TemporaryFolder folder;
   const std::string part = parts_folder.add(

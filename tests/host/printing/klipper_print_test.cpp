@@ -10,16 +10,18 @@
 #include <vector>
 
 #include "host/printing/journal.h"
-#include "host/printing/reported_position.h"
 #include "host/system/exit_codes.h"
-#include "tests/host/print_rig.h"
-#include "tests/support/laid_roads.h"
+#include "tests/host/interrupted_print.h"
 #include "tests/support/temporary_folder.h"
 
-using core::Length;
-using host::UserRequest;
 using print_test::BreakablePort;
+using print_test::coarse;
+using print_test::laid_nothing_after;
+using print_test::make_pluggable;
+using print_test::new_journal;
+using print_test::print_rest;
 using print_test::Rig;
+using print_test::small_part;
 using test::laid_by;
 using test::LaidPiece;
 using test::PartFolder;
@@ -30,18 +32,6 @@ constexpr std::uint64_t kSeed = 20;
 
 // Klipper says no `start` that would be worth waiting for.
 constexpr double kBanner_s = 0.05;
-
-core::Settings coarse() {
-  core::Settings settings;
-  settings.layer_height = Length::from_mm(0.3);
-  settings.wall_thickness = Length::from_mm(0.9);
-  return settings;
-}
-
-std::string small_part(const PartFolder& folder) {
-  return folder.add("part.stl", parts::together({parts::box({5, 5, 0}, 9, 8, 3),
-                                                 parts::box({6, 6, 0}, 3, 3, 4)}));
-}
 
 firmware_link::VirtualControllerOptions klipper(bool force_move) {
   firmware_link::VirtualControllerOptions options;
@@ -90,12 +80,6 @@ void check_none_missing(const std::vector<LaidPiece>& all, const std::vector<Lai
   CHECK_LE(repeats, repeats_max);
 }
 
-host::JournalHead some_head() {
-  host::JournalHead head;
-  head.version = "test";
-  return head;
-}
-
 // The wire loses what is written from now on, and is then cut: lines in flight that never arrive.
 class LosingPort final : public firmware_link::BytePort {
  public:
@@ -123,59 +107,7 @@ class LosingPort final : public firmware_link::BytePort {
   int reads_ = 0;
 };
 
-host::MachineState at(std::int64_t x_um, std::int64_t z_um = 300) {
-  host::MachineState state;
-  state.x_um = x_um;
-  state.y_um = 7'000;
-  state.z_um = z_um;
-  return state;
-}
-
-host::ReportedPosition told(double x_mm, double z_mm, bool homed) {
-  host::ReportedPosition told;
-  told.place.x_mm = x_mm;
-  told.place.y_mm = 7;
-  told.place.z_mm = z_mm;
-  told.homed = homed;
-  return told;
-}
-
 }  // namespace
-
-TEST_CASE("which lines were taken is known by the place, and nothing else") {
-  host::JournalRecord record;
-  record.sure = 50;
-  record.accepted = 100;
-  record.lines_more = 4;
-  record.line_kinds = 0b1011;
-  record.nozzle_z_um = 300;
-  record.state = host::PrintState::kPortLost;
-  CHECK_EQ(host::commands_sent(record), 103);
-  const std::vector<host::MachineState> places = {at(1'000), at(2'000), at(2'000), at(4'000)};
-  const auto before = [&](std::int64_t command) {
-    return places.at(static_cast<std::size_t>(command - 100));
-  };
-  const auto point = [&](const host::ReportedPosition& where) {
-    return host::resume_point_at(record, where, 103, before);
-  };
-  CHECK_EQ(point(told(1, 0.3, true)).command, 100);
-  CHECK_EQ(point(told(2, 0.3, true)).command, 101);  // the first of two alike
-  CHECK_EQ(point(told(4, 0.3, true)).command, 103);
-  CHECK(point(told(4, 0.3, true)).lives);
-  CHECK_FALSE(point(told(4, 0.3, false)).lives);  // it stood idle
-  CHECK_EQ(point(told(4, 0.3, false)).command, 103);
-  CHECK_EQ(point(told(0, 0, false)).command, 50);  // restarted
-  CHECK_FALSE(point(told(0, 0, false)).lives);
-  CHECK_EQ(point(told(9, 0.3, true)).command, 50);  // homed by hand
-  record.nozzle_z_um = 5'300;                       // parked
-  CHECK_EQ(point(told(5, 5.3, true)).command, 100);
-  CHECK_EQ(point(told(0, 0, false)).command, 50);
-  record.state = host::PrintState::kStopped;
-  CHECK_EQ(point(told(1, 5.3, true)).command, 100);
-  CHECK_EQ(point(told(0, 0, false)).command, 100);
-  record.state = host::PrintState::kReset;
-  CHECK_EQ(point(told(0, 0, false)).command, 50);
-}
 
 TEST_CASE("a running Klipper whose port was lost: lines that never came are laid, none twice") {
   const PartFolder folder;
@@ -191,10 +123,7 @@ TEST_CASE("a running Klipper whose port was lost: lines that never came are laid
     LosingPort losing(*rig.port);
     losing.loses = [&] { return rig.executed.size() >= moment; };
     rig.wire = std::make_unique<BreakablePort>(losing);
-    rig.options.lost_port_wait_s = 30;
-    rig.control.reopen = [&rig]() -> std::unique_ptr<firmware_link::BytePort> {
-      return std::make_unique<BreakablePort>(*rig.port);
-    };
+    make_pluggable(rig, 30);
     const host::PrintOutcome outcome = rig.print();
     CAPTURE(outcome.message);
     CHECK_EQ(outcome.exit_code, host::kExitDone);
@@ -204,7 +133,7 @@ TEST_CASE("a running Klipper whose port was lost: lines that never came are laid
   }
 }
 
-TEST_CASE("Klipper restarted in mid-print goes on with [force_move], and does nothing without") {
+TEST_CASE("Klipper restarted in mid-print resumes with [force_move], and does nothing without") {
   const PartFolder folder;
   const std::string path = small_part(folder);
   const std::vector<LaidPiece> whole = whole_print(path);
@@ -234,9 +163,7 @@ TEST_CASE("Klipper restarted in mid-print goes on with [force_move], and does no
       CHECK_EQ(outcome.exit_code, host::kExitLinkFault);
       CHECK(contains(outcome.message, "enable_force_move: True"));
       CHECK_EQ(rig.controller().nozzle_target_celsius, 0);
-      CHECK_EQ(
-          laid_by(rig.executed).size(),
-          laid_by({rig.executed.begin(), rig.executed.begin() + static_cast<long>(before)}).size());
+      CHECK(laid_nothing_after(rig, before));
     }
   }
 }
@@ -258,7 +185,7 @@ TEST_CASE("rind resume: Klipper alive, restarted, or asleep") {
   Rig rig(coarse(), path, klipper(force_move));
   rig.options.banner_wait_s = kBanner_s;
   {
-    core::Result<host::Journal> journal = host::Journal::create(journal_path, some_head());
+    core::Result<host::Journal> journal = new_journal(journal_path);
     REQUIRE(journal.ok());
     rig.control.kept_journal = &journal.value();
     rig.control.stop = [&] { return stopped && rig.executed.size() >= 260 ? 1 : 0; };
@@ -271,28 +198,16 @@ TEST_CASE("rind resume: Klipper alive, restarted, or asleep") {
   if (restarts) {
     rig.port->controller().restart(std::chrono::milliseconds(50), rig.port->simulated_now());
   }
-  const auto read = host::read_journal(journal_path);
-  REQUIRE(read.ok());
-  core::Result<host::Journal> journal = host::Journal::go_on(journal_path);
-  REQUIRE(journal.ok());
-  rig.wire = std::make_unique<BreakablePort>(*rig.port);
-  rig.job = print_test::open(coarse(), path);
-  rig.control.stop = [] { return 0; };
-  rig.control.kept_journal = &journal.value();
-  rig.options.resumption =
-      host::Resumption{read.value().record, true, read.value().record.nozzle_z_um};
   const std::size_t before = rig.executed.size();
-  const host::PrintOutcome outcome = rig.print();
+  const host::PrintOutcome outcome = print_rest(rig, path, journal_path);
   CAPTURE(outcome.message);
   if (restarts && !force_move) {
     CHECK_EQ(outcome.exit_code, host::kExitLinkFault);
     CHECK(contains(outcome.message, "[force_move]"));
     CHECK(contains(outcome.message, "nothing was heated or moved"));
-    CHECK_EQ(
-        laid_by(rig.executed).size(),
-        laid_by({rig.executed.begin(), rig.executed.begin() + static_cast<long>(before)}).size());
+    CHECK(laid_nothing_after(rig, before));
     CHECK_EQ(rig.controller().nozzle_target_celsius, 0);
-    CHECK(host::read_journal(journal_path).ok());  // it can still be gone on with
+    CHECK(host::read_journal(journal_path).ok());  // it can still be resumed
     return;
   }
   CHECK_EQ(outcome.exit_code, host::kExitDone);

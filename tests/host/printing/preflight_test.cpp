@@ -232,7 +232,7 @@ TEST_CASE("a bad layer in mid-print ends with the nozzle off the part, if so ask
   CHECK_GT(rig.controller().z_mm, 10);  // park_lift
 }
 
-TEST_CASE("a bad layer in mid-print waits for its user off the part, and goes on as repaired") {
+TEST_CASE("a bad layer in mid-print waits for its user off the part, and resumes as repaired") {
   const core::Settings settings;
   std::vector<test::LaidPiece> repaired;
   for (const auto action : {host::OnBadLayer::kRepair, host::OnBadLayer::kPause}) {

@@ -1,4 +1,4 @@
-// Prints that are interrupted, and go on: paused, unplugged, reset, resumed from the journal. What
+// Prints that are interrupted and resumed: paused, unplugged, reset, resumed from the journal. What
 // is laid in all is what the whole print lays.
 //
 // RIND_MOMENTS=50 interrupts each kind at 50 random moments instead of the few that fit into every
@@ -15,14 +15,18 @@
 #include "host/printing/journal.h"
 #include "host/printing/park_moves.h"
 #include "host/system/exit_codes.h"
-#include "tests/host/print_rig.h"
-#include "tests/support/laid_roads.h"
+#include "tests/host/interrupted_print.h"
 #include "tests/support/temporary_folder.h"
 
 using core::Length;
 using host::UserRequest;
-using print_test::BreakablePort;
+using print_test::coarse;
+using print_test::laid_nothing_after;
+using print_test::make_pluggable;
+using print_test::new_journal;
+using print_test::print_rest;
 using print_test::Rig;
+using print_test::small_part;
 using test::laid_by;
 using test::LaidPiece;
 using test::PartFolder;
@@ -32,18 +36,6 @@ namespace {
 int moments(int few) {
   const char* told = std::getenv("RIND_MOMENTS");
   return told != nullptr ? std::atoi(told) : few;
-}
-
-core::Settings coarse() {
-  core::Settings settings;
-  settings.layer_height = Length::from_mm(0.3);
-  settings.wall_thickness = Length::from_mm(0.9);
-  return settings;
-}
-
-std::string small_part(const PartFolder& folder) {
-  return folder.add("part.stl", parts::together({parts::box({5, 5, 0}, 9, 8, 3),
-                                                 parts::box({6, 6, 0}, 3, 3, 4)}));
 }
 
 // Round beside it: arcs begin where the one before ended, wherever that was.
@@ -58,20 +50,6 @@ void check_same(const std::vector<LaidPiece>& laid, const std::vector<LaidPiece>
     CAPTURE(i);
     REQUIRE((laid[i] == wanted[i]));
   }
-}
-
-host::JournalHead some_head() {
-  host::JournalHead head;
-  head.version = "test";
-  return head;
-}
-
-// Unplugs, and gives the same controller back as another port.
-void make_pluggable(Rig& rig) {
-  rig.options.lost_port_wait_s = 20;
-  rig.control.reopen = [&rig]() -> std::unique_ptr<firmware_link::BytePort> {
-    return std::make_unique<BreakablePort>(*rig.port);
-  };
 }
 
 }  // namespace
@@ -116,7 +94,7 @@ TEST_CASE("a print that is paused lays the same roads, and the nozzle waits off 
   }
 }
 
-TEST_CASE("pause, going on and cancelling at the printer are obeyed") {
+TEST_CASE("pause, resume and cancel at the printer are obeyed") {
   const PartFolder folder;
   const std::string path = small_part(folder);
   const std::vector<LaidPiece> whole = laid_by(print_test::sliced_lines(coarse(), path));
@@ -171,7 +149,7 @@ TEST_CASE("a port that vanishes and comes back loses no road and doubles none") 
   std::mt19937 random(12);
   for (int i = 0; i < moments(3); ++i) {
     Rig rig(coarse(), path);
-    make_pluggable(rig);
+    make_pluggable(rig, 20);
     const std::size_t at = 20 + random() % 450;
     CAPTURE(at);
     rig.wire->on_read = [&] {
@@ -182,7 +160,7 @@ TEST_CASE("a port that vanishes and comes back loses no road and doubles none") 
     CHECK_EQ(outcome.exit_code, host::kExitDone);
     CHECK_EQ(outcome.link.recoveries, 1);
     check_same(laid_by(rig.executed), whole);
-    CHECK_EQ(rig.count("G28"), 1);  // it lived: nothing was homed anew
+    CHECK_EQ(rig.count("G28"), 1);  // it was running: nothing was homed again
   }
 }
 
@@ -261,15 +239,13 @@ TEST_CASE("nobody says where the nozzle is: nothing moves any more") {
   };
   const host::PrintOutcome outcome = rig.print();
   CHECK_EQ(outcome.exit_code, host::kExitLinkFault);
-  CHECK_EQ(
-      laid_by(rig.executed).size(),
-      laid_by({rig.executed.begin(), rig.executed.begin() + static_cast<long>(before)}).size());
+  CHECK(laid_nothing_after(rig, before));
 }
 
 TEST_CASE("stopped while its port is back but not greeted yet: the heaters go off") {
   const PartFolder folder;
   Rig rig(coarse(), small_part(folder));
-  make_pluggable(rig);
+  make_pluggable(rig, 20);
   bool back = false;
   const auto reopen = rig.control.reopen;
   rig.control.reopen = [&] {
@@ -287,7 +263,7 @@ TEST_CASE("stopped while its port is back but not greeted yet: the heaters go of
   CHECK_EQ(rig.controller().bed_target_celsius, 0);
 }
 
-TEST_CASE("a print that ended goes on from its journal, in another program") {
+TEST_CASE("a print that ended is resumed from its journal, by another program") {
   const PartFolder folder;
   const test::TemporaryFolder state;
   const std::string path = round_part(folder);
@@ -301,7 +277,7 @@ TEST_CASE("a print that ended goes on from its journal, in another program") {
     Rig rig(coarse(), path);
     const bool stopped = i % 2 == 0;
     {
-      core::Result<host::Journal> journal = host::Journal::create(journal_path, some_head());
+      core::Result<host::Journal> journal = new_journal(journal_path);
       REQUIRE(journal.ok());
       rig.control.kept_journal = &journal.value();
       rig.control.stop = [&] { return stopped && rig.executed.size() >= at ? 1 : 0; };
@@ -311,17 +287,7 @@ TEST_CASE("a print that ended goes on from its journal, in another program") {
       const host::PrintOutcome outcome = rig.print();
       CHECK_EQ(outcome.exit_code, stopped ? host::kExitStopped : host::kExitLinkFault);
     }
-    const auto read = host::read_journal(journal_path);
-    REQUIRE(read.ok());
-    core::Result<host::Journal> journal = host::Journal::go_on(journal_path);
-    REQUIRE(journal.ok());
-    rig.wire = std::make_unique<BreakablePort>(*rig.port);
-    rig.job = print_test::open(coarse(), path);
-    rig.control.stop = [] { return 0; };
-    rig.control.kept_journal = &journal.value();
-    rig.options.resumption =
-        host::Resumption{read.value().record, true, read.value().record.nozzle_z_um};
-    const host::PrintOutcome outcome = rig.print();
+    const host::PrintOutcome outcome = print_rest(rig, path, journal_path);
     CAPTURE(outcome.message);
     CHECK_EQ(outcome.exit_code, host::kExitDone);
     check_same(laid_by(rig.executed), whole);
@@ -332,13 +298,13 @@ TEST_CASE("a print that ended goes on from its journal, in another program") {
   }
 }
 
-TEST_CASE("another print than the one that was begun is refused before anything moves") {
+TEST_CASE("another print than the one that was started is refused before anything moves") {
   const PartFolder folder;
   const test::TemporaryFolder state;
   const std::string path = small_part(folder);
   const std::string journal_path = state.path("print.journal");
   Rig rig(coarse(), path);
-  core::Result<host::Journal> journal = host::Journal::create(journal_path, some_head());
+  core::Result<host::Journal> journal = new_journal(journal_path);
   REQUIRE(journal.ok());
   rig.control.kept_journal = &journal.value();
   rig.control.stop = [&] { return rig.executed.size() >= 330 ? 1 : 0; };
