@@ -26,7 +26,7 @@ struct EdgeChain {
   NodeIndex start = 0;
   NodeIndex end = 0;
   EdgeIndex corner = 0;            // first corner between, if there is any
-  std::uint32_t corner_count = 0;  // goes on behind the ring's last corner at its first
+  std::uint32_t corner_count = 0;  // wraps from the ring's last corner to its first
   std::uint32_t ring = 0;
 };
 

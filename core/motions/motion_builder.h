@@ -66,7 +66,7 @@ class MotionBuilder {
   void preheat(const Sink& sink);
 
   // The roads of the next layer up, in this order. A layer without roads gives no motion, and a
-  // print without any never heats, but for preheat().
+  // print without any heats only in preheat().
   // REQUIRES: slices come from the bed up; every road has two points or more.
   void layer(const Slice& slice, const std::vector<Road>& roads, const Sink& sink);
 

@@ -32,7 +32,7 @@ struct TrimmedPiece {
   double from;
   OffsetSite from_site, to_site;
   OffsetSite element;
-  std::int32_t next;  // the piece that goes on where this one ends
+  std::int32_t next;  // the piece that starts where this one ends
 };
 
 // Pieces in the order they were found. Grows to what it needed most and stays.

@@ -213,7 +213,7 @@ bool OffsetTrim::trim_arc(std::int32_t index, std::span<const std::int32_t> near
   return true;
 }
 
-// Hands on the chunk's edges but those that lie behind the arc: below both tangents' normals.
+// Leaves out the chunk's edges that lie behind the arc: below both tangents' normals.
 template <bool kWide>
 bool OffsetTrim::cut_arc_by_chunk(const Frame& v, const OffsetChunk& chunk) {
   const OffsetEdge& g = edge(v.index);

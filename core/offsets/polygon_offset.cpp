@@ -43,7 +43,7 @@ struct PolygonOffsetter::Scratch {
   OffsetTrim trim;
   std::vector<std::uint8_t> taken;  // per piece: it continues another
   OffsetContour line;               // the contour that is being written
-  OffsetContours spare;             // the memory of contours that are no more
+  OffsetContours spare;             // the memory of contours that were given back
   std::vector<std::size_t> asked;   // depths of this side
   std::int64_t retries = 0;
   std::int64_t fallbacks = 0;
@@ -113,7 +113,7 @@ void PolygonOffsetter::Scratch::cut_side(const Region& region, std::span<const L
     int attempt = 0;
     while (attempt < kDepthTriesMax && !cut(nudged(depth, attempt))) {
       ++attempt;
-      trim.start(contours);  // what rounding decided may have been part of it
+      trim.start(contours);  // rounding may have decided part of it
     }
     // A tried depth may be greater than the next one asked for.
     if (attempt > 0) trim.start(contours);
@@ -142,7 +142,7 @@ bool PolygonOffsetter::Scratch::cut(double depth) {
   return link();
 }
 
-// A piece of element a that ends at site b goes on with the piece of element b that starts at a.
+// A piece of element a that ends at site b is followed by the piece of element b that starts at a.
 // True when that is a permutation of the pieces.
 bool PolygonOffsetter::Scratch::link() {
   const std::span<TrimmedPiece> pieces = trim.pieces();

@@ -1,5 +1,5 @@
 // The Voronoi mountain of a region and its offsets (DETC2000/DAC-14285, "Generating offset
-// contours"). It is what others know as the roof of a straight skeleton, but with round edges.
+// contours"). It is like the roof of a straight skeleton, but with round edges.
 //
 // Take the Voronoi diagram of all contours (islands and holes, inside and outside), and lift every
 // point by its signed distance to the contours. The offset at depth d is the cut at z = d:

@@ -54,8 +54,8 @@ class Walker {
   double share_ = 0;
 };
 
-// Goes on to the next corner of `ahead`, and with `beside` as near to it as it may. False when the
-// leash is too short for that.
+// Moves `ahead` to its next corner, and `beside` as near to it as it may go. False, and nothing is
+// moved, when that is out of reach.
 bool advance(Walker& ahead, Walker& beside, double share, double reach2) {
   if (squared_distance(ahead.next(), beside.ahead(share)) > reach2) return false;
   beside.go_to(share);

@@ -101,7 +101,7 @@ class ChordSplitter {
     }
   }
 
-  // The points kept; of them, those that are not needed after all are left out again.
+  // The points kept, in ascending order.
   [[nodiscard]] std::vector<std::size_t> kept() const {
     std::vector<std::size_t> indices;
     for (std::size_t i = 0; i < keep_.size(); ++i) {

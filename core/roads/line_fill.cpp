@@ -16,7 +16,7 @@ namespace core {
 
 namespace {
 
-// Stretches shorter than this share of the road's width are left for the rests.
+// Stretches shorter than this share of the road's width are left for gap fill.
 constexpr double kStretchMinWidths = 0.5;
 
 // A join is at most this many row distances long: enough for an edge at 20° to the rows.

@@ -161,7 +161,7 @@ Perimeters perimeters(const Slice& slice, const SliceOffsets& offsets, const Set
   const Region band = clean(band_outlines, FillRule::kNonZero);
   const Region shell = subtract(slice.region, offsets.interior);
   const Length covered = perimeter_spacing(settings, height) + kBeadSeam;
-  result.rest = uncovered(intersect(shell, band), result.roads, covered);
+  result.gaps = uncovered(intersect(shell, band), result.roads, covered);
   return result;
 }
 

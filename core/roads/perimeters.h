@@ -8,7 +8,7 @@
 //     ──────────────────╮                 line: kept where the core is near,
 //     ┄┄┄┄┄┄┄┄┄┄┄┄┄┄┄┄┄ ╰──────────────   cut open where it is not
 //       ╭─ core ─────╮      too narrow
-//     ┄┄┄┄┄┄┄┄┄┄┄┄┄┄┄┄┄ ╭──────────────   rest: what no perimeter covers there, left for one
+//     ┄┄┄┄┄┄┄┄┄┄┄┄┄┄┄┄┄ ╭──────────────   gap:  what no perimeter covers there, left for one
 //     ──────────────────╯                       road of its own width (gap_fill.h)
 //
 // "Near" is twice the core's depth below the line, so that corners down to 60° stay whole.
@@ -34,7 +34,7 @@ namespace core {
 
 struct Perimeters {
   std::vector<Road> roads;
-  Region rest;  // of the slice without its interior: not covered by them
+  Region gaps;  // of the slice without its interior: not covered by them
 };
 
 // COSTS: O(points), and a few booleans on a layer that has narrow places.

@@ -49,7 +49,7 @@ std::vector<Road> RoadPlanner::plan(const SplitLayer& layer) const {
   const Length height = slice.height;
   Perimeters around = perimeters(slice, offsets, settings_);
   std::vector<Road> roads = std::move(around.roads);
-  append(gap_fill_roads(around.rest, GapBoundary::kPart, height, settings_), roads);
+  append(gap_fill_roads(around.gaps, GapBoundary::kPart, height, settings_), roads);
   const Region loose = simplified(layer.loose, settings_.simplify_tolerance);
   append(
       wall_roads(wall_to_fill(offsets.interior, loose, settings_), slice.index, height, settings_),

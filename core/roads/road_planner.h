@@ -33,7 +33,7 @@ class RoadPlanner {
   // REQUIRES: settings in their ranges.
   explicit RoadPlanner(const Settings& settings);
 
-  // ENSURES: no bead leaves the slice but for rounding, every road has two points or more; the
+  // ENSURES: no bead leaves the slice except by rounding, every road has two points or more; the
   // same layer always gives the same roads. No roads where none fits: all narrower than
   // road_width_min.
   // REQUIRES: layer.offsets as OffsetCutter makes them with the same settings.

@@ -96,7 +96,7 @@ class WallFill {
   }
 
   // Roads along the edges for as long as there is room for two, and one of its own width in the
-  // middle. That rest tapers off into hairs that get no road: the innermost rings, a hair wider,
+  // middle. That gap tapers off into hairs that get no road: the innermost rings, a hair wider,
   // close them from both sides.
   void fill_band(const Region& band) {
     const Length distance = ring_distance(band);
@@ -112,14 +112,14 @@ class WallFill {
       innermost = rings.size();
       std::move(ring.begin(), ring.end(), std::back_inserter(rings));
     }
-    const Region rest = rings.empty() ? band : uncovered(band, rings, distance + kBeadSeam);
+    const Region gaps = rings.empty() ? band : uncovered(band, rings, distance + kBeadSeam);
     // Rings that share a narrow band overlap already.
-    if (!rest.empty() && breadth_mm(band) >= 2 * distance.mm()) {
+    if (!gaps.empty() && breadth_mm(band) >= 2 * distance.mm()) {
       const Length hair = gap_width_min(settings_, GapBoundary::kRoads);
       for (std::size_t i = innermost; i < rings.size(); ++i) rings[i].width += hair;
     }
     add(std::move(rings));
-    add(gap_fill_roads(rest, GapBoundary::kRoads, height_, settings_));
+    add(gap_fill_roads(gaps, GapBoundary::kRoads, height_, settings_));
   }
 
   // Where the innermost rings leave too little for one more road, all rings share it.
@@ -145,11 +145,11 @@ class WallFill {
     std::vector<Road> rows =
         pattern.fill({piece, piece, layer_, RoadKind::kSolid, settings_.road_width, distance,
                       scaled(distance, kRowEndShare), Length()});
-    const Region rest = uncovered(piece, rows, distance + kBeadSeam);
+    const Region gaps = uncovered(piece, rows, distance + kBeadSeam);
     double laid_mm = 0;
     for (const Road& row : rows) laid_mm += length_mm(row);
     if (laid_mm > 0) {
-      const double holds_mm2 = piece.area_mm2() - rest.area_mm2();
+      const double holds_mm2 = piece.area_mm2() - gaps.area_mm2();
       const double w = settings_.road_width.mm();
       const double least = std::max(w * (1 - kWidthChangeMax), distance.mm() + kTouchMm);
       const double width = width_of_area(holds_mm2 * height_.mm() / laid_mm, height_).mm();
@@ -157,7 +157,7 @@ class WallFill {
       for (Road& row : rows) row.width = fitted;
     }
     add(std::move(rows));
-    add(gap_fill_roads(rest, GapBoundary::kRoads, height_, settings_));
+    add(gap_fill_roads(gaps, GapBoundary::kRoads, height_, settings_));
   }
 
   void add(std::vector<Road> roads) {

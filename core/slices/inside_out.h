@@ -1,9 +1,8 @@
-// Turns contours that are inside out, as a person would: which of them bound bodies, which bound
-// holes?
+// Turns contours that are inside out. Which of them bound bodies, and which bound holes?
 //
-// A contour that runs clockwise is a hole where it lies within what others enclose. One that stands
-// out of it is a body whose mesh is inside out: it is turned, and its own holes with it, so that
-// what it shares with other bodies is not cut out of them.
+// A clockwise contour is a hole if it lies within what the other contours enclose. If it reaches
+// beyond that, it is a body whose mesh is inside out. Then it is turned, with its own holes, so
+// that what it shares with other bodies is not cut out of them.
 //
 //     ┌──────┐                               ┌──────┐
 //     │   ┌──┼──┐ clockwise: 1 and −1        │      └──┐
@@ -11,9 +10,9 @@
 //     └───┼──┘  │                            └───┐     │
 //         └─────┘                                └─────┘
 //
-// Where facets are known to be turned over against their neighbours (`unsure`), a contour that runs
-// counter-clockwise within another may be the wall of a hole. There, what lies within a body is
-// taken for a hole.
+// Where facets are known to be turned over against their neighbours (`unsure`), a counter-clockwise
+// contour within another one may be the wall of a hole. There, a contour within a body is taken for
+// a hole.
 #pragma once
 
 #include <cstdint>
@@ -44,8 +43,8 @@ struct TurnedRings {
 [[nodiscard]] TurnedRings turn_inside_out(std::vector<Ring>& rings,
                                           const std::optional<Box>& unsure);
 
-// Of a ring that was there once in either direction, and stands in `rings` in neither: what it
-// encloses is not enclosed by others. COSTS: as above.
+// Whether other rings do not enclose what this one encloses. For a ring that was there once in
+// either direction and is not in `rings`. COSTS: as above.
 [[nodiscard]] bool stands_out(const Ring& ring, const std::vector<Ring>& rings);
 
 }  // namespace core

@@ -6,9 +6,10 @@
 //
 //   a segment there twice       once (a doubled facet)
 //   a segment and its reverse   neither (two bodies share a wall), or one where that leaves the
-//                               points around them in pairs (a doubled facet, turned over); a whole
-//                               ring of such, apart from all else, is kept for whoever knows
-//                               whether it lies within a body (a body there twice, once inside out)
+//                               points around them in pairs (a doubled facet, turned over). A whole
+//                               ring of such segments that meets nothing else is kept: only the
+//                               caller knows whether it lies within a body (a body that is there
+//                               twice, once inside out)
 //   a flipped facet             goes with the rest of its chain: chains turn as most of their
 //                               length does
 //   an open chain               closed_across_gaps() below

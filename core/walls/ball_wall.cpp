@@ -73,8 +73,8 @@ std::vector<BallWall::Operand> BallWall::operands() const {
   return found;
 }
 
-// Nearest first: what is left soon is no more than what all of them share, so that every further
-// intersection costs about a slice's edges.
+// Nearest first: so the rest soon shrinks to what all of them share, and every further intersection
+// costs about a slice's edges.
 Region BallWall::intersection(const std::vector<Operand>& operands) {
   Region common;
   for (const Operand& operand : operands) {

@@ -27,7 +27,7 @@ class WallStyle {
   // REQUIRES: with_style() was applied.
   explicit WallStyle(const Settings& settings) : settings_(settings) {}
 
-  // ENSURES: solid ∪ loose = slice, and, but for the fast style, loose only becomes less.
+  // ENSURES: solid ∪ loose = slice. Loose only shrinks, except in the fast style.
   // COSTS: thin-wall: as regularise_loose().
   [[nodiscard]] SplitLayer apply(SplitLayer layer) const;
 

@@ -91,7 +91,7 @@ TEST_CASE("no road leads out of a crescent along its chord") {
   CHECK_GE(roads_seen, 10);
 }
 
-TEST_CASE("random rests: roads stay within them") {
+TEST_CASE("random gaps: roads stay within them") {
   constexpr std::uint64_t kSeed = 20261126;
   CAPTURE(kSeed);
   Random random(kSeed);

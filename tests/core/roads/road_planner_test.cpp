@@ -233,7 +233,7 @@ TEST_CASE("dense roads run in the wall, nowhere in the inside: a screw's layers"
   OffsetCutter cutter(settings);
   WallSplitter splitter(settings);
   const RoadPlanner planner(settings);
-  // Rows and rings end where the wall does, rests reach into what those leave.
+  // Rows and rings end where the wall does, gap fill reaches into what those leave.
   const double beyond_max_mm = settings.road_width.mm() / 2;
   std::size_t looked_at = 0;
   const auto look = [&](const SplitLayer& layer) {
