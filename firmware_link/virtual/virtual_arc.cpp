@@ -20,12 +20,12 @@ void VirtualController::Firmware::arc(std::int64_t code, std::string_view text) 
     print("Error:G2/G3 bad parameters\n");
     return;
   }
-  const double x0 = static_cast<double>(position_um_[0]) * 1e-3;
-  const double y0 = static_cast<double>(position_um_[1]) * 1e-3;
+  const double x0 = position_.mm(0);
+  const double y0 = position_.mm(1);
   const auto end = [&](char letter, double from) {
     const auto value = word(text, letter, 3);
     if (!value) return from;
-    return static_cast<double>(*value) * 1e-3 + (relative_ ? from : 0);
+    return static_cast<double>(*value) * 1e-3 + (position_.relative() ? from : 0);
   };
   const double x1 = end('X', x0);
   const double y1 = end('Y', y0);
@@ -40,12 +40,12 @@ void VirtualController::Firmware::arc(std::int64_t code, std::string_view text) 
   const double ci = static_cast<double>(i.value_or(0)) * 1e-3;
   const double cj = static_cast<double>(j.value_or(0)) * 1e-3;
   const double side = code == 2 ? -1 : 1;
-  const double begin = std::atan2(-cj, -ci);
-  double turn = (std::atan2(y1 - y0 - cj, x1 - x0 - ci) - begin) * side;
+  const double start = std::atan2(-cj, -ci);
+  double turn = (std::atan2(y1 - y0 - cj, x1 - x0 - ci) - start) * side;
   while (turn <= 1e-9) turn += 2 * kPi;
   way.radius_mm = std::hypot(ci, cj);
   way.centre_mm = {x0 + ci, y0 + cj};
-  way.begin = begin;
+  way.start = start;
   way.turn = turn * side;
   way.length_mm = turn * way.radius_mm;
   move(text, &way);
@@ -53,9 +53,9 @@ void VirtualController::Firmware::arc(std::int64_t code, std::string_view text) 
 
 // Whether one of the arc's outermost points on x and y is off the bed.
 bool VirtualController::Firmware::leaves_bed(const ArcWay& way) const {
-  if (!homed_[0] || !homed_[1]) return false;
-  const double low = std::min(way.begin, way.begin + way.turn);
-  const double high = std::max(way.begin, way.begin + way.turn);
+  if (!position_.homed(0) || !position_.homed(1)) return false;
+  const double low = std::min(way.start, way.start + way.turn);
+  const double high = std::max(way.start, way.start + way.turn);
   for (double angle = std::ceil(low / (kPi / 2)) * (kPi / 2); angle <= high; angle += kPi / 2) {
     const double x = way.centre_mm[0] + way.radius_mm * std::cos(angle);
     const double y = way.centre_mm[1] + way.radius_mm * std::sin(angle);
@@ -69,32 +69,17 @@ void VirtualController::Firmware::queue_arc(const ArcWay& way, PlannerMove block
   constexpr double kBlock_mm = kArcBlockUm * 1e-3;
   const double blocks = std::max(1.0, std::ceil(way.length_mm / kBlock_mm - 1e-9));
   const double side = way.turn < 0 ? -1 : 1;
-  pending_turn_ = way.turn / blocks;
-  const double tangent = way.begin + pending_turn_ / 2 + side * kPi / 2;
+  const double turn = way.turn / blocks;
+  const double tangent = way.start + turn / 2 + side * kPi / 2;
   block.length_mm = way.length_mm / blocks;
   block.direction = {std::cos(tangent), std::sin(tangent), 0};
-  queue_blocks(block, static_cast<std::size_t>(blocks));
+  queue_blocks(block, static_cast<std::size_t>(blocks), turn);
 }
 
-void VirtualController::Firmware::queue_blocks(const PlannerMove& block, std::size_t count) {
-  pending_block_ = block;
-  pending_blocks_ = count;
-  pending_command_ = totals_.commands;
-  if (!plan_pending()) wait(Waiting::kPlannerSlot);
-}
-
-// As many blocks as there is room for; true when all are in the planner.
-bool VirtualController::Firmware::plan_pending() {
-  while (pending_blocks_ > 0 && !planner_.full()) {
-    pending_block_.last_of = pending_blocks_ == 1 ? pending_command_ : -1;
-    planner_.push(pending_block_, now_, pause_was_asked_);
-    pause_was_asked_ = false;
-    --pending_blocks_;
-    const auto [x, y, z] = pending_block_.direction;
-    const double c = std::cos(pending_turn_), s = std::sin(pending_turn_);
-    pending_block_.direction = {c * x - s * y, s * x + c * y, z};
-  }
-  return pending_blocks_ == 0;
+void VirtualController::Firmware::queue_blocks(const PlannerMove& block, std::size_t count,
+                                               double turn) {
+  blocks_.set(block, count, turn, totals_.commands);
+  if (!blocks_.plan(planner_, pause_was_asked_, now_)) wait(Waiting::kPlannerSlot);
 }
 
 }  // namespace firmware_link

@@ -26,33 +26,27 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 }  // namespace
 
 // Takes the first slot's line apart as Marlin's parser does, and begins what it says.
-void VirtualController::Firmware::begin_command() {
-  std::string_view text = slots_.front().line();
+void VirtualController::Firmware::start_command() {
+  std::string_view text = slots_.front().text();
   while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
-  current_number_.reset();
+  handler_.number.reset();
   const bool numbered = text.size() > 1 && text[0] == 'N' && (is_digit(text[1]) || text[1] == '-');
   // The checksum of a line is behind its last star; the command ends at its first.
   if (numbered) {
     const NumberedText parts = take_apart(text);
-    current_number_ = parts.number;
+    handler_.number = parts.number;
     text = parts.text;
   }
   if (const std::size_t star = text.find('*'); star != std::string_view::npos) {
     text = text.substr(0, star);
     while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
   }
-  handling_ = true;
-  waiting_cancelled_ = false;
-  waiting_ = Waiting::kNothing;
-  wait_until_ = now_ + options_.command_cost;
-  if (delay_next_.count() > 0 && (delay_word_.empty() || word_of(text) == delay_word_)) {
-    wait_until_ += delay_next_;
-    delay_next_ = Duration(0);
-  }
-  busy_next_ = now_ + std::chrono::seconds(busy_interval_s_);
-
-  losing_ = lose_word_ && (lose_word_->empty() || word_of(text) == *lose_word_);
-  if (losing_) lose_word_.reset();
+  handler_.runs = true;
+  handler_.cancelled = false;
+  handler_.waiting = Waiting::kNothing;
+  handler_.until = now_ + options_.command_cost;
+  handler_.until += mishaps_.starts(word_of(text));
+  handler_.busy_next = now_ + std::chrono::seconds(reports_.busy_interval_s);
   if (speaks(VirtualDialect::kKlipper) && klipper_answers(text)) return;
   bool known = false;
   if (text.size() > 1 && is_digit(text[1])) {
@@ -65,10 +59,10 @@ void VirtualController::Firmware::begin_command() {
   }
   ++totals_.commands;
   if (!known) ++totals_.unknown_commands;
-  if (!current_number_) ++totals_.unnumbered_commands;
-  if (options_.executed && !std::exchange(refused_, false)) {
+  if (!handler_.number) ++totals_.unnumbered_commands;
+  if (options_.executed && !std::exchange(handler_.refused, false)) {
     SpelledBuffer buffer;
-    options_.executed({now_, current_number_, spelled_out(text, buffer), known});
+    options_.executed({now_, handler_.number, spelled_out(text, buffer), known});
   }
   if (!known) {
     print(unknown_command(options_.dialect, text));
@@ -102,39 +96,37 @@ bool VirtualController::Firmware::handle_g(std::int64_t code, std::string_view t
       home(text);
       return true;
     case 29:
-      dwell_ = Duration(0);
+      handler_.dwell = Duration(0);
       pause_was_asked_ = true;
       return true;
     case 90:
     case 91:
-      relative_ = code == 91;
-      if (!speaks(VirtualDialect::kKlipper)) relative_e_ = relative_;
+      position_.set_relative(code == 91);
+      if (!speaks(VirtualDialect::kKlipper)) position_.set_relative_filament(code == 91);
       return true;
     case 92:
-      set_position(text);
+      position_.set(text);
       return true;
     default:
       return false;
   }
 }
 
-void VirtualController::Firmware::wait(Waiting waiting) { waiting_ = waiting; }
+void VirtualController::Firmware::wait(Waiting waiting) { handler_.waiting = waiting; }
 
 void VirtualController::Firmware::wait_until(Instant when) {
-  waiting_ = Waiting::kTime;
-  wait_until_ = when;
+  handler_.waiting = Waiting::kTime;
+  handler_.until = when;
 }
 
 // Ends the command in its handler if it has nothing more to wait for.
 bool VirtualController::Firmware::finish_command() {
   if (!wait_over()) return false;
-  if (homing_) {
-    homing_ = false;
+  if (handler_.homes) {
+    handler_.homes = false;
     const double ends_mm[] = {options_.bed_origin_x_mm, options_.bed_origin_y_mm, 5};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (!home_axes_[axis]) continue;
-      homed_[axis] = true;
-      position_um_[axis] = std::llround(ends_mm[axis] * 1000);
+      if (handler_.home_axes[axis]) position_.home(axis, std::llround(ends_mm[axis] * 1000));
     }
     if (numbers_lines(options_.dialect)) print_position();
   }
@@ -143,56 +135,57 @@ bool VirtualController::Firmware::finish_command() {
 }
 
 bool VirtualController::Firmware::wait_over() {
-  switch (waiting_) {
+  switch (handler_.waiting) {
     case Waiting::kNothing:
     case Waiting::kTime:
-      return wait_until_ <= now_;
+      return handler_.until <= now_;
     case Waiting::kPlannerSlot:
-      return plan_pending();
+      return blocks_.plan(planner_, pause_was_asked_, now_);
     case Waiting::kPlannerEmpty:
       if (!planner_.empty()) return false;
-      if (dwell_.count() == 0) return true;
-      wait_until(now_ + dwell_);
-      dwell_ = Duration(0);
+      if (handler_.dwell.count() == 0) return true;
+      wait_until(now_ + handler_.dwell);
+      handler_.dwell = Duration(0);
       return false;
     case Waiting::kNozzle:
-      return heated(nozzle_);
+      return heated(heaters_.nozzle);
     case Waiting::kBed:
-      return heated(bed_);
+      return heated(heaters_.bed);
   }
   return true;
 }
 
 // Ten seconds within a degree of the target; what has to cool down isn't waited for.
 bool VirtualController::Firmware::heated(const VirtualHeater& heater) {
-  if (waiting_cancelled_ || heater.target() < heater.celsius() - kTemperatureWindow) return true;
+  if (handler_.cancelled || heater.target() < heater.celsius() - kTemperatureWindow) return true;
   if (heater.target() > heater.celsius() + kTemperatureWindow) return false;
-  if (!within_window_since_) within_window_since_ = now_;
-  return now_ - *within_window_since_ >= kResidency;
+  if (!handler_.warm_since) handler_.warm_since = now_;
+  return now_ - *handler_.warm_since >= kResidency;
 }
 
 void VirtualController::Firmware::end_command() {
-  handling_ = false;
-  if (silent_ && auto_report_) auto_report_next_ = now_ + *auto_report_;
+  handler_.runs = false;
+  if (mishaps_.silent() && reports_.temperatures)
+    reports_.temperatures_next = now_ + *reports_.temperatures;
   const std::size_t slots_free = slots_.room();
   (void)slots_.pop();
-  if (std::exchange(losing_, false)) {
-    temperatures_asked_ = identity_asked_ = false;
-    print(lose_instead_);
+  if (const auto instead = mishaps_.ends()) {
+    handler_.asks_temperatures = handler_.asks_identity = false;
+    print(*instead);
     return;
   }
-  if (temperatures_asked_) {
-    temperatures_asked_ = false;
+  if (handler_.asks_temperatures) {
+    handler_.asks_temperatures = false;
     print("ok");
     print_temperatures();
     print("\n");
     return;
   }
   print("ok");
-  if (identity_asked_) print(" FIRMWARE_NAME:Klipper FIRMWARE_VERSION:?");
-  identity_asked_ = false;
+  if (handler_.asks_identity) print(" FIRMWARE_NAME:Klipper FIRMWARE_VERSION:?");
+  handler_.asks_identity = false;
   if (options_.advanced_ok) {
-    if (current_number_) print_format(" N%lld", static_cast<long long>(*current_number_));
+    if (handler_.number) print_format(" N%lld", static_cast<long long>(*handler_.number));
     print_format(" P%zu B%zu", kPlannerBlocks - 1 - planner_.count(), slots_free);
   }
   print("\n");
@@ -200,51 +193,33 @@ void VirtualController::Firmware::end_command() {
 
 // `way` is null for a straight move.
 void VirtualController::Firmware::move(std::string_view text, const ArcWay* way) {
-  constexpr char kAxes[] = {'X', 'Y', 'Z'};
-  const double low_mm[] = {options_.bed_origin_x_mm, options_.bed_origin_y_mm, 0};
-  const double sides_mm[] = {options_.bed_x_mm, options_.bed_y_mm, options_.height_z_mm};
-  if (const auto feed = word(text, 'F', 0); feed && *feed > 0) feed_mm_min_ = *feed;
-  std::array<double, 3> delta_mm{};
-  std::array<std::int64_t, 3> targets_um = position_um_;
-  bool clamped = way != nullptr && leaves_bed(*way);
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto value = word(text, kAxes[axis], 3);
-    if (!value) continue;
-    std::int64_t target = relative_ ? position_um_[axis] + *value : *value;
-    if (homed_[axis] && !speaks(VirtualDialect::kKlipper)) {
-      const std::int64_t low = std::llround(low_mm[axis] * 1000);
-      const std::int64_t high = low + std::llround(sides_mm[axis] * 1000);
-      const std::int64_t inside = std::clamp<std::int64_t>(target, low, high);
-      clamped = clamped || inside != target;
-      target = inside;
-    }
-    delta_mm[axis] = static_cast<double>(target - position_um_[axis]) * 1e-3;
-    targets_um[axis] = target;
-  }
-  std::int64_t filament = 0;
-  if (const auto value = word(text, 'E', 5)) {
-    filament = relative_e_ ? *value : *value - e_10nm_;
-  }
-  if (speaks(VirtualDialect::kKlipper) && klipper_refuses(targets_um, filament)) {
-    refused_ = true;
+  const bool klipper = speaks(VirtualDialect::kKlipper);
+  const bool leaves = way != nullptr && leaves_bed(*way);
+  VirtualPosition::Target target = position_.target_of(text, travel_of(options_), !klipper);
+  if (klipper && klipper_refuses(target)) {
+    handler_.refused = true;
     return;
   }
-  position_um_ = targets_um;
-  e_10nm_ += filament;
-  if (filament != 0 && nozzle_.celsius() < options_.extrude_celsius_min) {
+  std::array<double, 3> delta_mm{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    delta_mm[axis] = static_cast<double>(target.um[axis] - position_.um()[axis]) * 1e-3;
+  }
+  position_.go(target);
+  std::int64_t filament = target.filament_10nm;
+  if (filament != 0 && heaters_.nozzle.celsius() < options_.extrude_celsius_min) {
     ++totals_.cold_extrusions;
     print(cold_extrusion(options_.dialect));
     filament = 0;
   }
   ++totals_.moves;
-  totals_.clamped_moves += clamped ? 1 : 0;
+  totals_.clamped_moves += leaves || target.clamped ? 1 : 0;
   totals_.filament_10nm += filament;
   const double length_mm =
       way != nullptr ? way->length_mm : std::hypot(delta_mm[0], delta_mm[1], delta_mm[2]);
   totals_.distance_mm += length_mm;
   if (filament > 0 && length_mm > 0) {
-    laid_ = true;
-    totals_.z_mm_max = std::max(totals_.z_mm_max, static_cast<double>(position_um_[2]) * 1e-3);
+    standing_.laid();
+    totals_.z_mm_max = std::max(totals_.z_mm_max, position_.mm(2));
   }
   queue_move(length_mm, delta_mm, static_cast<double>(filament) * 1e-5, way);
 }
@@ -255,7 +230,7 @@ void VirtualController::Firmware::queue_move(double length_mm, const std::array<
   const bool moves = length_mm > 0;
   block.length_mm = moves ? length_mm : std::abs(filament_mm);
   if (block.length_mm < kBlockLengthMmMin) return;
-  double speed = static_cast<double>(feed_mm_min_ * feed_percent_) / 6000.0;
+  double speed = position_.speed_mm_s();
   const double limits[] = {options_.speed_xy_mm_s_max, options_.speed_xy_mm_s_max,
                            options_.speed_z_mm_s_max};
   for (std::size_t axis = 0; moves && axis < 3; ++axis) {
@@ -271,15 +246,14 @@ void VirtualController::Firmware::queue_move(double length_mm, const std::array<
   if (way != nullptr && way->radius_mm > 0) {
     queue_arc(*way, block);
   } else {
-    pending_turn_ = 0;
-    queue_blocks(block, 1);
+    queue_blocks(block, 1, 0);
   }
 }
 
 void VirtualController::Firmware::dwell(std::string_view text) {
-  dwell_ = Duration(0);
-  if (const auto milliseconds = word(text, 'P', 0)) dwell_ = Duration(*milliseconds * 1000);
-  if (const auto thousandths = word(text, 'S', 3)) dwell_ = Duration(*thousandths * 1000);
+  handler_.dwell = Duration(0);
+  if (const auto milliseconds = word(text, 'P', 0)) handler_.dwell = Duration(*milliseconds * 1000);
+  if (const auto thousandths = word(text, 'S', 3)) handler_.dwell = Duration(*thousandths * 1000);
   pause_was_asked_ = true;
   wait(Waiting::kPlannerEmpty);
 }
@@ -289,36 +263,20 @@ void VirtualController::Firmware::home(std::string_view text) {
   const std::string_view behind = text.substr(std::min<std::size_t>(text.size(), 3));
   bool any = false;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    home_axes_[axis] = behind.find(kAxes[axis]) != std::string_view::npos;
-    any = any || home_axes_[axis];
+    handler_.home_axes[axis] = behind.find(kAxes[axis]) != std::string_view::npos;
+    any = any || handler_.home_axes[axis];
   }
-  if (!any) home_axes_ = {true, true, true};
+  if (!any) handler_.home_axes = {true, true, true};
   double time = 2;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (!home_axes_[axis]) continue;
-    const double distance = std::abs(static_cast<double>(position_um_[axis])) * 1e-3 + 5;
+    if (!handler_.home_axes[axis]) continue;
+    const double distance = std::abs(position_.mm(axis)) + 5;
     time += distance / (axis == 2 ? kHomingZSpeedMmS : kHomingSpeedMmS);
   }
-  homing_ = true;
-  dwell_ = seconds(time) + options_.homing_time;
+  handler_.homes = true;
+  handler_.dwell = seconds(time) + options_.homing_time;
   pause_was_asked_ = true;
   wait(Waiting::kPlannerEmpty);
-}
-
-void VirtualController::Firmware::set_position(std::string_view text) {
-  constexpr char kAxes[] = {'X', 'Y', 'Z'};
-  const auto e = word(text, 'E', 5);
-  bool any = e.has_value();
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (const auto value = word(text, kAxes[axis], 3)) {
-      position_um_[axis] = *value;
-      any = true;
-    }
-  }
-  if (e) e_10nm_ = *e;
-  if (any) return;
-  position_um_ = {};
-  e_10nm_ = 0;
 }
 
 void VirtualController::Firmware::print_position() {

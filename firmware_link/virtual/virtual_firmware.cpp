@@ -20,14 +20,15 @@ void take_earlier(std::optional<Instant>& earliest, Instant candidate) {
 VirtualController::Firmware::Firmware(const VirtualControllerOptions& options, Instant now)
     : options_(options),
       now_(now),
-      nozzle_(options.ambient_celsius, options.nozzle_heating_celsius_s, now),
-      bed_(options.ambient_celsius, options.bed_heating_celsius_s, now) {
+      reader_(numbers_lines(options.dialect)),
+      heaters_{{options.ambient_celsius, options.nozzle_heating_celsius_s, now},
+               {options.ambient_celsius, options.bed_heating_celsius_s, now}} {
   LINK_CHECK(options_.baud >= 0 && options_.command_cost.count() >= 0);
   LINK_CHECK(options_.acceleration_mm_s2 > 0);
-  if (!numbers_lines(options_.dialect) || !options_.busy_lines) busy_interval_s_ = 0;
+  if (numbers_lines(options_.dialect) && options_.busy_lines) reports_.busy_interval_s = 2;
   planner_.moved = options_.moved;
   print(banner_of(options_.dialect));
-  if (speaks(VirtualDialect::kKlipper)) klipper_begin(options_.ready_after);
+  if (speaks(VirtualDialect::kKlipper)) start_klipper(options_.ready_after);
 }
 
 std::size_t VirtualController::Firmware::input(std::span<const std::byte> bytes, Instant now) {
@@ -50,18 +51,11 @@ void VirtualController::Firmware::receive(char c) {
   if (halted_) return;
   // Klipper and RepRapFirmware always look for it in what arrives.
   if (options_.emergency_parser || !numbers_lines(options_.dialect)) {
-    if (c == '\n' || c == '\r') {
-      const std::string_view seen(early_.data(), early_size_ <= early_.size() ? early_size_ : 0);
-      early_size_ = 0;
-      if (seen == "M108") waiting_cancelled_ = true;
-      if (seen == "M112") {
-        kill("echo:M112 Shutdown\n");
-        return;
-      }
-    } else if (early_size_ < early_.size()) {
-      if (early_size_ != 0 || c != ' ') early_[early_size_++] = c;
-    } else {
-      early_size_ = early_.size() + 1;  // longer than what acts early
+    const VirtualEarlyCommands::Act act = early_.read(c);
+    if (act == VirtualEarlyCommands::Act::kEndWait) handler_.cancelled = true;
+    if (act == VirtualEarlyCommands::Act::kStop) {
+      kill("echo:M112 Shutdown\n");
+      return;
     }
   }
   if (receive_.room() == 0) {
@@ -81,9 +75,9 @@ bool VirtualController::Firmware::step() {
   }
   if (halted_ || blocked()) return false;
   if (report() || klipper_turn()) return true;
-  if (handling_ && finish_command()) return true;
-  if (!handling_ && !slots_.empty()) {
-    begin_command();
+  if (handler_.runs && finish_command()) return true;
+  if (!handler_.runs && !slots_.empty()) {
+    start_command();
     return true;
   }
   return read_bytes();
@@ -100,35 +94,23 @@ void VirtualController::Firmware::advance(Instant now) {
     note_standing();
     now_ = *next;
     planner_.advance(now_);
-    nozzle_.advance(now_);
-    bed_.advance(now_);
+    heaters_.advance(now_);
     note_standing();
   }
   note_standing();
   now_ = std::max(now_, now);
   planner_.advance(now_);
   note_standing();
-  nozzle_.advance(now_);
-  bed_.advance(now_);
+  heaters_.advance(now_);
 }
 
 void VirtualController::Firmware::note_standing() {
-  if (!laid_ || halted_ || handling_ || !slots_.empty() || !planner_.empty()) {
-    standing_since_.reset();
-    return;
-  }
-  if (!standing_since_) standing_since_ = now_;
-  totals_.stood_max = std::max(totals_.stood_max, now_ - *standing_since_);
-}
-
-void VirtualController::Firmware::lose_answer(std::string_view word, std::string_view instead) {
-  lose_word_ = std::string(word);
-  lose_instead_ = std::string(instead);
+  standing_.look(halted_ || handler_.runs || !slots_.empty() || !planner_.empty(), now_);
 }
 
 void VirtualController::Firmware::set_last_line(std::int64_t number, Instant now) {
   advance(now);
-  last_number_ = number;
+  numbers_.set_last(number);
 }
 
 std::size_t VirtualController::Firmware::output(std::span<std::byte> into) {
@@ -143,20 +125,21 @@ std::optional<Instant> VirtualController::Firmware::next_event() const {
   std::optional<Instant> next;
   if (wire_.size() > 0) take_earlier(next, wire_ready_);
   if (halted_ || blocked()) return next;
-  if (auto_report_ && !(silent_ && handling_)) take_earlier(next, auto_report_next_);
+  if (reports_.temperatures && !(mishaps_.silent() && handler_.runs))
+    take_earlier(next, reports_.temperatures_next);
   if (const auto planner = planner_.next_event()) take_earlier(next, *planner);
   if (const auto klipper = klipper_next()) take_earlier(next, *klipper);
-  if (!handling_) return next;
-  if (busy_interval_s_ > 0) take_earlier(next, busy_next_);
-  switch (waiting_) {
+  if (!handler_.runs) return next;
+  if (reports_.busy_interval_s > 0) take_earlier(next, handler_.busy_next);
+  switch (handler_.waiting) {
     case Waiting::kNothing:
     case Waiting::kTime:
-      take_earlier(next, wait_until_);
+      take_earlier(next, handler_.until);
       break;
     case Waiting::kNozzle:
     case Waiting::kBed:
-      take_earlier(next, heat_report_next_);
-      if (within_window_since_) take_earlier(next, *within_window_since_ + kResidency);
+      take_earlier(next, handler_.heat_report_next);
+      if (handler_.warm_since) take_earlier(next, *handler_.warm_since + kResidency);
       break;
     case Waiting::kPlannerSlot:
     case Waiting::kPlannerEmpty:
@@ -166,7 +149,7 @@ std::optional<Instant> VirtualController::Firmware::next_event() const {
 }
 
 bool VirtualController::Firmware::owes_answer() const {
-  if (klipper_ready_) return true;
+  if (klipper_.becomes_ready()) return true;
   return !halted_ && (wire_.size() > 0 || receive_.size() > 0 || !slots_.empty());
 }
 
@@ -174,58 +157,51 @@ void VirtualController::Firmware::reset(Instant now) {
   advance(now);
   forget_all();
   print(banner_of(options_.dialect));
-  if (speaks(VirtualDialect::kKlipper)) klipper_begin(options_.ready_after);
+  if (speaks(VirtualDialect::kKlipper)) start_klipper(options_.ready_after);
 }
 
 void VirtualController::Firmware::forget_all() {
   wire_.clear();
   receive_.clear();
+  early_.clear();
   unpacker_ = {};
-  assembling_.size = 0;
-  in_comment_ = escaped_ = false;
-  last_number_ = 0;
+  reader_.clear();
+  numbers_.set_last(0);
   slots_.clear();
-  handling_ = laid_ = false;
-  waiting_ = Waiting::kNothing;
-  homing_ = false;
-  pending_blocks_ = 0;
-  busy_interval_s_ = numbers_lines(options_.dialect) && options_.busy_lines ? 2 : 0;
-  klipper_words_.clear();
-  delay_next_ = Duration(0);
-  auto_report_.reset();
+  handler_.runs = handler_.homes = false;
+  handler_.waiting = Waiting::kNothing;
+  mishaps_.forget_delay();
+  reports_.busy_interval_s = numbers_lines(options_.dialect) && options_.busy_lines ? 2 : 0;
+  reports_.temperatures.reset();
   halted_ = false;
+  position_ = {};
+  blocks_.clear();
   planner_.clear();
   pause_was_asked_ = true;
-  nozzle_.set_target(0);
-  bed_.set_target(0);
-  fan_ = 0;
-  position_um_ = {};
-  homed_ = {};
-  e_10nm_ = 0;
-  feed_mm_min_ = 1500;
-  feed_percent_ = 100;
-  relative_ = relative_e_ = false;
-  early_size_ = 0;
+  heaters_.off();
+  heaters_.fan = 0;
+  standing_.cooled();
 }
 
 VirtualControllerState VirtualController::Firmware::state() const {
   VirtualControllerState state;
-  state.x_mm = static_cast<double>(position_um_[0]) * 1e-3;
-  state.y_mm = static_cast<double>(position_um_[1]) * 1e-3;
-  state.z_mm = static_cast<double>(position_um_[2]) * 1e-3;
-  state.e_mm = static_cast<double>(e_10nm_) * 1e-5;
-  state.nozzle_celsius = nozzle_.celsius();
-  state.nozzle_target_celsius = nozzle_.target();
-  state.bed_celsius = bed_.celsius();
-  state.bed_target_celsius = bed_.target();
-  state.fan = fan_;
+  state.x_mm = position_.mm(0);
+  state.y_mm = position_.mm(1);
+  state.z_mm = position_.mm(2);
+  state.e_mm = static_cast<double>(position_.filament_10nm()) * 1e-5;
+  state.nozzle_celsius = heaters_.nozzle.celsius();
+  state.nozzle_target_celsius = heaters_.nozzle.target();
+  state.bed_celsius = heaters_.bed.celsius();
+  state.bed_target_celsius = heaters_.bed.target();
+  state.fan = heaters_.fan;
   state.halted = halted_;
-  state.last_line = last_number_;
+  state.last_line = numbers_.last();
   state.planner_blocks = planner_.count();
   return state;
 }
 
 const VirtualControllerTotals& VirtualController::Firmware::totals() {
+  totals_.stood_max = standing_.longest();
   totals_.planner_underruns = planner_.underruns();
   totals_.planner_low = planner_.low();
   totals_.planner_blocks_max = planner_.count_max();
@@ -240,12 +216,12 @@ void VirtualController::Firmware::print(std::string_view text) {
 
 std::string VirtualController::Firmware::temperatures() const {
   HeaterReport report;
-  report.nozzle_celsius = nozzle_.celsius();
-  report.nozzle_target = nozzle_.target();
-  report.nozzle_power = nozzle_.power();
-  report.bed_celsius = bed_.celsius();
-  report.bed_target = bed_.target();
-  report.bed_power = bed_.power();
+  report.nozzle_celsius = heaters_.nozzle.celsius();
+  report.nozzle_target = heaters_.nozzle.target();
+  report.nozzle_power = heaters_.nozzle.power();
+  report.bed_celsius = heaters_.bed.celsius();
+  report.bed_target = heaters_.bed.target();
+  report.bed_power = heaters_.bed.power();
   return temperatures_of(options_.dialect, report);
 }
 
@@ -253,33 +229,34 @@ void VirtualController::Firmware::print_temperatures() { print(temperatures()); 
 
 // Says what is due by the clock.
 bool VirtualController::Firmware::report() {
-  if (auto_report_ && !(silent_ && handling_) && auto_report_next_ <= now_) {
-    auto_report_next_ += *auto_report_;
+  if (reports_.temperatures && !(mishaps_.silent() && handler_.runs) &&
+      reports_.temperatures_next <= now_) {
+    reports_.temperatures_next += *reports_.temperatures;
     print_temperatures();
     print("\n");
     return true;
   }
-  if (!handling_) return false;
-  const bool heating = waiting_ == Waiting::kNozzle || waiting_ == Waiting::kBed;
-  if (heating && heat_report_next_ <= now_) {
-    heat_report_next_ += kSecond;
-    (void)heated(waiting_ == Waiting::kNozzle ? nozzle_ : bed_);
+  if (!handler_.runs) return false;
+  const bool heating = handler_.waiting == Waiting::kNozzle || handler_.waiting == Waiting::kBed;
+  if (heating && handler_.heat_report_next <= now_) {
+    handler_.heat_report_next += kSecond;
+    (void)heated(handler_.waiting == Waiting::kNozzle ? heaters_.nozzle : heaters_.bed);
     if (speaks(VirtualDialect::kRepRap)) return true;  // it waits in silence
     if (speaks(VirtualDialect::kKlipper)) {
       print(temperatures().substr(1) + "\n");
       return true;
     }
     print_temperatures();
-    if (within_window_since_) {
-      const Duration rest = std::max(Duration(0), *within_window_since_ + kResidency - now_);
+    if (handler_.warm_since) {
+      const Duration rest = std::max(Duration(0), *handler_.warm_since + kResidency - now_);
       print_format(" W:%d\n", static_cast<int>(rest / kSecond));
     } else {
       print(" W:?\n");
     }
     return true;
   }
-  if (busy_interval_s_ > 0 && busy_next_ <= now_) {
-    busy_next_ += busy_interval_s_ * kSecond;
+  if (reports_.busy_interval_s > 0 && handler_.busy_next <= now_) {
+    handler_.busy_next += reports_.busy_interval_s * kSecond;
     print("echo:busy: processing\n");
     return true;
   }
@@ -287,8 +264,7 @@ bool VirtualController::Firmware::report() {
 }
 
 void VirtualController::Firmware::kill(std::string_view words) {
-  nozzle_.set_target(0);
-  bed_.set_target(0);
+  heaters_.off();
   planner_.clear();
   if (speaks(VirtualDialect::kKlipper)) {
     klipper_shut_down(words);
@@ -297,7 +273,7 @@ void VirtualController::Firmware::kill(std::string_view words) {
   print(words);
   print("Error:Printer halted. kill() called!\n");
   halted_ = true;
-  handling_ = false;
+  handler_.runs = false;
   slots_.clear();
   receive_.clear();
   wire_.clear();
@@ -316,8 +292,8 @@ void VirtualController::Firmware::say(std::string_view words, Instant now) {
 
 void VirtualController::Firmware::break_heaters(Instant now) {
   advance(now);
-  nozzle_.break_down();
-  bed_.break_down();
+  heaters_.nozzle.break_down();
+  heaters_.bed.break_down();
 }
 
 }  // namespace firmware_link

@@ -17,10 +17,18 @@
 #include <string>
 #include <string_view>
 
-#include "firmware_link/session/planner_watch.h"  // kArcBlockUm
+#include "firmware_link/session/planner_watch.h"   // kArcBlockUm
+#include "firmware_link/virtual/virtual_blocks.h"  // VirtualBlocks
 #include "firmware_link/virtual/virtual_controller.h"
-#include "firmware_link/virtual/virtual_heater.h"   // VirtualHeater
-#include "firmware_link/virtual/virtual_planner.h"  // VirtualPlanner
+#include "firmware_link/virtual/virtual_early_commands.h"  // VirtualEarlyCommands
+#include "firmware_link/virtual/virtual_heater.h"          // VirtualHeater
+#include "firmware_link/virtual/virtual_klipper_state.h"   // VirtualKlipperState
+#include "firmware_link/virtual/virtual_line_numbers.h"    // VirtualLineNumbers
+#include "firmware_link/virtual/virtual_line_reader.h"     // VirtualLineReader
+#include "firmware_link/virtual/virtual_mishaps.h"         // VirtualMishaps
+#include "firmware_link/virtual/virtual_planner.h"         // VirtualPlanner
+#include "firmware_link/virtual/virtual_position.h"        // VirtualPosition
+#include "firmware_link/virtual/virtual_standing.h"        // VirtualStanding
 #include "firmware_link/wire/check.h"
 #include "firmware_link/wire/line_codec.h"   // word
 #include "firmware_link/wire/meat_pack.h"    // MeatUnpacker
@@ -51,36 +59,70 @@ class VirtualController::Firmware {
   void restart(Duration ready_after, Instant now);
   void halt(std::string_view words, Instant now);
   void say(std::string_view words, Instant now);
-  void delay_next(Duration delay, std::string_view word) {
-    delay_next_ = delay;
-    delay_word_ = std::string(word);
+  void delay_next(Duration delay, std::string_view word) { mishaps_.delay_next(delay, word); }
+  void lose_answer(std::string_view word, std::string_view instead) {
+    mishaps_.lose_answer(word, instead);
   }
-  void lose_answer(std::string_view word, std::string_view instead);
   void set_last_line(std::int64_t number, Instant now);
-  void work_in_silence() { busy_interval_s_ = 0, silent_ = true; }
+  void work_in_silence() {
+    reports_.busy_interval_s = 0;
+    mishaps_.work_in_silence();
+  }
   void break_heaters(Instant now);
   [[nodiscard]] VirtualControllerState state() const;
   [[nodiscard]] const VirtualControllerTotals& totals();
 
  private:
-  // A line in a command slot, as Marlin keeps it: with number and checksum.
-  struct Slot {
-    std::array<char, kLineBytesMax> bytes{};
-    std::size_t size = 0;
-    [[nodiscard]] std::string_view line() const { return {bytes.data(), size}; }
-  };
-
   // Radius 0: not known, as with R.
   struct ArcWay {
     double length_mm = 0;
     double radius_mm = 0;
     std::array<double, 2> centre_mm{};
-    double begin = 0;  // angle about the centre, radians
+    double start = 0;  // angle about the centre, radians
     double turn = 0;   // counter-clockwise
   };
 
   // What a handler waits for before its `ok` leaves.
   enum class Waiting { kNothing, kTime, kPlannerSlot, kPlannerEmpty, kNozzle, kBed };
+
+  // The command in its handler, always that of the first slot.
+  struct Handler {
+    bool runs = false;
+    bool refused = false;  // it did nothing
+    std::optional<std::int64_t> number;
+    bool asks_temperatures = false;
+    bool asks_identity = false;
+    Waiting waiting = Waiting::kNothing;
+    bool cancelled = false;  // M108: the wait for heat is over
+    Instant until;
+    Instant busy_next;
+    Duration dwell{0};  // behind the planner's last move
+    bool homes = false;
+    std::array<bool, 3> home_axes{};
+    Instant heat_report_next;
+    std::optional<Instant> warm_since;  // within a degree of the target
+  };
+
+  // What it says by the clock.
+  struct Reports {
+    int busy_interval_s = 0;
+    std::optional<Duration> temperatures;  // how often
+    Instant temperatures_next;
+  };
+
+  struct Heaters {
+    VirtualHeater nozzle;
+    VirtualHeater bed;
+    int fan = 0;
+    void off() {
+      nozzle.set_target(0);
+      bed.set_target(0);
+    }
+    void advance(Instant now) {
+      nozzle.advance(now);
+      bed.advance(now);
+    }
+  };
 
   // virtual_firmware.cpp
   bool step();
@@ -104,32 +146,27 @@ class VirtualController::Firmware {
   void forget_all();
 
   // virtual_klipper.cpp
-  enum class KlipperState { kStartup, kReady, kShutdown, kError };
-  void klipper_begin(Duration ready_after);
+  void start_klipper(Duration ready_after);
   [[nodiscard]] bool klipper_turn();
   [[nodiscard]] std::optional<Instant> klipper_next() const;
-  [[nodiscard]] std::string klipper_state_message() const;
   void klipper_error(std::string_view message);
   void klipper_shut_down(std::string_view words);
   [[nodiscard]] bool klipper_answers(std::string_view text);
   [[nodiscard]] bool klipper_answers_unready(std::string_view command);
   void klipper_help();
   void klipper_set_position(std::string_view text);
-  [[nodiscard]] bool klipper_refuses(const std::array<std::int64_t, 3>& target_um,
-                                     std::int64_t filament_10nm);
+  [[nodiscard]] bool klipper_refuses(const VirtualPosition::Target& target);
 
   // virtual_queue.cpp
   bool read_bytes();
-  bool read_character(char c);
-  void take_slot(const Slot& slot);
-  [[nodiscard]] bool plain_line_accepted(Slot& slot) const;
-  void end_line();
-  [[nodiscard]] bool number_accepted(std::string_view line);
-  void line_error(std::string_view what);
+  void take_line(VirtualLine line);
+  [[nodiscard]] bool plain_line_accepted(VirtualLine& line) const;
+  [[nodiscard]] bool unnumbered_line_accepted(std::string_view text);
+  [[nodiscard]] bool numbered_line_accepted(std::string_view text);
   void flush_and_request_resend();
 
   // virtual_commands.cpp
-  void begin_command();
+  void start_command();
   bool finish_command();
   bool wait_over();
   bool heated(const VirtualHeater& heater);
@@ -144,7 +181,6 @@ class VirtualController::Firmware {
                   const ArcWay* way);
   void dwell(std::string_view text);
   void home(std::string_view text);
-  void set_position(std::string_view text);
   void print_position();
   void print_travel();
   void wait(Waiting waiting);
@@ -154,78 +190,37 @@ class VirtualController::Firmware {
   void arc(std::int64_t code, std::string_view text);
   [[nodiscard]] bool leaves_bed(const ArcWay& way) const;
   void queue_arc(const ArcWay& way, PlannerMove block);
-  void queue_blocks(const PlannerMove& block, std::size_t count);
-  [[nodiscard]] bool plan_pending();
+  void queue_blocks(const PlannerMove& block, std::size_t count, double turn);
 
   VirtualControllerOptions options_;
   VirtualControllerTotals totals_;
   Instant now_;
+  bool halted_ = false;
 
+  // From the wire to the command slots.
   RingBuffer<char, kWireBytesMax> wire_;
   Instant wire_ready_;  // when the wire's first byte has arrived
+  VirtualEarlyCommands early_;
   RingBuffer<char, kControllerReceiveBytes> receive_;
-  RingBuffer<char, kAnswerBytesMax> answers_;
-
   MeatUnpacker unpacker_;
-  Slot assembling_;
-  bool in_comment_ = false;
-  bool escaped_ = false;
-  std::int64_t last_number_ = 0;
+  VirtualLineReader reader_;
+  VirtualLineNumbers numbers_;
+  RingBuffer<VirtualLine, kControllerCommandSlots> slots_;
 
-  RingBuffer<Slot, kControllerCommandSlots> slots_;
+  // What runs, and what is said.
+  Handler handler_;
+  VirtualMishaps mishaps_;
+  Reports reports_;
+  RingBuffer<char, kAnswerBytesMax> answers_;
+  VirtualKlipperState klipper_;
 
-  // The command in its handler, always that of the first slot.
-  bool handling_ = false;
-  bool refused_ = false;  // it did nothing
-  Waiting waiting_ = Waiting::kNothing;
-  std::optional<std::int64_t> current_number_;
-  bool temperatures_asked_ = false;
-  bool identity_asked_ = false;
-  bool waiting_cancelled_ = false;
-  Duration dwell_{0};  // behind the planner's last move
-  bool homing_ = false;
-  std::array<bool, 3> home_axes_{};
-  Instant wait_until_;
-  Instant busy_next_;
-  Instant heat_report_next_;
-  std::optional<Instant> within_window_since_;
-  PlannerMove pending_block_;
-  std::size_t pending_blocks_ = 0;  // of the command in its handler, not in the planner yet
-  std::int64_t pending_command_ = 0;
-  double pending_turn_ = 0;  // from one to the next
-
-  int busy_interval_s_ = 2;
-  std::optional<Duration> auto_report_;
-  Instant auto_report_next_;
-  bool halted_ = false;
-  KlipperState klipper_ = KlipperState::kReady;
-  std::string klipper_words_;             // why it is shut down
-  std::optional<Instant> klipper_ready_;  // when it will be
-  bool klipper_idle_ = true;              // its motors and heaters are off, or will not be let go
-  Instant moved_last_;
-  Duration delay_next_{0};
-  std::string delay_word_;
-  bool silent_ = false;
-  std::optional<std::string> lose_word_;  // whose next answer is lost
-  std::string lose_instead_;
-  bool losing_ = false;  // that of the command at hand
-  bool laid_ = false;    // a road, and the nozzle was not cooled since
-  std::optional<Instant> standing_since_;
-  std::array<char, 4> early_{};  // of the line that comes in, for what acts before its turn
-  std::size_t early_size_ = 0;
-
+  // The machine.
+  VirtualPosition position_;
+  VirtualBlocks blocks_;
   VirtualPlanner planner_;
   bool pause_was_asked_ = true;
-  VirtualHeater nozzle_;
-  VirtualHeater bed_;
-  int fan_ = 0;
-  std::array<std::int64_t, 3> position_um_{};
-  std::array<bool, 3> homed_{};
-  std::int64_t e_10nm_ = 0;
-  std::int64_t feed_mm_min_ = 1500;
-  std::int64_t feed_percent_ = 100;
-  bool relative_ = false;
-  bool relative_e_ = false;
+  Heaters heaters_;
+  VirtualStanding standing_;
 };
 
 }  // namespace firmware_link

@@ -22,31 +22,33 @@ bool VirtualController::Firmware::handle_m(std::int64_t code, std::string_view t
   switch (code) {
     case 18:
     case 84:
-      homed_ = {};
+      position_.set_homed(false);
       [[fallthrough]];
     case 400:
       pause_was_asked_ = true;
-      dwell_ = Duration(0);
+      handler_.dwell = Duration(0);
       wait(Waiting::kPlannerEmpty);
       return true;
     case 82:
-      relative_e_ = false;
+      position_.set_relative_filament(false);
       return true;
     case 83:
-      relative_e_ = true;
+      position_.set_relative_filament(true);
       return true;
     case 106:
-      fan_ = static_cast<int>(std::clamp<std::int64_t>(word(text, 'S', 0).value_or(255), 0, 255));
+      heaters_.fan =
+          static_cast<int>(std::clamp<std::int64_t>(word(text, 'S', 0).value_or(255), 0, 255));
       return true;
     case 107:
-      fan_ = 0;
+      heaters_.fan = 0;
       return true;
     case 211:
       if (speaks(VirtualDialect::kMarlin) && !options_.tells_travel) return false;
       if (!word(text, 'S', 0)) print_travel();
       return true;
     case 220:
-      feed_percent_ = std::clamp<std::int64_t>(word(text, 'S', 0).value_or(100), 10, 999);
+      position_.set_feed_percent(
+          std::clamp<std::int64_t>(word(text, 'S', 0).value_or(100), 10, 999));
       return true;
     case 221:
       return true;
@@ -70,22 +72,22 @@ bool VirtualController::Firmware::handle_m_temperature(std::int64_t code, std::s
   switch (code) {
     case 104:
     case 109:
-      if (target) nozzle_.set_target(celsius());
-      if (target && celsius() == 0) laid_ = false;
+      if (target) heaters_.nozzle.set_target(celsius());
+      if (target && celsius() == 0) standing_.cooled();
       break;
     case 140:
     case 190:
-      if (target) bed_.set_target(celsius());
+      if (target) heaters_.bed.set_target(celsius());
       break;
     case 105:
-      temperatures_asked_ = true;
+      handler_.asks_temperatures = true;
       return true;
     case 155:
       if (!numbers_lines(options_.dialect)) return false;
-      auto_report_.reset();
+      reports_.temperatures.reset();
       if (const auto interval = word(text, 'S', 0); interval && *interval > 0) {
-        auto_report_ = std::chrono::seconds(std::min<std::int64_t>(*interval, 60));
-        auto_report_next_ = now_ + *auto_report_;
+        reports_.temperatures = std::chrono::seconds(std::min<std::int64_t>(*interval, 60));
+        reports_.temperatures_next = now_ + *reports_.temperatures;
       }
       return true;
     default:
@@ -93,8 +95,8 @@ bool VirtualController::Firmware::handle_m_temperature(std::int64_t code, std::s
   }
   if (code == 109 || code == 190) {
     pause_was_asked_ = true;
-    within_window_since_.reset();
-    heat_report_next_ = now_;
+    handler_.warm_since.reset();
+    handler_.heat_report_next = now_;
     wait(code == 109 ? Waiting::kNozzle : Waiting::kBed);
   }
   return true;
@@ -105,9 +107,9 @@ bool VirtualController::Firmware::handle_m_host(std::int64_t code, std::string_v
   switch (code) {
     case 110:
       if (const auto number = word(text, 'N', 0)) {
-        last_number_ = *number;
+        numbers_.set_last(*number);
       } else {
-        print_format("Line: %lld\n", static_cast<long long>(last_number_));
+        print_format("Line: %lld\n", static_cast<long long>(numbers_.last()));
       }
       return true;
     case 112:
@@ -116,9 +118,9 @@ bool VirtualController::Firmware::handle_m_host(std::int64_t code, std::string_v
     case 113:
       if (!numbers_lines(options_.dialect)) return false;
       if (const auto interval = word(text, 'S', 0)) {
-        busy_interval_s_ = static_cast<int>(std::clamp<std::int64_t>(*interval, 0, 60));
+        reports_.busy_interval_s = static_cast<int>(std::clamp<std::int64_t>(*interval, 0, 60));
       } else {
-        print_format("echo:M113 S%d\n", busy_interval_s_);
+        print_format("echo:M113 S%d\n", reports_.busy_interval_s);
       }
       return true;
     case 114:
@@ -126,7 +128,7 @@ bool VirtualController::Firmware::handle_m_host(std::int64_t code, std::string_v
       return true;
     case 115:
       print(identity_of(options_));
-      identity_asked_ = speaks(VirtualDialect::kKlipper);
+      handler_.asks_identity = speaks(VirtualDialect::kKlipper);
       return true;
     case 118: {
       std::string_view message = text.substr(std::min<std::size_t>(text.size(), 5));
