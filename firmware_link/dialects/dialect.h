@@ -1,7 +1,6 @@
 // Plug point: how a kind of controller speaks. A variant is a file.
 //
-// The session does all the counting, timing and repeating; a dialect only says by which rules, and
-// what an answer means to a sender.
+// The session counts, times and repeats. A dialect says by which rules, and what each answer means.
 #pragma once
 
 #include <chrono>
@@ -16,34 +15,34 @@
 namespace firmware_link {
 
 enum class Meaning {
-  kNoise,         // means nothing, and doesn't even prove that the controller lives
+  kNoise,         // means nothing, and does not prove that the controller lives
   kAlive,         // means nothing, but something answers
-  kWorking,       // the command at hand takes its time: silence is not to be feared
+  kWorking,       // the command at hand takes its time: silence is no fault
   kAcknowledge,   // one line is done with
   kRefused,       // a line was not accepted; a request to repeat it and an empty `ok` follow
-  kResend,        // reply.number is the line to go on from; an empty `ok` follows
+  kResend,        // reply.number is the line to send next; an empty `ok` follows
   kWarning,       // a line was accepted but did nothing
   kFilamentHeld,  // a line was accepted, and moved no filament: the nozzle is too cold
-  kReset,         // the controller has just begun its life
-  kShutDown,      // the print is over, and the controller too; why, it says next, or when asked
+  kReset,         // the controller has just started
+  kShutDown,      // print and controller are over; the reason comes next, or when it is asked for
   kAlarm,         // the print is over, but the controller still obeys
   kFatal,         // the print is over, and the controller too
 };
 
 struct LinkRules {
-  // Lines carry a number and a checksum, and may be asked for again. Without, each line has
+  // Lines carry a number and a checksum, and may be asked for again. Otherwise each line has
   // exactly one acknowledgement, and nothing is ever repeated.
   bool numbered = true;
 
   // Lines carry number and checksum though nothing is ever repeated. REQUIRES: !numbered.
   bool checksummed = false;
 
-  // Its M114 tells what it was commanded, in two decimals, without waiting for motion.
+  // Its M114 tells the commanded position, in two decimals, without waiting for motion.
   bool tells_position = false;
-  // Its user may shift heights at any time, which M114 then shows (SET_GCODE_OFFSET).
+  // Its user may shift heights at any time (SET_GCODE_OFFSET), and M114 shows the shift.
   bool height_may_shift = false;
 
-  // Words that are not a letter and a number are its user's macros, and may take their time.
+  // Commands that are not a letter and a number are its user's macros, and may take long.
   bool macros = false;
 
   // Asks how far its axes go; empty: it cannot be asked.
@@ -58,24 +57,22 @@ struct LinkRules {
   std::size_t window_lines = kWindowLinesMax;
   std::size_t window_bytes = kWindowBytesMax;
 
-  // How long nothing at all may be heard while a line is in flight that is answered at once
-  // (command_waits.h tells of others), and how long only signs of life that don't prove work
-  // (temperatures).
+  // For lines that are answered at once (command_waits.h has the others): how long nothing at all
+  // may be heard, and how long only what proves no work (temperatures).
   Duration silence_max{};
   Duration idle_talk_max{};
 
-  // How often a paused print moves nothing for a millisecond, where a controller that stands idle
-  // switches heaters and motors off. 0: never.
+  // How often a paused print sends a wait of one millisecond, so that a controller does not switch
+  // heaters and motors off for standing idle. 0: never.
   Duration keep_awake{};
 
-  // How long an `ok` may be missing before the controller is asked for it, which is not held
-  // against it; the same where its planner is taken to be empty, so that it has nothing to do but
-  // answer.
+  // How long an `ok` may be missing before the controller is asked for it. The second one counts
+  // where its planner is taken to be empty, so that it has nothing to do but answer.
   Duration ask_after = std::chrono::seconds(5);
   Duration ask_after_idle = std::chrono::seconds(1);
 
-  // After a Resend, how long it must be quiet before anything is sent again, because lines that
-  // were in flight may be answered too, each with a Resend of its own.
+  // How long it must be quiet after a Resend before a line is sent: each line that was in flight
+  // may be answered with a Resend of its own.
   Duration quiet_after_resend{};
 };
 
@@ -87,8 +84,8 @@ class Dialect {
   [[nodiscard]] virtual LinkRules rules() const = 0;
   [[nodiscard]] virtual Meaning meaning_of(const Reply& reply) const = 0;
 
-  // What to ask a controller that answers whether it is ready to print, too; empty: it is. What is
-  // not ready answers with an alarm.
+  // Asks whether a controller is ready to print; one that is not answers with an alarm. Empty: one
+  // that answers is ready.
   [[nodiscard]] virtual std::string_view state_question() const { return {}; }
   // Whether a controller that is not ready for this reason becomes ready by itself.
   [[nodiscard]] virtual bool becomes_ready(std::string_view reason) const {

@@ -8,10 +8,10 @@
 
 namespace firmware_link {
 
-// By M115's FIRMWARE_NAME; Marlin's for what isn't known, because most others follow it.
+// By M115's FIRMWARE_NAME. Unknown names get Marlin's, because most others follow it.
 [[nodiscard]] std::unique_ptr<Dialect> dialect_for(std::string_view firmware_name);
 
-// Whether a name is one that is known; another may be a known one that was damaged.
+// Whether the name is known. One that is not may be a known one that was damaged.
 [[nodiscard]] bool is_known_firmware(std::string_view firmware_name);
 
 }  // namespace firmware_link

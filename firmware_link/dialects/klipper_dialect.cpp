@@ -5,10 +5,6 @@
 namespace firmware_link {
 namespace {
 
-bool begins(std::string_view text, std::string_view with) {
-  return text.substr(0, with.size()) == with;
-}
-
 // The first line of what it answers to anything while it looks for its microcontrollers.
 constexpr std::string_view kStartingUp = "Printer is not ready";
 
@@ -37,17 +33,17 @@ Meaning KlipperDialect::meaning_of(const Reply& reply) const {
     case Kind::kOk:
       return Meaning::kAcknowledge;
     case Kind::kAlarm:
-      if (begins(reply.text, kStartingUp)) return Meaning::kReset;
+      if (reply.text.starts_with(kStartingUp)) return Meaning::kReset;
       return reply.text.find("hutdown") != std::string_view::npos ? Meaning::kFatal
                                                                   : Meaning::kAlarm;
     case Kind::kNote:
-      // "Ready" is also what somebody is told who asks: it begins nothing. "Printer is shutdown"
+      // "Ready" is also the answer to anybody's question: nothing starts. "Printer is shutdown"
       // and "Printer is halted" end the long form of a reason.
-      if (begins(reply.text, "Klipper state: Disconnect")) return Meaning::kReset;
-      if (begins(reply.text, "Klipper state: Shutdown")) return Meaning::kShutDown;
-      if (begins(reply.text, "Printer is shutdown")) return Meaning::kShutDown;
-      if (begins(reply.text, "Printer is halted")) return Meaning::kShutDown;
-      if (begins(reply.text, "Unknown command")) return Meaning::kWarning;
+      if (reply.text.starts_with("Klipper state: Disconnect")) return Meaning::kReset;
+      if (reply.text.starts_with("Klipper state: Shutdown")) return Meaning::kShutDown;
+      if (reply.text.starts_with("Printer is shutdown")) return Meaning::kShutDown;
+      if (reply.text.starts_with("Printer is halted")) return Meaning::kShutDown;
+      if (reply.text.starts_with("Unknown command")) return Meaning::kWarning;
       return Meaning::kAlive;
     case Kind::kTemperatures:  // each second in M109
       return Meaning::kWorking;
@@ -72,12 +68,12 @@ Meaning KlipperDialect::meaning_of(const Reply& reply) const {
 }
 
 bool KlipperDialect::becomes_ready(std::string_view reason) const {
-  return begins(reason, kStartingUp);
+  return reason.starts_with(kStartingUp);
 }
 
 // "Must home axis first", a delta's "Must home first".
 bool KlipperDialect::lost_its_position(std::string_view alarm) const {
-  return begins(alarm, "Must home");
+  return alarm.starts_with("Must home");
 }
 
 std::string_view KlipperDialect::remedy() const {
@@ -94,7 +90,7 @@ std::string_view KlipperDialect::no_height_command(const Capabilities& capabilit
 // "SET_KINEMATIC_POSITION: Force a low-level kinematic position": there with [force_move]
 // enable_force_move alone.
 void KlipperDialect::note_command(std::string_view line, Capabilities& capabilities) const {
-  if (begins(line, "SET_KINEMATIC_POSITION")) capabilities.sets_position = true;
+  if (line.starts_with("SET_KINEMATIC_POSITION")) capabilities.sets_position = true;
 }
 
 // M112 is looked for in what arrives, before lines have their turn. Arcs need [gcode_arcs], which

@@ -1,6 +1,6 @@
-// Prusa's firmware for its 8-bit printers (MK2, MK3): the Marlin of its time. It differs in what it
-// says of itself: arcs are there without a `Cap:ARCS`, and a repeated number is refused with
-// `Resend:` where today's Marlin keeps silent, which the session takes either way.
+// Prusa's firmware for its 8-bit printers (MK2, MK3), an older Marlin. It has arcs without saying
+// so (`Cap:ARCS`). It refuses a repeated number with `Resend:` where today's Marlin keeps silent;
+// the session copes with both.
 #pragma once
 
 #include "firmware_link/dialects/marlin_dialect.h"  // MarlinDialect

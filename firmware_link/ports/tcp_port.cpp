@@ -19,13 +19,13 @@ constexpr std::string_view kScheme = "tcp://";
 
 bool would_block() { return errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR; }
 
-struct Place {
+struct Address {
   std::string host;
   std::string port;
 };
 
 // "tcp://host:port", "tcp://[::1]:port"; empty parts when it is neither.
-Place place_in(std::string_view path) {
+Address address_in(std::string_view path) {
   path.remove_prefix(kScheme.size());
   while (!path.empty() && path.back() == '/') path.remove_suffix(1);
   const std::size_t colon = path.rfind(':');
@@ -73,16 +73,16 @@ int connected(const addrinfo& address) {
 bool TcpPort::names_one(std::string_view path) { return path.substr(0, kScheme.size()) == kScheme; }
 
 std::variant<std::unique_ptr<BytePort>, PortError> TcpPort::open(const std::string& path) {
-  const Place place = place_in(path);
-  if (place.host.empty()) {
+  const Address address = address_in(path);
+  if (address.host.empty()) {
     return PortError{"cannot read " + path, "write it as tcp://HOST:PORT, port 23 or 8888 mostly"};
   }
   addrinfo wanted{};
   wanted.ai_socktype = SOCK_STREAM;
   addrinfo* found = nullptr;
-  if (const int error = ::getaddrinfo(place.host.c_str(), place.port.c_str(), &wanted, &found);
+  if (const int error = ::getaddrinfo(address.host.c_str(), address.port.c_str(), &wanted, &found);
       error != 0) {
-    return PortError{"cannot find " + place.host + ": " + ::gai_strerror(error),
+    return PortError{"cannot find " + address.host + ": " + ::gai_strerror(error),
                      "is the name right, and the network there?"};
   }
   int file = -1;

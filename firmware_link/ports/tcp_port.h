@@ -18,7 +18,7 @@ inline constexpr int kConnectLimit_ms = 5000;
 
 class TcpPort final : public BytePort {
  public:
-  // True for a path that begins with tcp://.
+  // True for a path that starts with tcp://.
   [[nodiscard]] static bool names_one(std::string_view path);
 
   // Connects; names and addresses of IPv4 and IPv6 are taken ("tcp://[::1]:23"). Small writes leave

@@ -1,6 +1,6 @@
-// A controller's account of the lines that it has ("Last Line: 14", "Resend: 15") which cannot be
-// true: damaged on its way, or its counter has jumped, because it was reset or is at fault. What is
-// damaged does not say the same thing twice over, and again.
+// A controller's account of the lines that it has ("Last Line: 14", "Resend: 15"), when it cannot
+// be true. Either it was damaged on its way, or the controller's counter has jumped. Damaged
+// accounts differ, so the same one three times in a row means that the counter has jumped.
 #pragma once
 
 #include <charconv>
@@ -25,8 +25,8 @@ class AccountWatch {
     }
   }
 
-  // A line was asked for that cannot be the next. Returns true when that is the third account in a
-  // row, each in both its lines, that says the same.
+  // A line was asked for that cannot be the next. True when three accounts in a row have said so,
+  // each the same in both its lines.
   [[nodiscard]] bool impossible(std::int64_t number) {
     ++doubts_;
     if (!last_line_ || *last_line_ + 1 != number) return false;
@@ -36,7 +36,7 @@ class AccountWatch {
     return times_ >= kTimesMax;
   }
 
-  // An account came that can be true, or a line of ours was accepted.
+  // A possible account came, or a line of ours was accepted.
   void possible() { times_ = doubts_ = 0; }
 
   // Whether to ask at once for another account.

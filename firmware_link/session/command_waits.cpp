@@ -81,7 +81,7 @@ CommandWait wait_of(std::string_view text, bool macros) {
   const auto* const row = std::find_if(std::begin(kRows), std::end(kRows),
                                        [&](const Row& one) { return one.word == word; });
   if (row == std::end(kRows)) return {};
-  // Klipper's user may have written any of them anew.
+  // Klipper's user may have written any of them again.
   return {row->what, macros ? std::max(row->limit, kMacroLimit) : row->limit, true};
 }
 

@@ -14,7 +14,7 @@ struct CommandWait {
   std::string_view what;
   // How long it may take in silence; 0 for what is answered at once.
   Duration limit{0};
-  // The planner runs empty before it begins, so nothing is sent behind it.
+  // The planner runs empty before it starts, so nothing is sent behind it.
   bool planner_runs_empty = false;
 
   [[nodiscard]] bool is_long() const { return limit.count() > 0; }

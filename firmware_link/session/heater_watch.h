@@ -32,9 +32,9 @@ class HeaterWatch {
   // `name` as in "the nozzle". REQUIRES: it outlives the watch.
   HeaterWatch(const char* name, const HeaterWatchLimits& limits) : name_(name), limits_(limits) {}
 
-  // A report came. Where nothing was heard for long (the controller was silent, or the host stood
-  // still), that time counts for no more than kUnheardMax: nobody knows what was reported
-  // meanwhile. Returns a sentence when the heater does not do what it was told.
+  // A report came. Returns a sentence when the heater does not do what it was told. A time in which
+  // nothing was heard (the controller was silent, or the host stood still) counts for kUnheardMax
+  // at most.
   [[nodiscard]] std::optional<std::string> heard(double celsius, double target, Instant now);
 
   // Forgets what was seen: another target was told, or nothing was heard for long.

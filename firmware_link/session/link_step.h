@@ -1,4 +1,4 @@
-// One turn of the loop between a session and a port, and the way to end all of it.
+// One turn of the loop between a session and a port; the emergency stop.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace firmware_link {
 
-// Writes what is to be written, waits up to timeout_ms for answers, lets the session's timers run.
+// Writes what waits, waits up to timeout_ms for answers, and lets the session's timers run.
 void step(Session& session, BytePort& port, Instant now, int timeout_ms);
 
 // Bytes that stop a controller at once if its EMERGENCY_PARSER is on, otherwise at the end of the
@@ -20,7 +20,7 @@ void step(Session& session, BytePort& port, Instant now, int timeout_ms);
 // What an emergency stop could do.
 enum class Halt {
   kTold,     // M112 has left; a controller with EMERGENCY_PARSER has stopped by now
-  kReset,    // and the board was reset as well, because it may not have listened
+  kReset,    // M112 has left, and the board was reset, because it may not have listened
   kMaybe,    // M112 has left, and nothing more can be done: it acts when its turn comes
   kNotSent,  // the port took nothing
 };

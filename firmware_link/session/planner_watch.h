@@ -1,4 +1,4 @@
-// How long the controller's planner ran below half for want of lines. There it begins to slow down,
+// How long the controller's planner ran below half for want of lines. There it starts to slow down,
 // so that the nozzle stutters and leaves blobs (Marlin's SLOWDOWN), long before it runs dry.
 //
 // A controller with ADVANCED_OK tells its free blocks with each `ok`. Others are estimated: a move
@@ -9,7 +9,7 @@
 //     runs       |--m1--|---m2---|-m3-|          at any time: blocks = moves that have not ended
 //
 // Real moves also speed up and slow down, so the estimate errs on the side of too few blocks. It
-// begins to count once the planner was half full, and stops where a command waits for it to be
+// starts to count once the planner was half full, and stops where a command waits for it to be
 // empty (M400, G4, G28, M109): such a gap was asked for.
 #pragma once
 

@@ -1,13 +1,12 @@
 // Where the controller must be after the commands that it was given, in whole wire units, and
-// whether its own account (M114) agrees: how a line that ran in part, twice, or not at all is
-// found.
+// whether its own account (M114) agrees. That finds a line that ran in part, twice, or not at all.
 //
 //     given   G1 X10 E0.5   G1 X20 E0.5   M114          expected  X20, E one mm on
 //     told                                "X:20.00 Y:5.00 Z:0.20 E:1.50 Count …"
 //
 // x, y, z are absolute and compared as such. Filament is relative: the controller's count of it is
-// compared, from a G92 E0 on, so that what ran twice or not at all shows even where the next
-// absolute move has put the place right.
+// compared, from a G92 E0 on. So a line that ran twice or not at all shows even where the next
+// absolute move has corrected the position.
 #pragma once
 
 #include <array>
@@ -23,7 +22,7 @@ namespace firmware_link {
 
 class PositionWatch {
  public:
-  // What must be true when everything given so far has run. Axes that aren't known are not set.
+  // What is true when all commands given so far have run. Axes that are not known are not set.
   struct Expected {
     std::array<std::optional<std::int64_t>, 3> axes_um;
     std::optional<std::int64_t> e_10nm;  // in the controller's own count

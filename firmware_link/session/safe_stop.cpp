@@ -49,7 +49,7 @@ void SafeStop::put_plain(OutputBuffer& output) const {
 }
 
 void SafeStop::acknowledged(std::int64_t before, Instant now) {
-  if (!behind_ || !starts_at_ || before <= *starts_at_) return;
+  if (!behind_ || !start_ || before <= *start_) return;
   behind_.reset();
   since_ = now;
 }

@@ -1,7 +1,7 @@
 // A stop: the safe sequence (lift, heaters off), where it goes in the order of lines, and how long
 // it may take.
 //
-//     stop ──lines in flight are answered──> placed ──sent, acknowledged──> stopped
+//     stop ──lines in flight are answered──> its start is known ──sent, acknowledged──> stopped
 //       └──── behind a command that takes long: its own limit, and the host is told
 //
 // After a fault nobody waits: it is put out as plain lines, and the temperatures that are told
@@ -36,8 +36,8 @@ class SafeStop {
   void start(std::optional<std::string> behind, Instant now);
 
   // Lines before `sequence` are the print's; those of the safe sequence follow.
-  void place(std::int64_t sequence) { starts_at_ = sequence; }
-  [[nodiscard]] bool placed() const { return starts_at_.has_value(); }
+  void starts_at(std::int64_t sequence) { start_ = sequence; }
+  [[nodiscard]] bool has_start() const { return start_.has_value(); }
 
   // The commands one by one. REQUIRES: !all_taken().
   [[nodiscard]] bool all_taken() const { return next_ == count_; }
@@ -79,7 +79,7 @@ class SafeStop {
   std::array<std::uint8_t, kSafeSequenceMax> sizes_{};
   std::size_t count_ = 0;
   std::size_t next_ = 0;
-  std::optional<std::int64_t> starts_at_;
+  std::optional<std::int64_t> start_;
   Instant since_;
   std::optional<std::string> behind_;
   bool told_wait_ = false;

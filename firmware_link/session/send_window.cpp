@@ -45,7 +45,7 @@ void SendWindow::push_ahead(std::string_view text) {
   const bool is_command = held.commands > commands_before(next_to_send_);
   --end_;
   push(text, false);
-  // Its place in the order is taken; all_sent() is what push() otherwise wants.
+  // Not by push(), which wants all_sent().
   const std::int64_t commands = at(end_ - 1).commands;
   if (end_ - oldest_ == static_cast<std::int64_t>(kHistoryLinesMax)) {
     commands_forgotten_ = at(oldest_++).commands;

@@ -6,8 +6,9 @@
 //     ──────────┼────────────────────┼─────────────┼─────────────────────┼──> sequence number
 //            oldest()         acknowledged()  next_to_send()            end()
 //
-// restart(k) moves next_to_send() to k, and acknowledged() with it when that was further: then an
-// acknowledgement was false. Lines before k stay in flight, their answers are still to come.
+// restart(k) moves next_to_send() to k. An acknowledgement of k or a later line was false, so
+// acknowledged() moves back to k, too. Lines before k stay in flight: their answers are still to
+// come.
 #pragma once
 
 #include <array>

@@ -144,7 +144,7 @@ void Session::stop_now(std::span<const Command> safe_sequence, Instant now) {
   // Which of the sent lines are accepted decides where the safe sequence starts: a line with a
   // number that the controller already has would be dropped in silence.
   if (!rules().numbered) {
-    stop_.place(window_.end());
+    stop_.starts_at(window_.end());
   } else if (phase_ == Phase::kOpen) {
     resynchronise(now);
   }

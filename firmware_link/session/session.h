@@ -14,8 +14,10 @@
 //     session.tick(now);
 //     while (auto event = session.next_event()) …
 //
-// Every line that was taken is executed once, in order, or the session ends faulted with a reason;
-// README.md tells how each loss on the wire is met.
+// Every command taken is executed once, in order, or the session ends faulted with a reason;
+// README.md tells how each loss on the wire is met. The class keeps order and state. Each algorithm
+// is a state machine of its own, in a file of its name. An `ok` is followed through
+// session_replies.cpp and session_sending.cpp.
 // Nothing in it grows with the number of lines. One thread at a time.
 #pragma once
 
@@ -72,8 +74,8 @@ class Session {
   [[nodiscard]] bool numbers_lines() const { return rules().numbered; }
   [[nodiscard]] const Capabilities& capabilities() const { return identity_.capabilities(); }
 
-  // What came from the controller by itself since the last call, oldest first. COSTS: kEventsMax
-  // are kept, so ask after each step.
+  // What the controller said by itself since the last call, oldest first. kEventsMax are kept, so
+  // ask after each step.
   [[nodiscard]] std::optional<SessionEvent> next_event() { return events_.pop(); }
 
   // --- commands ---
@@ -84,38 +86,37 @@ class Session {
   // Takes the print's next command. REQUIRES: can_take().
   void take(const Command& command, Instant now);
 
-  // Takes a command that is none of the print's and is not counted as one: parking, priming, a
-  // user's request. It keeps its place among the others. REQUIRES: can_take().
+  // Takes a command that is not the print's, and is not counted as one: parking, priming, a user's
+  // request. It is sent in the order in which it was taken. REQUIRES: can_take().
   void insert(const Command& command, Instant now);
 
-  // How many of the print's commands, from its first, the controller has accepted: each once and in
-  // order, nothing behind them. What a journal writes: command number accepted() (counted from 0)
-  // is the one to go on with. Accepted moves may still wait in the planner (see planner_blocks()),
-  // and a reset or a power cut loses those. Takes a step back, by at most kWindowLinesMax, when a
-  // Resend uncovers a false `ok`.
+  // How many of the print's commands the controller has accepted: the first ones, each once and in
+  // order. A journal writes it: a print resumes with command number accepted(), counted from 0.
+  // Accepted moves may still wait in the planner (planner_blocks()); a reset or a power cut loses
+  // those. The number goes back, by at most kWindowLinesMax, when a Resend uncovers a false `ok`.
   [[nodiscard]] std::int64_t accepted() const {
     return window_.commands_before(window_.acknowledged());
   }
 
-  // Moves that the planner is taken to hold still, at most kPlannerBlocks: told by ADVANCED_OK,
-  // otherwise estimated from their lengths and feeds.
+  // How many moves the planner is taken to hold, at most kPlannerBlocks. ADVANCED_OK tells it;
+  // otherwise it is estimated from lengths and feeds.
   [[nodiscard]] std::size_t planner_blocks() const { return planner_.blocks(); }
 
-  // Whether the controller was ever asked to unpack lines (MeatPack), so that bytes past the
-  // session need kMeatPackReset before them: one too many does no harm.
+  // Whether the controller was ever asked to unpack lines (MeatPack). Then bytes that go past the
+  // session need kMeatPackReset before them; one too many does no harm.
   [[nodiscard]] bool may_unpack() const { return packing_.may_unpack(); }
 
-  // The line number (N) of the last line that was accepted, and how many of the print's commands
-  // have been accepted with any line number of the last 32. With the answer of a controller that
-  // did not reset (found_line()), a host that was killed learns which of its last commands ran.
+  // The number (N) of the last line that was accepted; and how many of the print's commands had
+  // been accepted with a line, for the last 32 line numbers. A host that was killed learns from
+  // both, and from found_line(), which of its last commands ran.
   [[nodiscard]] std::int32_t accepted_line() const;
   [[nodiscard]] std::optional<std::int64_t> commands_through_line(std::int32_t line) const;
-  // The line that the controller had last when we came: nothing when it said `start`, cannot tell,
-  // or options.ask_found_line is off. Known once state() is kStreaming.
+  // The last line that the controller had accepted when this session started. nullopt: it said
+  // `start`, cannot tell, or options.ask_found_line is off. Known once state() is kStreaming.
   [[nodiscard]] std::optional<std::int32_t> found_line() const { return greeting_.found_line(); }
 
-  // Where such a controller was when we came, as it was commanded last, and whether it knows that
-  // it is there; for those that number nothing and tell it (Klipper). Known likewise.
+  // For controllers that number nothing (Klipper), with ask_found_line: the position that it was
+  // commanded to last when this session started, and whether it is homed. Known likewise.
   [[nodiscard]] const std::optional<Position>& found_position() const {
     return readiness_.found_position();
   }
@@ -124,8 +125,8 @@ class Session {
   // Says that nothing more will be taken. REQUIRES: state() is kStreaming.
   void finish(Instant now);
 
-  // Says that no commands will come for a while (true), because the print is paused, or that they
-  // come again (false): a gap is then no stall. The controller is still watched.
+  // The print is paused (true) or continues (false). While it is paused, a gap between commands is
+  // no stall. The controller is watched all the while.
   void hold(bool holding, Instant now);
 
   // --- requests while printing: each goes before the next command that is taken ---
@@ -135,10 +136,10 @@ class Session {
   void set_feed_percent(int percent, Instant now);
   void set_flow_percent(int percent, Instant now);
 
-  // Asks by M114 whether the controller is where it should be, as soon as may be; call it where a
-  // layer begins. Also done by itself after each repeated line. What a difference leads to is in
-  // README.md: filament is put right and told, a wrong place is a fault. Nothing happens where
-  // the dialect's M114 is not to be relied on.
+  // Asks by M114 whether the controller is where it should be. Call it at the start of a layer; the
+  // session does it by itself after each repeated line. A difference of filament is corrected and
+  // told, a wrong position is a fault (README.md). Does nothing where LinkRules::tells_position is
+  // false.
   void check_position(Instant now);
 
   // --- bytes and time ---
@@ -155,14 +156,14 @@ class Session {
 
   // --- ends ---
 
-  // Drops what has been taken and not accepted, and sends `safe_sequence` (lift, heaters off …)
-  // behind what has. While still connecting, or when faulted with a controller that may yet live,
-  // it goes out unnumbered, as far as a window holds it, and nobody waits for its answers: write
-  // output() until it is empty. REQUIRES: at most kSafeSequenceMax commands.
+  // Drops all commands that were not accepted, and sends `safe_sequence` (lift, heaters off …)
+  // behind the others. While connecting, or after a fault that the controller may have survived, it
+  // goes out as plain lines, as many as a window holds, and no answer is waited for: write output()
+  // until it is empty. REQUIRES: at most kSafeSequenceMax commands.
   void stop_now(std::span<const Command> safe_sequence, Instant now);
 
-  // Whether the controller has told, behind such a safe sequence, that its heaters are off: it
-  // reads in order, so all of the sequence was obeyed. Go on with input() for that.
+  // Whether the controller has told, behind such plain lines, that its heaters are to be off. It
+  // reads in order, so all of them were obeyed. Call input() until then.
   [[nodiscard]] bool safe_confirmed() const { return stop_.confirmed(); }
 
   // The printer waits for a button (SessionEvent::kWaitsForUser), and its user presses ours: M108.

@@ -1,4 +1,4 @@
-// What a session wants its host to know: things that came from the controller by themselves.
+// What a session tells its host: what the controller says by itself, and what takes long.
 #pragma once
 
 #include <cstdint>
@@ -25,8 +25,8 @@ struct SessionEvent {
     kAction,           // another //action:; text: its words
     kWarning,          // an error that does not end the print, an unknown command; text: its words
     kResendsFrequent,  // a tenth of the lines is asked for again: look at cable and baud
-    kNotReady,         // it answers, and is not ready to print: is waited for; text: its words
-    kStopWaits,        // a stop waits for the command at hand to end; text: the command
+    kNotReady,         // it answers but is not ready to print, and is waited for; text: its words
+    kStopWaits,        // a stop waits until the command at hand ends; text: the command
     kFilamentCorrected,  // a line ran in part or twice: text says by how much, and it was put right
   };
   Kind kind = Kind::kWarning;

@@ -142,8 +142,8 @@ void Session::reply_while_open(const Reply& reply, Meaning meaning, Instant now)
       complaint_heard(reply);
       break;
     case Meaning::kFilamentHeld:
-      // Its count goes on all the same: nothing else would show it. Before the count starts it is
-      // the user's own start that draws back cold.
+      // It counts the filament all the same, so M114 does not show it. Before the count starts, it
+      // is the user's own start G-code that retracts cold.
       if (position_.watch().expected().e_10nm && state_ == SessionState::kStreaming) {
         fault(FaultKind::kAlarm, "the controller refused to lay: " + quoted(reply.text), true);
       } else {
@@ -342,10 +342,10 @@ void Session::resend_asked(const Reply& reply, Instant now) {
   }
   if (recovery_.asked()) {
     recovery_.answered();
-    if (state_ == SessionState::kStopping && !stop_.placed()) {
+    if (state_ == SessionState::kStopping && !stop_.has_start()) {
       window_.drop_unsent();
       recovery_.confirm();
-      stop_.place(sequence);
+      stop_.starts_at(sequence);
     }
   }
   recovery_.wait_for_quiet();

@@ -41,7 +41,7 @@ void Session::settle(Instant now) {
                               window_.number_of(window_.next_to_send()) > options_.line_number_max;
   const bool finishing = state_ == SessionState::kFinishing && idle;
   const bool stopping =
-      state_ == SessionState::kStopping && idle && stop_.placed() && stop_.all_taken();
+      state_ == SessionState::kStopping && idle && stop_.has_start() && stop_.all_taken();
   if (!out_of_numbers && !finishing && !stopping) return;
   if (rules().numbered && !recovery_.confirmed()) {
     resynchronise(now);
@@ -77,7 +77,7 @@ void Session::pump(Instant now) {
   const bool talks =
       phase_ == Phase::kAsking || phase_ == Phase::kReadying || phase_ == Phase::kOpen;
   if (ended() || shutdown_.awaited() || !talks) return;
-  if (state_ == SessionState::kStopping && !stop_.placed()) {
+  if (state_ == SessionState::kStopping && !stop_.has_start()) {
     if (!recovery_.asked() && phase_ == Phase::kOpen) resynchronise(now);
     return;
   }

@@ -69,16 +69,16 @@ struct SessionStatistics {
 };
 
 struct SessionOptions {
-  // How long a `start` is waited for before the controller is asked; a boot loader eats what comes
-  // in its first 1.5 s.  DEFAULT: 2.5 s.
+  // How long a `start` is waited for before the greeting is sent. A boot loader eats what comes in
+  // its first 1.5 s.  DEFAULT: 2.5 s.
   Duration banner_wait{2'500'000};
 
-  // How long an asked controller may take to answer before it is asked again, and how often.
+  // How long the answer to a greeting may take before the next is sent, and how many are sent.
   Duration greeting_wait{3'000'000};
   int greetings_max = 5;
 
-  // How often one line may be asked for again, and how many forced mismatches in a row may stay
-  // without success.
+  // How often one line may be asked for again, and how many forced mismatches in a row may have no
+  // success.
   int repeats_of_a_line_max = 10;
   int resyncs_in_a_row_max = 4;
 
@@ -97,17 +97,17 @@ struct SessionOptions {
   // 0: only when something else is said.
   Duration temperature_interval{2'000'000};
 
-  // Filament that ran too often or not at all is made up for up to this much at a time and this
-  // often; more is a fault.  DEFAULT: 0.5 mm, 10 times.
+  // How much filament is corrected at a time, and how often, where a line ran twice or not at all;
+  // more is a fault.  DEFAULT: 0.5 mm, 10 times.
   std::int64_t filament_correction_10nm_max = 50'000;
   int filament_corrections_max = 10;
 
-  // Ask a controller that did not reset for its last line before the greeting forgets it
+  // Ask a controller that did not reset for its last line, before the greeting makes it forget that
   // (Session::found_line()).
   bool ask_found_line = false;
 
-  // Pack lines (MeatPack) where the controller offers it.  DEFAULT: no, because a byte that is lost
-  // takes two characters along, and two that are alike leave the checksum as it was.
+  // Pack lines (MeatPack) where the controller offers it.  DEFAULT: no, because a lost byte takes
+  // two characters along, and two that are alike do not change the checksum.
   bool pack = false;
 
   // Numbering starts again from 1 (by M110) after this line. Lower only in tests.

@@ -81,7 +81,7 @@ SilenceWatch::Step SilenceWatch::look_prompt(const LinkRules& rules, const Sight
     if (sight.may_resynchronise) return Step::kResynchronise;
     return give_up("the controller has not answered for " + seconds_text(now - began_));
   }
-  // Something talks, and nothing goes on: temperatures that come by themselves hide a lost `ok`.
+  // Something talks, and no work shows: temperatures that come by themselves hide a lost `ok`.
   const Duration idle = now - std::max(sight.last_progress, began_);
   if (idle > std::max(rules.idle_talk_max + sight.planner_time, limit_)) {
     return give_up("the controller talks, but has not answered for " + seconds_text(idle));

@@ -1,10 +1,10 @@
-// What answer is waited for, since when, and what is to be done about it.
+// Which answer is waited for, since when, and what is to be done about it.
 //
 //     sent ── ask ──── ask ──────── ask ─ …          an `ok` may be lost: the controller is asked
 //       └──── silent ──> resynchronise, a few times  numbered lines, and nothing at all is heard
 //       └──── tell ──────────────────────────> give up, each wait has its limit
 //
-// A pure state machine: who asks, and how, is the session's part.
+// A pure state machine: the session asks.
 #pragma once
 
 #include <algorithm>
@@ -41,7 +41,7 @@ class SilenceWatch {
 
   [[nodiscard]] Step look(const LinkRules& rules, const Sight& sight, Instant now);
 
-  // So much time passed in which nobody looked, and which is held against nobody.
+  // The host stood still for so long.
   void bridge(Duration gap, Instant now) {
     began_ = std::min(now, began_ + gap);
     last_ask_ = std::min(now, last_ask_ + gap);

@@ -25,7 +25,7 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 }  // namespace
 
-// Takes the first slot's line apart as Marlin's parser does, and begins what it says.
+// Takes the first slot's line apart as Marlin's parser does, and starts its command.
 void VirtualController::Firmware::start_command() {
   std::string_view text = slots_.front().text();
   while (!text.empty() && text.front() == ' ') text.remove_prefix(1);

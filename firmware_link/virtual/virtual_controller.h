@@ -1,7 +1,7 @@
 // A printer's controller that exists only in memory: bytes in, bytes out, time as an argument.
 //
 // It answers byte for byte as Marlin bugfix-2.1.x with its default configuration was measured to
-// (the table is in README.md), and it has the same narrow places:
+// (the table is in README.md), and it has the same bottlenecks:
 //
 //     wire ──> receive ring ──> command slots ──> handler ──> planner of 16 blocks ──> motion
 //     (baud)   128 bytes;       4, a line each;   one          15 usable; a full one   lengths,
@@ -43,12 +43,12 @@ struct VirtualControllerOptions {
   // DEFAULT: kMarlin.
   VirtualDialect dialect = VirtualDialect::kMarlin;
 
-  // Called for every command whose handler begins, in order. May be empty.
+  // Called for every command when its handler starts, in order. May be empty.
   std::function<void(const ExecutedCommand&)> executed;
 
-  // Called when a move has ended, and not only been planned, with its place among the commands that
-  // executed() tells, from 0. Not called for moves that a reset cut off, and for those too short
-  // for a block, which are part of the next. May be empty.
+  // Called when a move has ended, and not only been planned, with the index of its command among
+  // those that executed() tells, from 0. Not called for moves that a reset cut off, nor for those
+  // too short for a block, which are part of the next. May be empty.
   std::function<void(std::int64_t)> moved;
 
   // Bits a second on the wire (10 a byte); 0: bytes arrive in no time.
@@ -113,7 +113,7 @@ struct VirtualControllerTotals {
   Duration stood_max{0};
 
   // The planner ran dry while moves still came (a blob on the part), and how long it was below half
-  // full while it moved (where Marlin begins to slow down).
+  // full while it moved (where Marlin starts to slow down).
   std::int64_t planner_underruns = 0;
   Duration planner_low{0};
   std::size_t planner_blocks_max = 0;

@@ -209,7 +209,7 @@ const VirtualControllerTotals& VirtualController::Firmware::totals() {
 }
 
 void VirtualController::Firmware::print(std::string_view text) {
-  // step() begins nothing with less than half the room left, and nothing says as much at once.
+  // step() starts nothing with less than half the room left, and no answer is as long as that.
   LINK_CHECK(text.size() <= answers_.room());
   for (const char c : text) answers_.push(c);
 }

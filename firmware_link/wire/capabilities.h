@@ -31,7 +31,7 @@ void note_capability(std::string_view text, Capabilities& capabilities);
 void note_travel(std::string_view line, Capabilities& capabilities);
 
 // "Marlin 2.1 (date) SOURCE_CODE_URL:…" is "Marlin 2.1 (date)": values hold blanks, so the name
-// ends where the next KEY: begins.
+// ends where the next KEY: starts.
 [[nodiscard]] std::string firmware_name_in(std::string_view text);
 
 }  // namespace firmware_link

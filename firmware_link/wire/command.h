@@ -30,14 +30,14 @@ inline constexpr std::int32_t kArcCentreUmMax = 9'999'999;
 // The way of a move that is an arc of a circle in the plane (G2, G3).
 struct Arc {
   bool clockwise = false;
-  std::int32_t i_um = 0;  // from where it begins to the centre
+  std::int32_t i_um = 0;  // from its start to the centre
   std::int32_t j_um = 0;
   std::int32_t length_um = 0;  // of the way; not sent
 };
 
 // A move, straight or along an arc, absolute in x, y, z, relative in e. What is not set stays as it
 // was. REQUIRES: numbers within the bounds above; an arc is extruding, ends elsewhere than it
-// begins, and has no z.
+// starts, and has no z.
 struct Move {
   bool extruding = false;  // G1, otherwise G0: most controllers make no difference, readers do
   std::optional<std::int64_t> x_um;
@@ -81,7 +81,7 @@ using Command = std::variant<Move, SetTemperature, SetFan, Verbatim>;
 // Comments (`; …`, `(…)`) are stripped, blanks around them too, and letters become capitals, except
 // in the text of commands that carry text (M117 …) and in named commands' values (PROFILE=default).
 // Refused are: lines with nothing left (blank_or_comment() tells before), anything but printable
-// ASCII, lines with a number or a checksum of their own, over kTextBytesMax, not beginning with a
+// ASCII, lines with a number or a checksum of their own, over kTextBytesMax, not starting with a
 // command word, holding "M110" anywhere (Marlin obeys it inside a text), a command that is never
 // sent (refused_commands.h; the others there are whoever asks the user's to refuse), and a text
 // that the controller would say and that would be taken for its answer (M118, RESPOND).

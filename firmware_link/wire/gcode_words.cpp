@@ -50,8 +50,8 @@ std::size_t classic_size(std::string_view text) {
   return size;
 }
 
-// Letters that begin a command in the middle of a line, too. T is a parameter there (M104 T0).
-bool begins_command(char letter) { return letter == 'G' || letter == 'M'; }
+// Letters that start a command in the middle of a line, too. T is a parameter there (M104 T0).
+bool starts_command(char letter) { return letter == 'G' || letter == 'M'; }
 
 }  // namespace
 
@@ -112,7 +112,7 @@ std::vector<std::string> commands_in(std::string_view line) {
   bool quoted = false;
   for (; at < text.size(); ++at) {
     if (text[at] == '"') quoted = !quoted;
-    if (quoted || !begins_command(capital(text[at])) || is_letter(text[at - 1])) continue;
+    if (quoted || !starts_command(capital(text[at])) || is_letter(text[at - 1])) continue;
     const std::string_view rest = std::string_view(text).substr(at);
     if (const std::size_t size = classic_size(rest); size > 0) {
       commands.push_back(canonical(rest.substr(0, size)));

@@ -15,12 +15,12 @@
 namespace firmware_link {
 
 // Without what stands behind a semicolon and between parentheses; where the command carries a text
-// (M117 …) parentheses behind it belong to that. Nothing is left of a line that begins with // or
+// (M117 …) parentheses behind it belong to that. Nothing is left of a line that starts with // or
 // with @ (a word to OctoPrint, which no controller gets). White space around it is gone, tabs are
 // blanks.
 [[nodiscard]] std::string without_comments(std::string_view line);
 
-// The length of the command word at the begin: "G1", "M 500.0", "BED_MESH_PROFILE"; up to the first
+// The length of the command word at the start: "G1", "M 500.0", "BED_MESH_PROFILE"; up to the first
 // blank where it is neither a letter and a number nor a name. 0 for an empty text.
 [[nodiscard]] std::size_t command_word_size(std::string_view text);
 

@@ -11,7 +11,7 @@ namespace firmware_link {
 // checksum with it, and then asked for again for ever.
 inline constexpr std::size_t kLineBytesMax = 95;
 
-// Line numbers stay below the one that resynchronisation uses because no line ever has it.
+// Resynchronisation uses a line number that no line ever has, so all others stay below it.
 inline constexpr std::int32_t kResyncLineNumber = 99'999'999;
 inline constexpr std::int32_t kLineNumberMax = 99'999'998;
 inline constexpr std::size_t kLineNumberDigitsMax = 8;
@@ -20,7 +20,7 @@ inline constexpr std::size_t kLineNumberDigitsMax = 8;
 inline constexpr std::size_t kTextBytesMax = kLineBytesMax - (1 + kLineNumberDigitsMax + 1) - 4;
 static_assert(kTextBytesMax == 81);
 
-// Marlin's receive ring, and how much of it may be in use: a busy controller reads nothing.
+// Marlin's receive ring, and how much of it may be in use, because a busy controller reads nothing.
 inline constexpr std::size_t kControllerReceiveBytes = 128;
 inline constexpr std::size_t kWindowBytesMax = 120;
 static_assert(kWindowBytesMax < kControllerReceiveBytes);
@@ -37,7 +37,7 @@ inline constexpr std::size_t kHistoryLinesMax = 32;
 static_assert(kHistoryLinesMax >= 2 * kWindowLinesMax);
 
 // Longest line that is read from a controller; the rest of a longer one is dropped and counted.
-// Marlin's M115 answer begins with one of about 250 bytes.
+// Marlin's M115 answer starts with one of about 250 bytes.
 inline constexpr std::size_t kReplyBytesMax = 512;
 
 // Events that wait for the host, at most; older ones are dropped.

@@ -36,7 +36,7 @@ bool is_move(std::string_view text) {
 
 class TextWriter {
  public:
-  explicit TextWriter(TextBuffer& into) : begin_(into.data()), at_(into.data()) {}
+  explicit TextWriter(TextBuffer& into) : start_(into.data()), at_(into.data()) {}
 
   void literal(std::string_view text) {
     LINK_CHECK(size() + text.size() <= kTextBytesMax);
@@ -50,12 +50,12 @@ class TextWriter {
     literal({part.data(), static_cast<std::size_t>(end - part.data())});
   }
 
-  [[nodiscard]] std::string_view text() const { return {begin_, size()}; }
+  [[nodiscard]] std::string_view text() const { return {start_, size()}; }
 
  private:
-  [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(at_ - begin_); }
+  [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(at_ - start_); }
 
-  char* begin_;
+  char* start_;
   char* at_;
 };
 
@@ -157,9 +157,9 @@ char* write_fixed(char* at, std::int64_t value, int decimals) {
   std::uint64_t rest = magnitude % unit;
   if (rest == 0) return at;
   *at++ = '.';
-  for (std::uint64_t place = unit / 10; rest != 0; place /= 10) {
-    *at++ = static_cast<char>('0' + rest / place);
-    rest %= place;
+  for (std::uint64_t power = unit / 10; rest != 0; power /= 10) {
+    *at++ = static_cast<char>('0' + rest / power);
+    rest %= power;
   }
   return at;
 }
@@ -179,8 +179,8 @@ std::string_view shortened(std::string_view text, TextBuffer& into) {
     const char next = i + 1 < text.size() ? text[i + 1] : '\0';
     if (text[i] == ' ' && next != 'E') continue;
     const char before = i > 0 ? text[i - 1] : '\0';
-    const bool begins_number = is_letter(before) || before == '-';
-    if (text[i] == '0' && next == '.' && begins_number) continue;
+    const bool starts_number = is_letter(before) || before == '-';
+    if (text[i] == '0' && next == '.' && starts_number) continue;
     into[size++] = text[i];
   }
   return {into.data(), size};
@@ -208,18 +208,18 @@ std::uint8_t checksum_of(std::string_view bytes) {
 std::string_view number_line(std::int32_t number, std::string_view text, LineBuffer& into) {
   LINK_CHECK(number >= 0 && number <= kResyncLineNumber);
   LINK_CHECK(text.size() <= kTextBytesMax);
-  char* const begin = into.data();
-  char* const limit = begin + into.size();
-  char* at = begin;
+  char* const start = into.data();
+  char* const limit = start + into.size();
+  char* at = start;
   *at++ = 'N';
   at = std::to_chars(at, limit, number).ptr;
   std::memcpy(at, text.data(), text.size());
   at += text.size();
-  const std::uint8_t sum = checksum_of({begin, static_cast<std::size_t>(at - begin)});
+  const std::uint8_t sum = checksum_of({start, static_cast<std::size_t>(at - start)});
   *at++ = '*';
   const auto [end, error] = std::to_chars(at, limit, sum);
   LINK_CHECK(error == std::errc{});
-  return {begin, static_cast<std::size_t>(end - begin)};
+  return {start, static_cast<std::size_t>(end - start)};
 }
 
 NumberedText take_apart(std::string_view line) {

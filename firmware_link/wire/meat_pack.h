@@ -4,7 +4,7 @@
 //     0 … 9  ten digits      10  .     11  blank     12  end of line     13  G     14  X
 //     15     none of these: the character itself comes as a byte of its own behind this one
 //
-//     "G1X10.5\n"   ->   1D 1E 00  A? …      every line begins on a byte: what is left of the last
+//     "G1X10.5\n"   ->   1D 1E 00  A? …      every line starts on a byte: what is left of the last
 //                                           one behind an end of line is filled with zeros
 //
 // Two bytes FF and a third command the unpacker itself; it answers each with a line of its own,

@@ -16,7 +16,7 @@ namespace firmware_link {
 struct RefusedCommand {
   std::string_view command;  // as canonical() has it; "D": every command with that letter
   bool never = false;        // not even when the user names it
-  std::string_view reason;   // what it does: the rest of a sentence that begins with the command
+  std::string_view reason;   // what it does: the rest of a sentence that starts with the command
 };
 
 // Nothing when the list does not have it. REQUIRES: as canonical() has it.

@@ -59,7 +59,7 @@ std::optional<Number> leading_number(std::string_view text) {
   return value;
 }
 
-// The number right behind `key` where that begins a word: "T:" is found in " T:25" but not in
+// The number right behind `key` where that starts a word: "T:" is found in " T:25" but not in
 // "BT:".
 template <typename Number>
 std::optional<Number> number_behind(std::string_view text, std::string_view key,

@@ -1,4 +1,4 @@
-// What a controller says, read line by line and told apart by how a line begins.
+// What a controller says, read line by line and told apart by how a line starts.
 //
 // Controllers have no grammar; the prefixes below are what Marlin, Klipper and their kin were
 // measured to say. A line that fits none is kUnknown, and never an error: printers chatter.
@@ -76,12 +76,12 @@ struct Reply {
   // kPosition.
   Position position;
 
-  // What follows the prefix: the error's words, the action, the unknown command. For kUnknown the
-  // whole line. Points into the line that was read.
+  // What follows the prefix: the error's words, the action, the unknown command; of kUnknown the
+  // whole line. It points into the line that was read.
   std::string_view text;
 };
 
-// Reads one line; \r at its end and blanks at its begin are ignored. Never fails, any bytes may
+// Reads one line; \r at its end and blanks at its start are ignored. Never fails, any bytes may
 // come. COSTS: linear in the line.
 [[nodiscard]] Reply read_reply(std::string_view line);
 
@@ -90,12 +90,11 @@ struct Reply {
 // is counted.
 class LineSplitter {
  public:
-  // Takes bytes up to and with the first end of line and returns how many; a whole line is then
-  // there to be had by line().
+  // Takes bytes up to and with the first end of line, and returns how many. line() then has the
+  // line that has ended.
   [[nodiscard]] std::size_t take(std::span<const std::byte> bytes);
 
-  // The line that take() ended, without its end; nothing when none has ended. Valid until the next
-  // take().
+  // That line, without its end; nullopt when none has ended. Valid until the next take().
   [[nodiscard]] std::optional<std::string_view> line() const;
 
   [[nodiscard]] std::int64_t lines_cut() const { return lines_cut_; }

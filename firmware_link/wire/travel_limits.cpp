@@ -12,8 +12,8 @@ constexpr std::string_view kAxes = "xyz";
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
 // "X1.5 Y2 Z3" or "{x:1.5,y:2,z:3": blanks, colons, commas and braces stand between.
-std::optional<std::array<double, 3>> place_in(std::string_view text) {
-  std::array<double, 3> place{};
+std::optional<std::array<double, 3>> position_in(std::string_view text) {
+  std::array<double, 3> position{};
   for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
     const auto skip = [&text](std::string_view what) {
       text.remove_prefix(std::min(text.find_first_not_of(what), text.size()));
@@ -22,11 +22,12 @@ std::optional<std::array<double, 3>> place_in(std::string_view text) {
     if (text.empty() || lower(text.front()) != kAxes[axis]) return std::nullopt;
     text.remove_prefix(1);
     skip(" :");
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), place[axis]);
-    if (error != std::errc{} || !std::isfinite(place[axis])) return std::nullopt;
+    const auto [end, error] =
+        std::from_chars(text.data(), text.data() + text.size(), position[axis]);
+    if (error != std::errc{} || !std::isfinite(position[axis])) return std::nullopt;
     text.remove_prefix(static_cast<std::size_t>(end - text.data()));
   }
-  return place;
+  return position;
 }
 
 std::optional<TravelLimits> between(std::string_view line, std::string_view min,
@@ -35,8 +36,8 @@ std::optional<TravelLimits> between(std::string_view line, std::string_view min,
   if (low == std::string_view::npos) return std::nullopt;
   const std::size_t high = line.find(max, low + min.size());
   if (high == std::string_view::npos) return std::nullopt;
-  const auto lowest = place_in(line.substr(low + min.size()));
-  const auto highest = place_in(line.substr(high + max.size()));
+  const auto lowest = position_in(line.substr(low + min.size()));
+  const auto highest = position_in(line.substr(high + max.size()));
   if (!lowest || !highest) return std::nullopt;
   TravelLimits limits{*lowest, *highest};
   for (std::size_t axis = 0; axis < limits.min_mm.size(); ++axis) {

@@ -14,9 +14,9 @@ TEST_CASE("the safe sequence is told command by command, or as plain lines") {
   CHECK(stop.all_taken());
   const Command commands[] = {SetTemperature{Heater::kNozzle, 0, false}, SetFan{}};
   stop.set_sequence(commands);
-  CHECK_FALSE(stop.placed());
-  stop.place(12);
-  CHECK(stop.placed());
+  CHECK_FALSE(stop.has_start());
+  stop.starts_at(12);
+  CHECK(stop.has_start());
   CHECK(stop.take() == "M104 S0");
   CHECK(stop.take() == "M107");
   CHECK(stop.all_taken());
@@ -72,7 +72,7 @@ TEST_CASE("what it waited for is over with the first safe line") {
   stop.start("G28", Instant{});
   stop.acknowledged(100, Instant(50s));
   CHECK(stop.behind() == "G28");
-  stop.place(7);
+  stop.starts_at(7);
   stop.acknowledged(7, Instant(60s));
   CHECK(stop.behind() == "G28");
   stop.acknowledged(8, Instant(70s));
