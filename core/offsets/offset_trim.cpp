@@ -45,7 +45,7 @@ bool OffsetTrim::trim_all() {
     const OffsetChunk& chunk = search_->chunks()[c];
     const auto near = search_->neighbours(c);
     for (std::int32_t i = chunk.first; i < chunk.last; ++i) {
-      const auto element = static_cast<std::size_t>(2 * i);
+      const auto element = 2 * static_cast<std::size_t>(i);
       first_[element] = pieces_.count();
       if (covered_[element] == 0) {
         trim_line<kWide>(i, near);

@@ -74,7 +74,7 @@ inline constexpr std::size_t kMemorySmallBytes = 1'024;
 inline constexpr std::int64_t kMemoryReserveBytes = std::int64_t{512} * 1'024;
 
 // What a thread has taken or given back without the others' knowing, at most.
-inline constexpr std::int64_t kMemoryUnsettledBytes = 8 * 1'024;
+inline constexpr std::int64_t kMemoryUnsettledBytes = std::int64_t{8} * 1'024;
 static_assert(kJobsMax * kMemoryUnsettledBytes <= kMemoryReserveBytes);
 
 // Warnings that wait to be told; further ones are only counted.
