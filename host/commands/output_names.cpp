@@ -68,7 +68,7 @@ bool same_file(const OutputTarget& a, const OutputTarget& b) {
   using Kind = OutputTarget::Kind;
   if (a.kind == Kind::kStream || b.kind == Kind::kStream) return false;
   if (a.kind == Kind::kRegular && b.kind == Kind::kRegular && a.file == b.file) return true;
-  return a.folder_place == b.folder_place && a.name == b.name;
+  return a.folder_identity == b.folder_identity && a.name == b.name;
 }
 
 // Standard output has been opened by the shell, and may be a file, too.
@@ -111,7 +111,7 @@ std::optional<FileKind> own_kind(const Options& options, const std::string& what
 }
 
 // ASCII STL is the kind of all text that is no other; this one has its words.
-bool begins_like_stl(std::string bytes) {
+bool starts_like_stl(std::string bytes) {
   for (char& c : bytes) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
   const std::size_t begin = bytes.find_first_not_of(" \t\r\n");
   return begin != std::string::npos && bytes.compare(begin, 5, "solid") == 0 &&
@@ -164,7 +164,7 @@ Status check_content(const Options& options, const Claim& claim) {
   const Result<FileKind> kind = kind_of(opened.value());
   if (kind.ok() && kind.value() == own_kind(options, claim.what)) return {};
   const bool text = bytes.find('\0') == std::string::npos;
-  const bool plain = text && kind.ok() && kind.value() == FileKind::kStl && !begins_like_stl(bytes);
+  const bool plain = text && kind.ok() && kind.value() == FileKind::kStl && !starts_like_stl(bytes);
   if (plain && (named_so(options, claim) || is_alike(options, bytes, claim.what))) return {};
   return refused(claim.target.path,
                  "this file holds something else than what " + claim.what +

@@ -86,7 +86,7 @@ int plan_command(const Options& options, Reporter& reporter) {
   if (!opened.ok()) return fail(opened.error(), reporter);
   Job& job = opened.value();
 
-  const double began_s = steady_seconds();
+  const double started_s = steady_seconds();
   PipelineOutputs outputs;
   outputs.on_layer = [&](const core::SplitLayer& layer) {
     const double now = steady_seconds();
@@ -94,7 +94,7 @@ int plan_command(const Options& options, Reporter& reporter) {
     report.layer = layer.slice.index + 1;
     report.layers = job.part.summary.layers;
     report.height = layer.slice.top();
-    report.elapsed_s = now - began_s;
+    report.elapsed_s = now - started_s;
     reporter.progress(report, now);
     return true;
   };

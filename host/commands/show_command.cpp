@@ -159,7 +159,7 @@ int show_section(const Options& options, Job& job, OutputFile& file, Reporter& r
   }
   SectionPicture picture(std::move(asked));
   core::LayerWindow window(core::with_style(job.settings));
-  core::Status written = file.write(picture.begin());
+  core::Status written = file.write(picture.start());
   const auto write = [&](const std::string& svg) {
     if (written.ok() && !svg.empty()) written = file.write(svg);
     return written.ok();

@@ -67,12 +67,12 @@ bool lays_road(const core::Motion& motion) {
 class SliceFile {
  public:
   SliceFile(const Job& job, OutputFile file, std::unique_ptr<LayerWriter> layers,
-            GeometryStatistics& statistics, double began_s, Reporter& reporter)
+            GeometryStatistics& statistics, double started_s, Reporter& reporter)
       : job_(job),
         file_(std::move(file)),
         layers_(std::move(layers)),
         statistics_(statistics),
-        began_s_(began_s),
+        started_s_(started_s),
         reporter_(reporter) {
     if (layers_) {
       layers_->begin(text_);
@@ -120,7 +120,7 @@ class SliceFile {
 
   void note_road() {
     if (statistics_.first_road_s) return;
-    statistics_.first_road_s = steady_seconds() - began_s_;
+    statistics_.first_road_s = steady_seconds() - started_s_;
     statistics_.first_road_cpu_s = process_cpu_seconds();
   }
 
@@ -130,7 +130,7 @@ class SliceFile {
     report.layer = slice.index + 1;
     report.layers = job_.part.summary.layers;
     report.height = slice.top();
-    report.elapsed_s = now - began_s_;
+    report.elapsed_s = now - started_s_;
     reporter_.progress(report, now);
   }
 
@@ -144,7 +144,7 @@ class SliceFile {
   OutputFile file_;
   std::unique_ptr<LayerWriter> layers_;
   GeometryStatistics& statistics_;
-  double began_s_;
+  double started_s_;
   Reporter& reporter_;
   GcodeWriter gcode_;
   std::string text_;
@@ -173,7 +173,7 @@ void report_done(const Options& options, const GeometryStatistics& statistics, R
 }  // namespace
 
 int slice_command(const Options& options, Reporter& reporter) {
-  const double began_s = steady_seconds();
+  const double started_s = steady_seconds();
   core::Result<OutputFile> output = OutputFile::open(options.output.path);
   if (!output.ok()) return fail(output.error(), reporter);
   core::Result<Job> opened = open_job(options, reporter);
@@ -181,7 +181,7 @@ int slice_command(const Options& options, Reporter& reporter) {
   Job& job = opened.value();
 
   GeometryStatistics statistics;
-  SliceFile file(job, std::move(output).value(), layer_writer(options, job), statistics, began_s,
+  SliceFile file(job, std::move(output).value(), layer_writer(options, job), statistics, started_s,
                  reporter);
   PipelineSignals signals;
   signals.stop_asked = [] { return stop_signal_count() > 0; };

@@ -1,5 +1,5 @@
-// A 64-bit sum of bytes that tells one content from another: FNV-1a (Fowler, Noll, Vo, 1991).
-// Against mistakes, not against malice.
+// A 64-bit hash of bytes: FNV-1a (Fowler, Noll, Vo, 1991). It protects against mistakes, not
+// against malice.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,7 @@ struct FileContent {
   std::int64_t bytes = 0;
 };
 
-// Reads the file through, in one buffer of fixed size. COSTS: about 1 ns a byte, and the reading.
+// Reads the whole file through one buffer of fixed size. COSTS: about 1 ns a byte, and the reading.
 [[nodiscard]] core::Result<FileContent> content_of(const std::string& path);
 
 }  // namespace host

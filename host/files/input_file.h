@@ -1,7 +1,7 @@
-// Bytes of a file or of standard input, in order, through one buffer of fixed size.
+// Reads a file or standard input in order, through one buffer of fixed size.
 //
-//     window(n)   the next bytes, at least n of them unless the file ends before
-//     skip(n)     they have been used
+//     window(n)   gives the next bytes, at least n of them unless the file ends sooner
+//     skip(n)     moves past n bytes that have been used
 #pragma once
 
 #include <cstddef>
@@ -15,8 +15,8 @@
 
 namespace host {
 
-// Whoever waits for a pipe's next bytes gets an error instead, from now on; so does everyone after
-// the first stop signal. For a print that has ended in another way.
+// From now on, waiting for a pipe's next bytes fails with an error. The first stop signal has the
+// same effect; this function is for prints that ended for another reason.
 void stop_waiting_for_input();
 
 class InputFile {
@@ -24,29 +24,31 @@ class InputFile {
   // The buffer's size, and the longest window.
   static constexpr std::size_t kWindowMax = std::size_t{1} << 18;
 
-  // `path` "-" is standard input. A folder is refused here.
+  // `path` "-" is standard input. Folders are refused.
   static core::Result<InputFile> open(const std::string& path);
-  // Over an open file without a name of its own, which it closes; `name` is for people.
+  // Takes over an open file, and closes it at the end. `name` is for messages.
   static InputFile from_descriptor(std::string name, int descriptor);
-  // The same over bytes in memory.
+  // Reads bytes in memory.
   static InputFile from_bytes(std::string name, std::string bytes);
 
   ~InputFile();
   InputFile(InputFile&& other) noexcept;
   InputFile& operator=(InputFile&& other) noexcept;
 
-  // As people are to see it.
+  // For messages.
   [[nodiscard]] const std::string& name() const { return name_; }
-  // A regular file, which its path gives once more: not a pipe, a device, or bytes in memory.
+  // True for a regular file that can be opened again by its path; false for a pipe, a device, or
+  // bytes in memory.
   [[nodiscard]] bool rereadable() const;
-  // Where that can be known before the end: of a regular file, and of bytes in memory.
+  // Size of a regular file or of bytes in memory; nullopt if not known before the end.
   [[nodiscard]] std::optional<std::int64_t> size() const;
   // Bytes skipped so far.
   [[nodiscard]] std::int64_t position() const { return position_; }
 
-  // Valid until the next call. Empty only at the end. REQUIRES: 1 <= least <= kWindowMax
+  // The view is valid until the next call, and empty only at the end.
+  // REQUIRES: 1 <= least <= kWindowMax
   [[nodiscard]] core::Result<std::string_view> window(std::size_t least);
-  // REQUIRES: bytes <= what window() gave last
+  // REQUIRES: bytes <= size of the last window()
   void skip(std::size_t bytes);
 
  private:
@@ -55,7 +57,7 @@ class InputFile {
 
   std::string name_;
   int descriptor_ = -1;  // -1: none, all bytes are in the buffer
-  bool named_ = true;    // its path gives it once more
+  bool named_ = true;    // can be opened again by its path
   std::vector<char> buffer_;
   std::size_t begin_ = 0;
   std::size_t end_ = 0;

@@ -35,7 +35,7 @@ core::Error refused(const std::string& path, const std::string& cause) {
   return {core::ErrorCode::kUnreadable, path + ": " + cause};
 }
 
-// It begins with a line's time, or is empty.
+// True if the file starts with a log line's time, or is empty.
 bool is_log(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::string begin(11, '\0');
@@ -49,7 +49,7 @@ bool is_log(const std::string& path) {
   return true;
 }
 
-// What is there already is appended to, and in the end deleted.
+// Existing files are appended to and deleted in the end, so they must be logs.
 core::Status check_logs(const std::string& path) {
   std::vector<std::string> names = older_logs(path);
   names.push_back(path);
@@ -59,7 +59,7 @@ core::Status check_logs(const std::string& path) {
     if (there.value().kind == OutputTarget::Kind::kNew) continue;
     if (there.value().kind == OutputTarget::Kind::kRegular && is_log(name)) continue;
     return refused(name,
-                   "this file is no log of rind's, and would be lost when the log is full; "
+                   "this file is no log of rind, and would be lost when the log is full; "
                    "name another one with --log");
   }
   return {};

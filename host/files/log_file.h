@@ -1,6 +1,6 @@
-// A log of bounded size: what the user was told, with the time, in FILE; when it is full it becomes
-// FILE.1 (a file's ending stays: rind.1.log), and the oldest one goes. A stream (a pipe,
-// /dev/stderr) is written as it comes.
+// A log of bounded size: the messages that the user saw, with the time. A full FILE is renamed to
+// FILE.1 (rind.log to rind.1.log), and the oldest file is deleted. A stream (a pipe, /dev/stderr)
+// is written straight away.
 #pragma once
 
 #include <memory>
@@ -11,19 +11,19 @@
 
 namespace host {
 
-// The names that a log's older parts have.
+// The names of a log's older files.
 [[nodiscard]] std::vector<std::string> older_logs(const std::string& path);
 
 class LogFile {
  public:
-  // Appends to what is there. At most (kLogFilesMax + 1) · kLogBytesMax on disk. Errors: what
-  // output_target.h refuses, another program that writes the same log, and files under its names
-  // that are no logs, and would be lost when they are full.
+  // Appends to an existing log. At most (kLogFilesMax + 1) · kLogBytesMax on disk. Errors: a target
+  // that output_target.h refuses; another program writes the same log; a file with one of the log's
+  // names is no log, and would be lost.
   static core::Result<std::unique_ptr<LogFile>> open(const std::string& path);
   virtual ~LogFile() = default;
 
-  // A line of its own, on disk when it returns. A full disk is not an error of the print: the line
-  // is lost.
+  // Writes one line, which is on disk when this returns. On a full disk the line is lost; the print
+  // continues.
   virtual void write(const std::string& text) = 0;
 };
 

@@ -46,7 +46,7 @@ core::Status MappedBytes::grow(std::size_t size) {
 }
 
 core::Status MappedBytes::map(std::size_t bytes) {
-  // Room is taken now: a disk that is full when the system writes back would end the program.
+  // Reserve the room now: a full disk at the system's write-back would end the program.
   const int cause = ::posix_fallocate(descriptor_, 0, static_cast<off_t>(bytes));
   if (cause != 0) return cannot(cause);
   void* at = mapped_ == nullptr

@@ -1,7 +1,7 @@
-// A growing array that takes no memory of its own once it is large: it moves to a temporary file
-// without a name, mapped, from where the system may write it out and read it in as it likes.
+// A growing array that moves to a memory-mapped temporary file without a name once it is large. The
+// system may then write its pages to disk.
 //
-// For what a format refers back to at random: the vertices of an OBJ, SIF, AMF or 3MF file.
+// For data with random access: the vertices of an OBJ, SIF, AMF or 3MF file.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ namespace host {
 
 class MappedBytes {
  public:
-  // Up to so many bytes are plain memory.
+  // Up to this size the bytes are in plain memory.
   static constexpr std::size_t kInMemoryMax = std::size_t{1} << 20;
 
   MappedBytes() = default;
@@ -25,8 +25,8 @@ class MappedBytes {
   MappedBytes(const MappedBytes&) = delete;
   MappedBytes& operator=(const MappedBytes&) = delete;
 
-  // Appends zeros up to `size`. A full disk, or a folder ($TMPDIR, or /tmp) that can't be written
-  // to, is an error. COSTS: amortised O(bytes appended).
+  // Appends zeros up to `size`. Errors: a full disk; a folder ($TMPDIR, or /tmp) that can't be
+  // written to. COSTS: amortised O(bytes appended).
   [[nodiscard]] core::Status grow(std::size_t size);
 
   [[nodiscard]] const char* data() const { return mapped_ != nullptr ? mapped_ : held_.data(); }
@@ -68,7 +68,7 @@ class MappedArray {
   }
 
   [[nodiscard]] std::size_t size() const { return size_; }
-  // The memory stays for what comes.
+  // Keeps the memory for new elements.
   void clear() { size_ = 0; }
 
  private:

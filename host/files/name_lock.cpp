@@ -18,10 +18,10 @@ core::Result<NameLock> NameLock::take(const OutputTarget& target, const std::str
   const int descriptor = ::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0);
   if (descriptor < 0) return NameLock();
   NameLock lock(descriptor);
-  // A leading zero makes a name that is no file.
+  // A leading zero makes the name abstract: no file is created.
   const std::string name =
-      fmt::format("{}rind-output-{:x}-{:x}-{:x}", '\0', target.folder_place.device,
-                  target.folder_place.number, hash_of(target.name, kHashStart));
+      fmt::format("{}rind-output-{:x}-{:x}-{:x}", '\0', target.folder_identity.device,
+                  target.folder_identity.number, hash_of(target.name, kHashStart));
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
   const std::size_t length = std::min(name.size(), sizeof address.sun_path);
@@ -31,7 +31,7 @@ core::Result<NameLock> NameLock::take(const OutputTarget& target, const std::str
   if (errno != EADDRINUSE) return NameLock();
   return core::Error{core::ErrorCode::kUnreadable,
                      path +
-                         ": another rind is writing it just now; wait until that has ended, or "
+                         ": another rind is writing it now; wait until that one has ended, or "
                          "name another file"};
 }
 

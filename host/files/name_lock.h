@@ -1,7 +1,7 @@
-// One writer for a name at a time, among the programs of this computer.
+// A lock on a file name: only one program of this computer writes a name at a time.
 //
-// The lock is a socket's name in the kernel (abstract, no file): it is gone with the program that
-// holds it, however that ends, and nothing is left to be cleaned up.
+// The lock is an abstract socket name in the kernel, no file. It disappears with the program that
+// holds it, however the program ends, so nothing has to be cleaned up.
 #pragma once
 
 #include <string>
@@ -13,8 +13,8 @@ namespace host {
 
 class NameLock {
  public:
-  // An error says that another program writes `path` just now. Where the system has no such
-  // sockets there is no lock, and no error. REQUIRES: the target is no stream.
+  // Error if another program is writing `path`. A system without abstract sockets gives no lock and
+  // no error. REQUIRES: the target is no stream.
   [[nodiscard]] static core::Result<NameLock> take(const OutputTarget& target,
                                                    const std::string& path);
 

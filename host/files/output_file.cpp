@@ -32,10 +32,10 @@ std::string random_name(const std::string& folder) {
   return fmt::format("{}/.rind-{:016x}", folder, number);
 }
 
-// A file without a name is reached by this one.
+// A path to a file without a name.
 std::string descriptor_name(int descriptor) { return fmt::format("/proc/self/fd/{}", descriptor); }
 
-// Fails where the new name is taken.
+// Fails if the new name is taken.
 bool link_descriptor(int descriptor, const std::string& to) {
   return ::linkat(AT_FDCWD, descriptor_name(descriptor).c_str(), AT_FDCWD, to.c_str(),
                   AT_SYMLINK_FOLLOW) == 0;
@@ -45,7 +45,7 @@ int open_nameless(const std::string& folder, mode_t mode) {
   return ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, mode);
 }
 
-// Whether such a file can be given a name here. It is seen for a moment.
+// Tries whether a file without a name can be given one here. The name is visible for a moment.
 bool nameless_work(const std::string& folder) {
   const int probe = open_nameless(folder, 0600);
   if (probe < 0) return false;
@@ -73,7 +73,7 @@ core::Result<OutputFile> OutputFile::open(const std::string& path, Unfinished un
   OutputFile file(-1, path);
   file.target_ = std::move(target).value();
   file.lock_ = std::move(lock).value();
-  if (core::Status begun = file.begin(unfinished); !begun.ok()) return begun.error();
+  if (core::Status started = file.start(unfinished); !started.ok()) return started.error();
   return file;
 }
 
@@ -97,11 +97,11 @@ OutputFile::~OutputFile() {
   if (!temporary_.empty()) ::unlink(temporary_.c_str());
 }
 
-core::Status OutputFile::begin(Unfinished unfinished) {
-  const bool nameless = unfinished == Unfinished::kNameless && begin_nameless();
-  if (!nameless && !begin_named()) return cannot(path_, "be written");
+core::Status OutputFile::start(Unfinished unfinished) {
+  const bool nameless = unfinished == Unfinished::kNameless && start_nameless();
+  if (!nameless && !start_named()) return cannot(path_, "be written");
   if (target_.kind != OutputTarget::Kind::kRegular) return {};
-  // The owner only where that is permitted. It takes special bits away, so the mode comes second.
+  // chown may not be permitted, and clears special mode bits, so the mode comes second.
   struct stat older {};
   if (::stat(target_.path.c_str(), &older) == 0) {
     (void)!::fchown(descriptor_, older.st_uid, older.st_gid);
@@ -112,13 +112,13 @@ core::Status OutputFile::begin(Unfinished unfinished) {
   return {};
 }
 
-bool OutputFile::begin_nameless() {
+bool OutputFile::start_nameless() {
   if (!nameless_work(target_.folder)) return false;
   descriptor_ = open_nameless(target_.folder, target_.mode);
   return descriptor_ >= 0;
 }
 
-bool OutputFile::begin_named() {
+bool OutputFile::start_named() {
   for (int i = 0; i < kNameAttempts; ++i) {
     const std::string name = random_name(target_.folder);
     unfinished_ = std::make_unique<UnfinishedFile>(name);
@@ -156,7 +156,7 @@ core::Status OutputFile::flush() {
   return {};
 }
 
-// A new file never takes another one's place; an older one is replaced in one step.
+// A new file never replaces another one; an older one is replaced in one step.
 bool OutputFile::give_name() {
   const char* to = target_.path.c_str();
   if (target_.kind == OutputTarget::Kind::kNew) {
@@ -191,7 +191,7 @@ bool OutputFile::give_name() {
 core::Status OutputFile::commit(AfterStop after_stop) {
   if (core::Status status = flush(); !status.ok()) return status;
   if (target_.kind == OutputTarget::Kind::kStream) return {};
-  // Some file systems tell only here that there was no room.
+  // Some file systems report a full disk only here.
   if (::fsync(descriptor_) != 0 && errno != EINVAL) return cannot(path_, "be written to the end");
   const StopShield shield;
   if (after_stop == AfterStop::kNothing && stop_signal_count() > 0) {

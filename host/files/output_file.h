@@ -1,15 +1,16 @@
-// A file that is written as the print is computed, and that is there only when it is whole.
+// An output file that gets its name only when it is complete.
 //
 //     open ──> a file without a name ──write …──> commit ──> OUT.gcode
 //                  └── destroyed without commit, or the program ends: gone, nothing is left
 //
-// Where the file system knows no files without a name, it has a random one in OUT's folder
-// (.rind-0123456789abcdef), made anew and through no link, which goes with it; only a power cut or
-// SIGKILL leaves that one behind. What a name may stand for is output_target.h's: of an older file
-// mode, owner and symbolic links to it stay; other hard links to it keep the older content.
+// If the file system has no files without a name, the file gets a random name in OUT's folder
+// (.rind-0123456789abcdef). It is a new file, never one behind a link, and it is deleted too; only
+// a power cut or SIGKILL leaves it behind. output_target.h says which targets are allowed. A
+// replaced file keeps its mode, its owner and the symbolic links to it; other hard links keep the
+// old content.
 //
-// A stream (a pipe, /dev/null, standard output) is written straight away: it has no name to hold
-// back. One program writes a name at a time (name_lock.h).
+// A stream (a pipe, /dev/null, standard output) is written straight away. Only one program writes a
+// name at a time (name_lock.h).
 #pragma once
 
 #include <cstddef>
@@ -26,10 +27,10 @@ namespace host {
 
 class OutputFile {
  public:
-  // How what is not whole yet is kept; kNamed is what kNameless falls back to.
+  // How the incomplete file is kept. kNameless falls back to kNamed.
   enum class Unfinished { kNameless, kNamed };
 
-  // "-" is standard output. An error names the path and the cause. Waits for a pipe's reader.
+  // "-" is standard output. Errors name the path and the cause. Waits for a pipe's reader.
   [[nodiscard]] static core::Result<OutputFile> open(const std::string& path,
                                                      Unfinished unfinished = Unfinished::kNameless);
 
@@ -40,16 +41,16 @@ class OutputFile {
   // Buffered up to kFileBufferBytes. An error, such as a full disk, is final.
   [[nodiscard]] core::Status write(std::string_view text);
 
-  // Writes what is left and gives the file its name; an error where somebody else has made a file
-  // of that name meanwhile, and with kNothing after a stop signal. REQUIRES: no write failed.
+  // Writes the rest and gives the file its name. Errors: somebody else has made a file of that name
+  // meanwhile; a stop signal has come (with kNothing). REQUIRES: no write failed.
   enum class AfterStop { kNothing, kWrite };
   [[nodiscard]] core::Status commit(AfterStop after_stop = AfterStop::kNothing);
 
  private:
   OutputFile(int descriptor, std::string path);
-  [[nodiscard]] core::Status begin(Unfinished unfinished);
-  [[nodiscard]] bool begin_nameless();
-  [[nodiscard]] bool begin_named();
+  [[nodiscard]] core::Status start(Unfinished unfinished);
+  [[nodiscard]] bool start_nameless();
+  [[nodiscard]] bool start_named();
   [[nodiscard]] bool give_name();
   [[nodiscard]] core::Status flush();
 
@@ -57,12 +58,12 @@ class OutputFile {
   std::string path_;  // as people typed it
   OutputTarget target_;
   NameLock lock_;
-  std::string temporary_;  // its name until it is whole; empty: none
+  std::string temporary_;  // its name until it is complete; empty: none
   std::unique_ptr<UnfinishedFile> unfinished_;
   std::string buffer_;
 };
 
-// All of it to standard output, or why that failed.
+// Writes all of the text to standard output.
 [[nodiscard]] core::Status write_standard_output(std::string_view text);
 
 }  // namespace host

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// As many as the system itself follows.
+// As many as Linux follows.
 constexpr int kLinksMax = 40;
 
 core::Error refused(const std::string& path, const std::string& cause) {
@@ -32,7 +32,7 @@ std::string folder_of(const std::string& path) {
   return folder.empty() ? "." : folder;
 }
 
-// A link that its owner may have put there for others to fall over.
+// A link that another user may have planted.
 bool planted(const struct stat& link, const std::string& path) {
   struct stat folder {};
   if (::stat(folder_of(path).c_str(), &folder) != 0) return false;
@@ -57,7 +57,7 @@ core::Result<std::string> behind_links(const std::string& path) {
   return failed(path);
 }
 
-// What swallows bytes, or shows them to the user.
+// True for devices that discard bytes or show them to the user.
 bool harmless(const struct stat& status) {
   constexpr unsigned kMemoryDevices = 1, kNull = 3, kZero = 5, kFull = 7;
   constexpr unsigned kTerminalDevices = 5, kOwnTerminal = 0;
@@ -73,7 +73,7 @@ bool harmless(const struct stat& status) {
   return false;
 }
 
-// Only these: /dev/null is itself, whatever standard output is.
+// Only these names: /dev/null is not standard output, even where that leads to it.
 bool names_standard_output(const std::string& path) {
   return path == "/dev/stdout" || path == "/dev/fd/1" || path == "/proc/self/fd/1";
 }
@@ -88,8 +88,8 @@ core::Result<OutputTarget> look_at_special(const std::string& path, const struct
   if (S_ISCHR(status.st_mode) && harmless(status)) return target;
   if (S_ISDIR(status.st_mode)) return refused(path, "this is a folder; name a file in it");
   return refused(path,
-                 "this is a device or a socket, and no place for a file; name a file (a printer is "
-                 "printed to with: rind print --port)");
+                 "this is a device or a socket, not a file; name a file (to print, use: rind print "
+                 "--port)");
 }
 
 }  // namespace
@@ -110,7 +110,7 @@ core::Result<OutputTarget> look_at_target(const std::string& path) {
   struct stat status {};
   const bool there = ::stat(path.c_str(), &status) == 0;
   if (there && !S_ISREG(status.st_mode)) return look_at_special(path, status);
-  // /dev/stdout, where that is a file: it is written to behind what is there.
+  // /dev/stdout as a file: appended to.
   if (there && names_standard_output(path)) {
     OutputTarget target;
     target.kind = OutputTarget::Kind::kStream;
@@ -128,14 +128,14 @@ core::Result<OutputTarget> look_at_target(const std::string& path) {
   if (target.name.empty()) return refused(path, "this names a folder; name a file in it");
   const std::optional<FileIdentity> folder = identity_of(target.folder);
   if (!folder) return failed(path);
-  target.folder_place = *folder;
+  target.folder_identity = *folder;
   if (::access(target.folder.c_str(), W_OK | X_OK) != 0) return failed(path);
   if (!there && identity_of(std::string("/dev")) == folder) {
     return refused(path, "there is no such device; name a file");
   }
   if (!there) return target;
   if (::access(target.path.c_str(), W_OK) != 0) {
-    return refused(path, std::string("it is there, and can't be written to: ") +
+    return refused(path, std::string("the file exists and can't be written to: ") +
                              std::strerror(errno) + "; name another file");
   }
   target.kind = OutputTarget::Kind::kRegular;

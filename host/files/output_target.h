@@ -1,12 +1,12 @@
-// What stands where an output is to be written, looked at before anything is written.
+// Checks the target of an output before anything is written.
 //
-//     new        no file of that name: it is made
-//     regular    it is replaced when the new one is whole; mode, owner and links to it stay
-//     stream     a pipe, /dev/null, the program's own terminal: written as it comes
+//     new        no file has that name: it is made
+//     regular    it is replaced when the new file is complete; mode, owner and links to it stay
+//     stream     a pipe, /dev/null, the program's own terminal: written straight away
 //     otherwise  refused: folders, sockets, block devices, devices that may move something
 //
-// Symbolic links that end the name are followed, to the file that they stand for. One that somebody
-// else has put into a folder where all may write (/tmp) is refused, as the system itself does.
+// A symbolic link at the end of the path is followed. A link of another user in a folder where all
+// may write (/tmp) is refused, as Linux does (protected_symlinks).
 #pragma once
 
 #include <sys/stat.h>
@@ -18,14 +18,14 @@
 
 namespace host {
 
-// The same for all names of one file.
+// Identifies a file, whatever name leads to it.
 struct FileIdentity {
   dev_t device = 0;
   ino_t number = 0;
   bool operator==(const FileIdentity&) const = default;
 };
 
-// Of what a name stands for, links followed, or of an open file; nothing: there is none.
+// Of the file that a path leads to (links are followed), or of an open file. nullopt if none.
 [[nodiscard]] std::optional<FileIdentity> identity_of(const std::string& path);
 [[nodiscard]] std::optional<FileIdentity> identity_of(int descriptor);
 
@@ -34,11 +34,11 @@ struct OutputTarget {
   Kind kind = Kind::kNew;
   std::string path;  // of the file itself, behind links
   std::string folder;
-  std::string name;              // in it
-  FileIdentity folder_place;     // where a new one will be, however the folder is named
-  FileIdentity file;             // of what is there
-  mode_t mode = 0666;            // of what is there
-  bool standard_output = false;  // another name of it
+  std::string name;  // within the folder
+  FileIdentity folder_identity;
+  FileIdentity file;             // the existing file
+  mode_t mode = 0666;            // of the existing file
+  bool standard_output = false;  // the path is another name of standard output
 };
 
 // Errors name the path, the cause and what to do.

@@ -1,6 +1,6 @@
-// A temporary file that has no name: it is gone with the program, however that ends.
+// A temporary file without a name: it disappears with the program, however that ends.
 //
-// Appended to, then read at any place. It is made in $TMPDIR, or in /tmp.
+// It is appended to, then read at any offset. It is made in $TMPDIR, or in /tmp.
 #pragma once
 
 #include <cstddef>
@@ -15,8 +15,8 @@ namespace host {
 
 class SpillFile {
  public:
-  // `folder` empty: $TMPDIR, or /tmp. Errors (kUnreadable) name the folder, the cause and what to
-  // do: no such folder, no permission to write there.
+  // `folder` empty: $TMPDIR, or /tmp. Errors (kUnreadable): no such folder, no permission to write
+  // there; the message names the folder, the cause and what to do.
   static core::Result<SpillFile> create(const std::string& folder);
 
   ~SpillFile();

@@ -49,7 +49,7 @@ std::string lower(std::string_view text) {
   return result;
 }
 
-// About x, then y, then z, then moved.
+// Rotations about x, y and z, in this order, then the translation.
 Transform placed(const std::array<double, 6>& places, double unit_mm) {
   Transform all;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -141,7 +141,7 @@ class AmfReader : public TriangleSource {
       const std::string* id = event.attribute("id");
       if (id == nullptr) return xml_.bad(event.name + " without id; export the part again");
       const MeshStore::Key key{0, *id};
-      if (!store_.begin_object(key)) {
+      if (!store_.start_object(key)) {
         return xml_.bad("object '" + shown(*id) + "' is there twice, or there are too many");
       }
       (event.name == "object" ? objects_ : constellations_).push_back(key);
@@ -152,7 +152,7 @@ class AmfReader : public TriangleSource {
       places_ = {};
     } else if (event.name == "volume") {
       kind_ = PartKind::kPlastic;
-      volume_begin_ = objects_.empty() ? 0 : store_.triangles(objects_.back());
+      volume_start_ = objects_.empty() ? 0 : store_.triangles(objects_.back());
       in_volume_ = !objects_.empty() && constellations_.empty();
     } else if (event.name == "metadata") {
       const std::string* type = event.attribute("type");
@@ -218,7 +218,7 @@ class AmfReader : public TriangleSource {
       return xml_.bad("a negative part, which can't be read from AMF; export 3MF");
     }
     const MeshStore::Key& key = objects_.back();
-    store_.set_role(key, volume_begin_, store_.triangles(key) - volume_begin_, MeshRole::kLeftOut);
+    store_.set_role(key, volume_start_, store_.triangles(key) - volume_start_, MeshRole::kLeftOut);
     if (!std::exchange(left_out_, true)) {
       warnings_.push_back(name_ +
                           ": modifiers and marks for supports left out: no plastic, and their "
@@ -260,7 +260,7 @@ class AmfReader : public TriangleSource {
   bool in_volume_ = false;
   std::string metadata_;
   PartKind kind_ = PartKind::kPlastic;
-  std::size_t volume_begin_ = 0;
+  std::size_t volume_start_ = 0;
   bool left_out_ = false;
 };
 

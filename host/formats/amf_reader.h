@@ -1,7 +1,8 @@
-// AMF, the mesh part of it: objects, volumes, constellations with their instances, units.
+// Reads the meshes of an AMF file: objects, volumes, constellations with their instances, units.
 //
-// Where there are constellations, those that no other one holds are printed, else every object.
-// Curved triangles are taken flat, and told; colours, materials and textures are not used.
+// If there are constellations, those that are part of no other one are printed; otherwise every
+// object. Curved triangles are read as flat ones, with a warning. Colours, materials and textures
+// are ignored.
 #pragma once
 
 #include <memory>
@@ -13,7 +14,7 @@
 
 namespace host {
 
-// `name` is the file, for messages. COSTS: reads all of it once; see mesh_store.h.
+// `name` is the file, for messages. COSTS: reads it once; see mesh_store.h for the memory.
 [[nodiscard]] core::Result<std::unique_ptr<TriangleSource>> open_amf(std::string name,
                                                                      XmlScanner::ByteSource bytes);
 

@@ -21,8 +21,8 @@ class BinaryGeometry : public CliGeometry {
  public:
   BinaryGeometry(TextScanner& bytes, const CliHeader& header)
       : bytes_(bytes), unit_mm_(header.unit_mm), aligned_(header.aligned) {
-    // Unsigned by the specification; those who write parts left of the origin mean signed.
-    // Heights apart: a tall part left of the origin needs all 16 bits for them.
+    // Unsigned by the specification. Writers of parts left of the origin mean signed numbers.
+    // Heights stay unsigned: a tall part left of the origin needs all 16 bits for them.
     if (header.dimension_mm) {
       const auto& least = *header.dimension_mm;
       signed_ = least[0] < 0 || least[1] < 0;
@@ -119,7 +119,7 @@ class BinaryGeometry : public CliGeometry {
       return bad("a polyline of direction " + std::to_string(*direction) + " with " +
                  std::to_string(*points) + " points: the file is damaged, export it again");
     }
-    std::string cause = contours.begin();
+    std::string cause = contours.start();
     const std::size_t size = is_long ? 8 : 4;
     for (std::int64_t i = 0; i < *points && cause.empty(); ++i) {
       const std::string_view pair = bytes_.lookahead(size);

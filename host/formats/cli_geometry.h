@@ -1,4 +1,4 @@
-// The two ways in which a CLI file says the same: one command after the other, behind cli_reader.h.
+// The commands of a CLI file, for its two encodings, text and binary. Used by cli_reader.
 #pragma once
 
 #include <cstdint>
@@ -20,14 +20,14 @@ struct CliCommand {
 class CliGeometry {
  public:
   virtual ~CliGeometry() = default;
-  // The next command. A closed contour has been put into `contours`; open lines and hatches have
-  // been checked and left out. COSTS: a ring's memory.
+  // The next command. Puts closed contours into `contours`; checks and skips open lines and
+  // hatches. COSTS: a ring's memory.
   [[nodiscard]] virtual core::Result<CliCommand> next(ContourGatherer& contours) = 0;
-  // File, place and cause.
+  // An error with file, position and cause.
   [[nodiscard]] virtual core::Error bad(const std::string& cause) const = 0;
 };
 
-// REQUIRES: `text` stands behind the head and outlives the geometry.
+// REQUIRES: `text` is just behind the head and outlives the geometry.
 [[nodiscard]] std::unique_ptr<CliGeometry> cli_text_geometry(TextScanner& text,
                                                              const CliHeader& header);
 [[nodiscard]] std::unique_ptr<CliGeometry> cli_binary_geometry(TextScanner& text,
@@ -36,7 +36,7 @@ class CliGeometry {
 // dir of a polyline: 0 clockwise, inside is outside; 1 counter-clockwise; 2 open.
 inline constexpr std::int64_t kCliClockwise = 0, kCliCounterClockwise = 1, kCliOpen = 2;
 
-// It counts more than the order of the points does.
+// The direction has precedence over the order of the points.
 [[nodiscard]] inline Turn cli_turn(std::int64_t direction) {
   return direction == kCliClockwise ? Turn::kClockwise : Turn::kCounterClockwise;
 }

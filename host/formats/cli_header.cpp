@@ -13,7 +13,7 @@ namespace {
 using core::Result;
 using core::Status;
 
-// Larger units are metres by mistake.
+// Larger units are a mistake (metres).
 constexpr double kUnitMaxMm = 1'000;
 
 class HeaderReader {
@@ -36,7 +36,7 @@ class HeaderReader {
   }
 
  private:
-  // Up to the next "$$", which is taken.
+  // Reads up to and including the next "$$".
   Status find_command() {
     int dollars = 0;
     while (dollars < 2) {
@@ -62,7 +62,7 @@ class HeaderReader {
     return name;
   }
 
-  // What follows a command's "/", up to the line's end, the next command or a comment.
+  // The text after a command's "/", up to the line's end, the next command or a comment.
   std::string parameters() {
     std::string found;
     if (text_.peek() != '/') return found;

@@ -1,4 +1,4 @@
-// The head of a Common Layer Interface file (CLI 2.0), which is text whatever follows.
+// The head of a Common Layer Interface file (CLI 2.0). The head is always text.
 //
 //     $$HEADERSTART … $$HEADEREND; text before it is ignored, so are other $$ words
 //     $$ASCII or $$BINARY   $$UNITS/mm for each coordinate unit      (both are needed)
@@ -19,7 +19,7 @@ struct CliHeader {
   bool binary = false;
   bool aligned = false;  // binary: every item starts on a 32-bit boundary
   double unit_mm = 0;
-  core::LayerIndex layers = 0;  // 0: not told
+  core::LayerIndex layers = 0;  // 0: not given
   std::optional<std::array<double, 6>> dimension_mm;
 };
 

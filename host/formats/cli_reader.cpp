@@ -75,7 +75,8 @@ class CliReader : public LayerReader {
   }
 
  private:
-  // Contours up to the next layer that is at another height, and that height; nothing at the end.
+  // Reads contours up to the next layer with another height. Returns that height; nullopt at the
+  // end.
   [[nodiscard]] Result<std::optional<std::int64_t>> gather() {
     while (!ended_) {
       const Result<CliCommand> command = geometry_->next(contours_);
@@ -101,7 +102,7 @@ class CliReader : public LayerReader {
     return std::optional<std::int64_t>();
   }
 
-  // Of the first layer, when it has contours; z_ is the second's upper face.
+  // Bottom of the first layer if it has contours; z_ is the second's upper face.
   [[nodiscard]] std::int64_t first_bottom(std::int64_t z) const {
     if (!z_) return std::min<std::int64_t>(z, 0);
     const std::int64_t second = *z_ - z;
@@ -123,8 +124,8 @@ class CliReader : public LayerReader {
   bool binary_ = false;
   std::unique_ptr<CliGeometry> geometry_;
   ContourGatherer contours_;
-  std::optional<std::int64_t> z_;       // of the layer that is being gathered
-  std::optional<std::int64_t> bottom_;  // of it, where one lies below
+  std::optional<std::int64_t> z_;       // of the layer that is being read
+  std::optional<std::int64_t> bottom_;  // of that layer, if one lies below
   core::LayerIndex index_ = 0;
   bool ended_ = false;
   std::int64_t open_lines_ = 0;

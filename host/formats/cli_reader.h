@@ -1,13 +1,13 @@
-// Common Layer Interface 2.0, text and binary (cli_header.h, cli_geometry.h).
+// Reads Common Layer Interface 2.0, text and binary (cli_header.h, cli_geometry.h).
 //
-//     $$LAYER/z       upper face of the layer; the same z again goes on with the layer
-//     $$POLYLINE/…    closed ones are the slice: what outer contours hold and inner ones do not;
-//                     labels (parts) are united
-//     open polylines and hatches are no part of it: counted, told, left out
+//     $$LAYER/z       upper face of the layer; the same z again continues the layer
+//     $$POLYLINE/…    closed ones make the slice: inside outer contours, outside inner ones; labels
+//                     (parts) are united
+//     open polylines and hatches are counted and left out, with a warning
 //
-// A layer reaches down to the one before. The first one, when empty, is the face that the second
-// stands on; when not, it stands on 0 if it is at most kFirstLayersMax thicknesses of the second
-// above it, and otherwise is as thick as the second.
+// A layer's lower face is the upper face of the one before. If the first layer is empty, it gives
+// the second's lower face. If not, it starts at 0 if its top is at most kFirstLayersMax thicknesses
+// of the second layer above 0; otherwise it is as thick as the second.
 #pragma once
 
 #include <memory>

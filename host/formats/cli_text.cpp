@@ -30,8 +30,7 @@ class TextGeometry : public CliGeometry {
   core::Error bad(const std::string& cause) const override { return text_.bad(cause); }
 
  private:
-  // Up to behind the next "$$"; what stands before it belonged to a command that means nothing
-  // here.
+  // Skips to behind the next "$$": the text before it belongs to an ignored command.
   Status to_command() {
     int dollars = 0;
     while (dollars < 2) {
@@ -43,7 +42,7 @@ class TextGeometry : public CliGeometry {
     return {};
   }
 
-  // Blanks and comments. Returns peek().
+  // Skips blanks and comments. Returns peek().
   int skip_gap() {
     while (true) {
       const int c = text_.skip_blanks();
@@ -57,7 +56,7 @@ class TextGeometry : public CliGeometry {
     }
   }
 
-  // The next parameter; a "/" stands before the first one, commas between the others.
+  // The next parameter. A "/" is before the first one, commas are between the others.
   std::string_view parameter() {
     const int c = skip_gap();
     if (c == '/' || c == ',') {
@@ -110,7 +109,7 @@ class TextGeometry : public CliGeometry {
     }
     const Result<std::int64_t> points = count("points");
     if (!points.ok()) return points.error();
-    std::string cause = contours.begin();
+    std::string cause = contours.start();
     for (std::int64_t i = 0; i < points.value() && cause.empty(); ++i) {
       const Result<double> x = real("a coordinate");
       if (!x.ok()) return x.error();

@@ -54,7 +54,7 @@ void append_layer(const core::Slice& slice, std::string& into) {
   into += '\n';
 }
 
-// What both kinds of contour files have in common.
+// The common part of both kinds of contour files.
 class ContourWriter : public LayerWriter {
  public:
   explicit ContourWriter(const LayerFileHead& head) : head_(head) {}
@@ -86,7 +86,7 @@ class TextWriter : public ContourWriter {
              std::string& into) override {
     append_layer(layer.slice, into);
     for_rings(layer, [&into](int label, const Ring& ring) {
-      // Closed means that the first point is said again at the end.
+      // A closed contour repeats its first point at the end.
       fmt::format_to(std::back_inserter(into), "$$POLYLINE/{},{},{}", label, direction_of(ring),
                      ring.size() + 1);
       for (const Point point : ring) append_point(point, into);
@@ -102,7 +102,7 @@ class BinaryWriter : public ContourWriter {
  public:
   using ContourWriter::ContourWriter;
 
-  // The layers begin right behind the head.
+  // The layers follow the head without a line end.
   void begin(std::string& into) override {
     append_header("BINARY", "0.0001", head_, contour_labels(head_), into);
   }

@@ -2,13 +2,13 @@
 //
 //     walls    $$LABEL/1,"solid" the wall, $$LABEL/2,"loose" the inside
 //     slices   $$LABEL/1,"part"
-//     roads    a label for each kind of road, each segment one hatch: for machines that draw lines
+//     roads    a label for each kind of road, a hatch for each segment: for machines that draw lines
 //
 //     $$POLYLINE/label,dir,points,x,y,…   closed; dir 1: outer, counter-clockwise; 0: inner
 //     $$LAYER/                            the layer's top
 //
-// Text is in mm, to the grid. Binary is in units of 100 nm as 32-bit floats: exact up to 1.6 m from
-// the origin and as high, rounded to seven digits beyond.
+// Text is in mm, exact to the grid. Binary is in units of 100 nm as 32-bit floats: exact within
+// 1.6 m of the origin, rounded to seven digits beyond.
 #pragma once
 
 #include <memory>

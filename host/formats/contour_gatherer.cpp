@@ -13,7 +13,7 @@ namespace host {
 
 static_assert(kPlaneMaxMm * core::kUnitsPerMm <= core::kCoordinateMax);
 
-std::string ContourGatherer::begin() {
+std::string ContourGatherer::start() {
   ring_.clear();
   if (rings_.size() < kLayerRingsMax) return {};
   return "a layer of more than " + std::to_string(kLayerRingsMax) +
@@ -50,7 +50,7 @@ void ContourGatherer::drop() { ring_.clear(); }
 
 std::string ContourGatherer::add(const core::Region& region) {
   for (const core::Ring& ring : region.rings()) {
-    if (std::string cause = begin(); !cause.empty()) return cause;
+    if (std::string cause = start(); !cause.empty()) return cause;
     for (const core::Point point : ring) {
       if (std::string cause = add(point); !cause.empty()) return cause;
     }
@@ -67,7 +67,7 @@ core::Region ContourGatherer::take(core::FillRule rule) {
 }
 
 std::optional<core::Point> snapped(double x_mm, double y_mm) {
-  // Not a number compares as false.
+  // NaN compares as false.
   if (!(std::abs(x_mm) <= kPlaneMaxMm && std::abs(y_mm) <= kPlaneMaxMm)) return std::nullopt;
   return core::Point{static_cast<std::int32_t>(std::llround(x_mm * core::kUnitsPerMm)),
                      static_cast<std::int32_t>(std::llround(y_mm * core::kUnitsPerMm))};

@@ -1,5 +1,5 @@
-// One layer's contours on their way from a file to a region: snapped to the grid, turned as the
-// format says, cleaned.
+// Builds a region from one layer's contours: snaps points to the grid, orients contours as the
+// format says, and cleans them.
 #pragma once
 
 #include <cstddef>
@@ -14,27 +14,27 @@
 
 namespace host {
 
-// What a format says about the side on which the inside lies.
+// How a format orients a contour that has its inside on the left.
 enum class Turn { kAsWritten, kCounterClockwise, kClockwise };
 
 class ContourGatherer {
  public:
-  // These return why the contour can't be taken, and an empty text when it can.
-  [[nodiscard]] std::string begin();
+  // These return why the contour can't be used; an empty text if it can.
+  [[nodiscard]] std::string start();
   [[nodiscard]] std::string add(double x_mm, double y_mm);
-  // REQUIRES: within the plane's bounds, as what a region holds is.
+  // REQUIRES: the point is within the bounds of a region.
   [[nodiscard]] std::string add(core::Point point);
-  // A last point that repeats the first is left out; what has no area is dropped.
+  // Ends the contour. A last point that repeats the first is left out; a contour without area is
+  // dropped.
   void end(Turn turn = Turn::kAsWritten);
-  // What was begun is not wanted.
+  // Discards the contour that was started.
   void drop();
-  // A region as a whole: its rings are clean among themselves.
+  // Adds all rings of a region, which are clean already.
   [[nodiscard]] std::string add(const core::Region& region);
 
   [[nodiscard]] bool empty() const { return rings_.empty(); }
 
-  // All contours ended so far, and then none.
-  // COSTS: near-linear (boolean.h).
+  // The region of all contours so far; forgets them. COSTS: near-linear (boolean.h).
   [[nodiscard]] core::Region take(core::FillRule rule);
 
  private:
@@ -43,11 +43,11 @@ class ContourGatherer {
   std::size_t points_ = 0;
 };
 
-// A point on the grid, unless it lies beyond ±kPlaneMaxMm, or nowhere; and what to say then.
+// Snaps to the grid; nullopt if not finite or beyond ±kPlaneMaxMm. too_far() is the message.
 [[nodiscard]] std::optional<core::Point> snapped(double x_mm, double y_mm);
 [[nodiscard]] std::string too_far(double x_mm, double y_mm);
 
-// In grid units, where it is a height that can be: finite, within ±kHeightMaxMm.
+// In grid units; nullopt if not finite or beyond ±kHeightMaxMm.
 [[nodiscard]] std::optional<std::int64_t> height_units(double mm);
 
 }  // namespace host

@@ -17,13 +17,13 @@ using core::Error;
 using core::ErrorCode;
 using core::Result;
 
-// Enough for most kinds, so that a pipe's first bytes are not waited for, and to tell a binary STL
-// by its first facet, whatever its head says; enough for nearly all; and as much as can be seen at
-// once, for text that is comments so far.
+// Window sizes, tried in order: enough for most kinds and for a binary STL's first facet, without
+// waiting long for a pipe; enough for nearly all kinds; the largest window, for text that is only
+// comments so far.
 constexpr std::array<std::size_t, 3> kLookBytes{134, 4'096, InputFile::kWindowMax};
 constexpr std::size_t kRefusalBytes = 4'096;
 
-// Behind a byte order mark, blanks, and what both SIF and OBJ take as comments.
+// Skips a byte order mark, blanks, and what are comments in both SIF and OBJ.
 std::string_view significant(std::string_view text) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   while (!text.empty()) {
@@ -49,8 +49,8 @@ bool contains(std::string_view text, std::string_view wanted) {
   return text.find(wanted) != std::string_view::npos;
 }
 
-// "(SIF_SFF", blanks allowed behind the parenthesis.
-bool begins_form(std::string_view text, std::string_view keyword) {
+// "(SIF_SFF"; blanks may follow the parenthesis.
+bool starts_form(std::string_view text, std::string_view keyword) {
   if (!text.starts_with('(')) return false;
   return significant(text.substr(1)).starts_with(keyword);
 }
@@ -59,7 +59,7 @@ std::string_view first_word(std::string_view line) {
   return line.substr(0, std::min(line.find_first_of(" \t"), line.size()));
 }
 
-// "v 0 0 0.5": no other format that is text has such lines.
+// "v 0 0 0.5": no other text format has such lines.
 bool is_vertex_line(std::string_view line) {
   if (first_word(line) != "v") return false;
   int numbers = 0;
@@ -74,8 +74,8 @@ bool is_vertex_line(std::string_view line) {
   return true;
 }
 
-// Words that OBJ files begin with, behind their comments.
-bool begins_obj(std::string_view text) {
+// First words of OBJ files, after their comments.
+bool starts_obj(std::string_view text) {
   const std::size_t end = text.find_first_of(" \t");
   const std::string_view word = text.substr(0, end);
   for (const char* known : {"v", "vt", "vn", "vp", "f", "fo", "o", "g", "s", "mtllib", "usemtl"}) {
@@ -84,7 +84,7 @@ bool begins_obj(std::string_view text) {
   return false;
 }
 
-// Some whole line has a vertex: the words of the lines before it are unknown, and no matter.
+// True if some complete line is a vertex; unknown words in the lines before it don't matter.
 bool has_vertex_line(std::string_view text) {
   for (std::size_t end = text.find_first_of("\r\n"); end != std::string_view::npos;
        end = text.find_first_of("\r\n")) {
@@ -97,27 +97,27 @@ bool has_vertex_line(std::string_view text) {
 
 bool is_text(std::string_view bytes) { return !contains(bytes, std::string_view("\0", 1)); }
 
-// Nothing where these bytes do not tell.
+// Nullopt if these bytes are not enough.
 std::optional<FileKind> kind_of_bytes(std::string_view bytes) {
   const std::string_view text = significant(bytes);
   if (bytes.starts_with("PK\x03\x04")) return FileKind::kZip;
   if (contains(bytes, "$$HEADERSTART")) return FileKind::kCli;
   if (contains(bytes, "-SLCVER")) return FileKind::kSlc;
-  // A binary STL's 80 bytes may hold anything, what follows is no text.
+  // A binary STL's first 80 bytes may hold anything; the bytes after them are no text.
   if (!is_text(bytes)) return std::nullopt;
   if (text.starts_with("Slice V0")) return FileKind::kSliceV0;
-  if (begins_form(text, "LSIF")) return FileKind::kLsif;
-  if (begins_form(text, "SIF_SFF")) return FileKind::kSif;
+  if (starts_form(text, "LSIF")) return FileKind::kLsif;
+  if (starts_form(text, "SIF_SFF")) return FileKind::kSif;
   if (text.starts_with('<')) {
     if (contains(text, "<svg")) return FileKind::kSvg;
     if (contains(text, "<amf")) return FileKind::kAmf;
   }
-  if (begins_obj(text)) return FileKind::kObj;
+  if (starts_obj(text)) return FileKind::kObj;
   if (text_kind(bytes) == StlText::kOther && has_vertex_line(text)) return FileKind::kObj;
   return std::nullopt;
 }
 
-// Kinds that are known by their first words, and refused.
+// Kinds that are recognised by their first words and refused.
 std::string refusal(std::string_view bytes) {
   const std::string_view text = significant(bytes);
   if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF")) {
@@ -139,7 +139,7 @@ std::string refusal(std::string_view bytes) {
   return {};
 }
 
-// Text without a word of any format so far, which more of it might have.
+// True for text without a word of any format so far: more of it is needed.
 bool may_go_on(std::string_view bytes) {
   return is_text(bytes) && text_kind(bytes) == StlText::kOther &&
          !significant(bytes).starts_with('<');
@@ -162,11 +162,11 @@ Result<FileKind> kind_of(InputFile& file) {
   if (const std::string cause = refusal(bytes.substr(0, kRefusalBytes)); !cause.empty()) {
     return Error{ErrorCode::kBadPart, file.name() + ": " + cause};
   }
-  // Comments to the end of what can be seen: only OBJ has such.
+  // Only comments in the largest window: only OBJ has such.
   if (bytes.size() == kLookBytes.back() && is_text(bytes) && significant(bytes).empty()) {
     return FileKind::kObj;
   }
-  // Binary files of no other kind are STL, whose header may be anything.
+  // A binary file of no other kind is STL, whose header may be anything.
   return FileKind::kStl;
 }
 

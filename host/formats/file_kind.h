@@ -1,8 +1,8 @@
-// What kind of file it is, told by the content, never by the name: .slc is the name of three
-// formats at least, .ssl and .sif of two.
+// Recognises the kind of a file by its content, never by its name: .slc is the ending of at least
+// three formats, .ssl and .sif of two.
 //
-// Most kinds are told by their first bytes. OBJ has no such: a file is one when the first word of a
-// line is a word of OBJ's, behind comments of any length and lines of other words.
+// Most kinds have typical first bytes. OBJ has none: a file is OBJ if a line starts with a word of
+// OBJ, after comments of any length and lines with other words.
 #pragma once
 
 #include "core/result.h"            // Result
@@ -12,8 +12,7 @@ namespace host {
 
 enum class FileKind { kStl, kZip, kAmf, kObj, kSif, kLsif, kCli, kSlc, kSliceV0, kSvg };
 
-// Reads as much as tells the kind. Errors: an empty file, and kinds that are known and can't be
-// read, by name.
+// Reads only as far as needed. Errors: an empty file; a known kind that can't be read, by name.
 [[nodiscard]] core::Result<FileKind> kind_of(InputFile& file);
 
 }  // namespace host

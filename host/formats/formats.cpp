@@ -27,7 +27,7 @@ using core::Error;
 using core::ErrorCode;
 using core::Result;
 
-// Archives within archives: a 3MF, or a part of another kind, in a zip file.
+// Depth of archives: a 3MF, itself an archive, may be in a zip file.
 constexpr int kZipDepthMax = 2;
 
 constexpr std::array kFormats = {

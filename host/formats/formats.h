@@ -1,5 +1,5 @@
-// The kinds of file, in one table: who reads them, who writes them. What they are told by stands in
-// file_kind.h.
+// The table of file formats, and the functions that open them. file_kind.h recognises a file's
+// kind.
 #pragma once
 
 #include <memory>
@@ -25,16 +25,17 @@ struct FormatRow {
   const char* remarks;
 };
 
-// For people: `rind formats`.
+// The table that `rind formats` prints.
 [[nodiscard]] std::span<const FormatRow> formats();
 
 [[nodiscard]] bool is_layers(FileKind kind);
-// A zip archive holds any of them: a 3MF package, or one part. REQUIRES: `file` not read but by
-// kind_of()
+// Opens a zip archive: a 3MF package, or one part of any kind. REQUIRES: only kind_of() has read
+// `file`.
 [[nodiscard]] core::Result<PartContent> open_zip(InputFile file);
-// REQUIRES: is_layers(kind), or a zip that holds layers; `file` not read but by kind_of().
+// REQUIRES: is_layers(kind), or a zip with layers; only kind_of() has read `file`.
 [[nodiscard]] core::Result<std::unique_ptr<LayerReader>> open_layers(FileKind kind, InputFile file);
-// REQUIRES: !is_layers(kind), likewise; of a SIF file or an archive, that it has no booleans.
+// REQUIRES: !is_layers(kind); a SIF file or an archive without booleans; only kind_of() has read
+// `file`.
 [[nodiscard]] core::Result<std::unique_ptr<TriangleSource>> open_triangles(FileKind kind,
                                                                            InputFile file);
 

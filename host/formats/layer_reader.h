@@ -1,11 +1,11 @@
-// A file that already is layers, read one layer at a time.
+// Reads a layer file one layer at a time.
 //
-// Slices come as the file has them: its own coordinates and heights, bottom to top, each standing
-// on the one below. Setting them on the bed is layer_file's business.
+// Slices have the file's own coordinates and heights. They come from bottom to top, each on top of
+// the one below. layer_file places them on the bed.
 //
-// ENSURES: memory for the largest layer (format_limits.h) and fixed buffers; nothing is read ahead
-// but what tells that a layer has ended. Files that end early, or say what can't be, are errors
-// that name the file, the place, the cause and what to do.
+// ENSURES: holds the largest layer (format_limits.h) and fixed buffers, and reads ahead only as far
+// as needed to see that a layer has ended. A file that is cut short or contradicts itself is an
+// error that names the file, the position, the cause and what to do.
 #pragma once
 
 #include <optional>
@@ -25,12 +25,12 @@ class LayerReader : public LayerSource {
   // "ASCII CLI", "SLC"
   [[nodiscard]] virtual std::string format() const = 0;
 
-  // What the file's head says about the whole, if it does; believed only as far as that is
-  // harmless. Known once the reader has been opened.
+  // Extent and number of layers from the file's head, if given. They may be wrong, so they are used
+  // only where that does no harm. Known once the reader is open.
   [[nodiscard]] const std::optional<core::Box>& box_promised() const { return box_promised_; }
-  [[nodiscard]] core::LayerIndex layers_promised() const { return layers_promised_; }  // 0: unsaid
+  [[nodiscard]] core::LayerIndex layers_promised() const { return layers_promised_; }  // or 0
 
-  // For people: what was odd and how it was taken. At most kFormatWarningsMax.
+  // For people: what was odd and how it was treated. At most kFormatWarningsMax.
   [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 
  protected:

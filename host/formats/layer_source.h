@@ -1,4 +1,4 @@
-// Plug point: where slices come from. A mesh that is cut plane by plane, a layer file, a pipe.
+// Plug point: a source of slices, such as a mesh that is cut plane by plane, or a layer file.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@ class LayerSource {
  public:
   virtual ~LayerSource() = default;
 
-  // The next slice up, or nothing when the part has ended. Indices count from 0 without gaps.
+  // The next slice up; nullopt at the part's end. Indices count from 0 without gaps.
   // An error is final.
   [[nodiscard]] virtual core::Result<std::optional<core::Slice>> next() = 0;
 };

@@ -1,4 +1,4 @@
-// A layer file, written layer by layer.
+// Plug point: writes a layer file, layer by layer.
 #pragma once
 
 #include <string>
@@ -10,18 +10,18 @@
 
 namespace host {
 
-// What of a layer a file is to hold.
+// Which regions of a layer are written.
 enum class LayerContents {
   kSlices,              // the part itself
-  kWalls,               // its wall, then its inside, told apart as far as the format can
-  kWallsForQuickSlice,  // the same; contours that both share stand with the inside's, both copies
-                        // (slice_v0_writer.h)
+  kWalls,               // its wall, then its inside, marked as such if the format can
+  kWallsForQuickSlice,  // the same, but both copies of a contour that they share are among the
+                        // inside's (slice_v0_writer.h)
 };
 
-// What is known before the first layer.
+// Known before the first layer.
 struct LayerFileHead {
   core::LayerIndex layers = 0;  // 0: not known
-  core::Length layer_height;    // as set; layers have their own
+  core::Length layer_height;    // the setting; each layer has its own
   core::Length bed_x;
   core::Length bed_y;
   LayerContents contents = LayerContents::kWalls;
@@ -31,13 +31,13 @@ class LayerWriter {
  public:
   virtual ~LayerWriter() = default;
 
-  // Each appends what is to be written next. In this order: begin, layers from the bed up, end.
+  // Each appends the next piece of the file. In this order: begin, layers from the bed up, end.
   virtual void begin(std::string& into) = 0;
   virtual void layer(const core::SplitLayer& layer, const std::vector<core::Road>& roads,
                      std::string& into) = 0;
   virtual void end(std::string& into) = 0;
 
-  // Whether layer() is to be given the roads; otherwise there are none.
+  // Whether layer() needs the roads; if not, it gets none.
   [[nodiscard]] virtual bool wants_roads() const { return false; }
 };
 

@@ -1,4 +1,4 @@
-// Numbers as binary files have them.
+// Reads little-endian numbers of binary files.
 #pragma once
 
 #include <bit>

@@ -27,7 +27,7 @@ class LsifReader : public LayerReader {
 
   [[nodiscard]] std::string format() const override { return "L-SIF"; }
 
-  // Up to the first layer's keyword.
+  // Reads up to the first layer's keyword.
   [[nodiscard]] Status open() {
     if (Status opened = scanner_.expect_open(); !opened.ok()) return opened;
     const Result<std::string> magic = scanner_.keyword();
@@ -43,7 +43,7 @@ class LsifReader : public LayerReader {
 
   [[nodiscard]] Result<std::optional<Slice>> next() override {
     if (ended_) return std::optional<Slice>();
-    sets_.begin_layer();
+    sets_.start_layer();
     std::optional<std::int64_t> thickness = thickness_;
     while (true) {
       const Result<Token> token = scanner_.next();
@@ -81,7 +81,7 @@ class LsifReader : public LayerReader {
   }
 
  private:
-  // Takes the file's own forms up to the next "(layer", or its end.
+  // Reads the file's own forms up to the next "(layer", or to its end.
   [[nodiscard]] Status to_layer() {
     while (true) {
       const Result<Token> token = scanner_.next();
@@ -136,7 +136,7 @@ class LsifReader : public LayerReader {
   SifScanner scanner_;
   LsifSets sets_;
   std::optional<double> unit_mm_;
-  std::optional<std::int64_t> thickness_;  // of layers that name none
+  std::optional<std::int64_t> thickness_;  // of layers that give none
   std::int64_t bottom_ = 0;
   core::LayerIndex index_ = 0;
   bool ended_ = false;

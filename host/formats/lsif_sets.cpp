@@ -16,7 +16,7 @@ using core::Result;
 using core::Status;
 using Token = SifScanner::Token;
 
-void LsifSets::begin_layer() {
+void LsifSets::start_layer() {
   vertices_.clear();
   points_ = 0;
 }
@@ -70,7 +70,7 @@ Status LsifSets::vertex() {
 }
 
 Status LsifSets::contour(Turn turn, ContourGatherer& into) {
-  if (const std::string cause = into.begin(); !cause.empty()) return scanner_.bad(cause);
+  if (const std::string cause = into.start(); !cause.empty()) return scanner_.bad(cause);
   while (true) {
     const Result<Token> token = scanner_.next();
     if (!token.ok()) return token.error();
@@ -98,7 +98,7 @@ Status LsifSets::contour(Turn turn, ContourGatherer& into) {
   return {};
 }
 
-// The first contour is the outer one, further ones are holes, what is nested within is an island.
+// The first contour is the outer one, further ones are holes; a nested form is an island.
 Status LsifSets::nested(int depth, ContourGatherer& into) {
   if (depth > kNestingMax) {
     return scanner_.bad("more than " + std::to_string(kNestingMax) + " forms within one another");
@@ -140,7 +140,7 @@ Result<Region> LsifSets::set(const std::string& keyword, int depth) {
   return boolean(keyword, depth);
 }
 
-// A union, or what is taken off a difference, is gathered and united in one go.
+// The operands of a union, or those that a difference subtracts, are united in one operation.
 Result<Region> LsifSets::boolean(const std::string& keyword, int depth) {
   std::optional<Region> first;
   ContourGatherer united;

@@ -1,4 +1,4 @@
-// A layer of an L-SIF file: its vertices, and its sets evaluated to a region (lsif_reader.h).
+// Evaluates the sets of a layer of an L-SIF file to a region (lsif_reader.h).
 #pragma once
 
 #include <cstddef>
@@ -16,14 +16,14 @@ namespace host {
 
 class LsifSets {
  public:
-  // `scanner` outlives this.
+  // REQUIRES: `scanner` outlives this.
   explicit LsifSets(SifScanner& scanner) : scanner_(scanner) {}
 
   void set_unit(double mm) { unit_mm_ = mm; }
-  void begin_layer();
-  // One form of a layer, whose keyword has been read, up to its end.
+  void start_layer();
+  // Reads one form of a layer to its end. REQUIRES: its keyword has been read.
   [[nodiscard]] core::Status take_form(const std::string& keyword);
-  // All sets of the layer, united.
+  // The union of all sets of the layer.
   [[nodiscard]] core::Result<core::Region> finish_layer();
 
   [[nodiscard]] std::int64_t skipped_forms() const { return skipped_forms_; }
@@ -37,7 +37,7 @@ class LsifSets {
   [[nodiscard]] core::Result<core::Region> set(const std::string& keyword, int depth);
   [[nodiscard]] core::Result<core::Region> boolean(const std::string& keyword, int depth);
   [[nodiscard]] core::Status skip(const std::string& keyword);
-  // One more point of the layer, or why that is too many.
+  // Counts a point of the layer; an error if there are too many.
   [[nodiscard]] core::Status count_point();
 
   SifScanner& scanner_;

@@ -44,7 +44,7 @@ class LsifWriter : public LayerWriter {
   void end(std::string& into) override { into += ")\n"; }
 
  private:
-  // Appends the region's vertices to `into`, and returns the set that they bound.
+  // Appends the region's vertices to `into`, and returns the region as a set.
   std::string region_set(const core::Region& region, std::string& into) {
     std::string set = "(union";
     for (const core::Island& island : core::islands(region)) {

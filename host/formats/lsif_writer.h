@@ -1,10 +1,10 @@
 // Writes L-SIF (lsif_reader.h), in mm, to the grid.
 //
 //     slices   (layer (v …) … (union (nested1d …) …))
-//     walls    (layer (v …) … (difference S L) L): the wall as the paper has it, an unevaluated
-//              boolean of the slice S and the loose inside L, and beside it the inside
+//     walls    (layer (v …) … (difference S L) L): the wall as in the paper, an unevaluated boolean
+//              of the slice S and the loose inside L, followed by the inside
 //
-// A layer that is not as high as the file's (thickness …) has its own.
+// A layer has its own (thickness …) if its height differs from the file's.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// The box around a mesh.
+// The bounding box of a mesh.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace host {
 
-// Where a mesh is, in its own coordinates. Empty at birth.
+// In the mesh's own coordinates. Starts empty.
 struct MeshExtent {
   core::Box box;
   std::int64_t lowest_z = std::numeric_limits<std::int64_t>::max();

@@ -32,7 +32,7 @@ bool Transform::mirrors() const {
          0;
 }
 
-bool MeshStore::begin_object(const Key& key) {
+bool MeshStore::start_object(const Key& key) {
   if (objects_.size() >= kMeshObjectsMax) return false;
   const auto [at, fresh] = objects_.try_emplace(key);
   if (!fresh) return false;
@@ -102,7 +102,7 @@ std::vector<MeshStore::Range> MeshStore::stretches(const Object& object, MeshRol
 }
 
 std::size_t MeshStore::count(const Key& key, MeshRole role) const {
-  // No deeper than place() goes.
+  // No deeper than in place().
   const auto counted = [&](const auto& self, const Key& at, MeshRole outer) -> std::size_t {
     const Object& object = objects_.at(at);
     std::size_t sum = 0;
@@ -121,7 +121,7 @@ std::string MeshStore::place(const Component& what, MeshRole wanted, int depth) 
     return "object '" + shown(what.key.second) + "' is not in the file; export the part again";
   }
   const Object& object = found->second;
-  // Objects without triangles of their own count too, so that no tree of them takes for ever.
+  // Objects without triangles count too, so that no tree of them takes for ever.
   if (instances_.size() >= kMeshInstancesMax || components_ > kMeshInstancesMax) {
     return "more than " + std::to_string(kMeshInstancesMax) +
            " copies of objects, more than fit; merge them";

@@ -1,14 +1,14 @@
-// Meshes that a file describes first and places afterwards: objects of vertices, triangles and
-// other objects, then the items that are to be printed.
+// Stores meshes that a file first describes and then places: objects with vertices, triangles and
+// components (other objects), then the items to be printed.
 //
 //     object ── triangles over its own vertices
 //       └────── components: other objects, each with a transform
 //     item = object with a transform
 //
-// Some of an object's triangles, or a component, may have another role than to be printed.
+// Some of an object's triangles, or a component, may have another role than kSolid.
 //
-// Vertices and triangles are in temporary files when there are many (mapped_array.h); what is in
-// memory is bounded by kMeshObjectsMax and kMeshInstancesMax.
+// Many vertices and triangles are kept in temporary files (mapped_array.h). kMeshObjectsMax and
+// kMeshInstancesMax bound what is in memory.
 #pragma once
 
 #include <array>
@@ -30,22 +30,22 @@ namespace host {
 inline constexpr std::size_t kMeshObjectsMax = std::size_t{1} << 16;
 inline constexpr std::size_t kMeshInstancesMax = std::size_t{1} << 16;
 
-// A point times this matrix: x' = x m[0] + y m[3] + z m[6] + m[9], and so on: 3MF's order.
+// A 4 × 3 matrix in 3MF's order: x' = x m[0] + y m[3] + z m[6] + m[9], and so on.
 struct Transform {
   std::array<double, 12> m{1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
 
   [[nodiscard]] PointMm applied(const PointMm& point) const;
-  // This one first, then `after`.
+  // This transform first, then `after`.
   [[nodiscard]] Transform then(const Transform& after) const;
-  // It turns inside out.
+  // True if it turns meshes inside out.
   [[nodiscard]] bool mirrors() const;
 };
 
-// What triangles are for.
+// The purpose of triangles.
 enum class MeshRole : std::uint8_t {
-  kSolid,     // they are printed
-  kNegative,  // what they enclose is cut out of the item
-  kLeftOut,   // they are there for another program: modifiers, where supports go
+  kSolid,     // printed
+  kNegative,  // cut out of the item
+  kLeftOut,   // ignored: modifiers, marks for supports
 };
 
 class MeshStore {
@@ -53,37 +53,38 @@ class MeshStore {
   // The part of the file, and the object's number in it.
   using Key = std::pair<int, std::string>;
 
-  // Begins an object; what follows belongs to it. False for a key that is there already, or too
-  // many.
-  [[nodiscard]] bool begin_object(const Key& key);
+  // Starts an object; the calls that follow belong to it. False if the key exists already, or if
+  // there are too many objects.
+  [[nodiscard]] bool start_object(const Key& key);
   [[nodiscard]] bool contains(const Key& key) const { return objects_.contains(key); }
   [[nodiscard]] core::Status add_vertex(const PointMm& point);
-  // Of the object that was begun last.
+  // Of the object that was started last.
   [[nodiscard]] std::size_t vertices() const;
-  // REQUIRES: each at most vertices(), and below it once the object is done, or count_from_one()
+  // REQUIRES: each corner is at most vertices(); once the object is complete, below vertices(),
+  // unless count_from_one() was called
   [[nodiscard]] core::Status add_triangle(const std::array<std::uint32_t, 3>& corners);
-  // The object's triangles count its vertices from 1. REQUIRES: none names 0
+  // The object's triangles count its vertices from 1. REQUIRES: no corner is 0
   void count_from_one();
-  // `reversed`: inside out. A role other than kSolid is that of all that is in it.
+  // `reversed`: inside out. A role other than kSolid applies to everything in the component.
   void add_component(const Key& key, const Transform& transform, bool reversed = false,
                      MeshRole role = MeshRole::kSolid);
-  // So many of an object's own triangles, from one of them on. REQUIRES: the object is there;
-  // in order of triangles, each above the one before
+  // Sets the role of `count` of the object's own triangles, from `first` on. REQUIRES: the object
+  // exists; ranges are set in ascending order and don't overlap
   void set_role(const Key& key, std::size_t first, std::size_t count, MeshRole role);
   // The object's own triangles.
   [[nodiscard]] std::size_t triangles(const Key& key) const;
 
-  // What is to be printed; all objects are known. Returns why it can't be; empty when it can.
-  // More may be added when next() has given nothing. Only triangles that have the role.
+  // Adds an item to be printed: its triangles with that role. Returns why it can't be printed;
+  // empty if it can. REQUIRES: all objects are known; before the first next(), or after its end
   [[nodiscard]] std::string add_item(const Key& key, const Transform& transform,
                                      bool reversed = false, MeshRole role = MeshRole::kSolid);
-  // Nothing is to be printed so far.
+  // Removes all items.
   void clear_items();
-  // So many triangles of that role an item would have.
-  // REQUIRES: add_item() of it has found no reason against it
+  // The number of triangles with that role that an item would have.
+  // REQUIRES: add_item() accepted it
   [[nodiscard]] std::size_t count(const Key& key, MeshRole role) const;
 
-  // The items' triangles, snapped; nothing at the end. An empty error text, or why not.
+  // The items' triangles, snapped; nullopt at the end. `error` is empty, or says why it failed.
   struct Next {
     std::optional<core::Triangle> triangle;
     std::string error;
@@ -120,9 +121,10 @@ class MeshStore {
     std::size_t end;
   };
 
-  // `wanted` is the role that counts.
+  // Only triangles whose role is `wanted`.
   [[nodiscard]] std::string place(const Component& what, MeshRole wanted, int depth);
-  // The stretches of an object's triangles that have a role, where it is in something of `outer`.
+  // The ranges of an object's triangles whose role is `wanted`, if the object is within a component
+  // of role `outer`.
   [[nodiscard]] static std::vector<Range> stretches(const Object& object, MeshRole outer,
                                                     MeshRole wanted);
 

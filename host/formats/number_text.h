@@ -1,4 +1,4 @@
-// Numbers as files have them.
+// Reads and writes the numbers of text files.
 #pragma once
 
 #include <cstdint>
@@ -8,19 +8,19 @@
 
 namespace host {
 
-// The whole of `text` as a finite number: 12, -0.5, +3, 1e-4, 000000.010. Nothing when it is none.
+// The whole of `text` as a finite number: 12, -0.5, +3, 1e-4, 000000.010. Nullopt if it is none.
 [[nodiscard]] std::optional<double> parse_real(std::string_view text);
 
-// The whole of `text` as a whole number.
+// The whole of `text` as an integer; nullopt if it is none.
 [[nodiscard]] std::optional<std::int64_t> parse_integer(std::string_view text);
 
-// Appends a length of so many grid units in mm, exactly: "12.3456", "0", "-0.05".
+// Appends a length in grid units as mm, exactly: "12.3456", "0", "-0.05".
 void append_mm(std::int64_t units, std::string& into);
 
-// The same, with a point always, for formats that want one in a real number: "12.0".
+// The same, always with a decimal point, for formats that require one: "12.0".
 void append_real_mm(std::int64_t units, std::string& into);
 
-// Appends it in inches, to the eight decimals that give the same unit back.
+// Appends it in inches, with the eight decimals needed to read the same length back.
 void append_inches(std::int64_t units, std::string& into);
 
 // "12.5", for messages.

@@ -20,7 +20,7 @@ using core::Status;
 using core::Triangle;
 using core::Vertex;
 
-// Behind a backslash at a line's end, blanks at most.
+// A backslash at a line's end, with at most blanks behind it.
 constexpr std::size_t kJoinBytes = 64;
 
 class ObjReader : public TriangleSource {
@@ -41,7 +41,7 @@ class ObjReader : public TriangleSource {
       if (word == "v") {
         if (Status read = vertex(); !read.ok()) return read.error();
       } else if (word == "f" || word == "fo") {
-        if (Status read = begin_face(); !read.ok()) return read.error();
+        if (Status read = start_face(); !read.ok()) return read.error();
       } else {
         skip_line();
       }
@@ -49,13 +49,13 @@ class ObjReader : public TriangleSource {
   }
 
  private:
-  // A triangle of a face that stands before its vertices.
+  // A triangle of a face that comes before its vertices.
   struct Waiting {
     std::array<std::int64_t, 3> corners{};
     std::int64_t line = 0;
   };
 
-  // Behind the last line: what had to wait, then nothing.
+  // After the last line: the triangles that had to wait, then nullopt.
   [[nodiscard]] Result<std::optional<Triangle>> end() {
     if (text_.failed()) return text_.bad("");
     while (next_waiting_ < waiting_.size()) {
@@ -81,8 +81,8 @@ class ObjReader : public TriangleSource {
     return std::optional<Triangle>();
   }
 
-  // Blanks within a line of a vertex or a face, where a backslash at the line's end joins the next
-  // one. Returns peek(); a backslash that stands elsewhere is what comes next.
+  // Skips blanks within a line of a vertex or a face, and joins the next line at a backslash.
+  // Returns peek(), which is a backslash if that is elsewhere in the line.
   int skip_spaces() {
     while (true) {
       const int c = text_.peek();
@@ -96,7 +96,7 @@ class ObjReader : public TriangleSource {
     }
   }
 
-  // Takes a backslash that has only blanks behind it, up to the line's end.
+  // Reads a backslash that only blanks follow, up to the line's end.
   [[nodiscard]] bool joins_lines() {
     const std::string_view ahead = text_.lookahead(kJoinBytes).substr(1);
     const std::size_t at = ahead.find_first_not_of(" \t\f\v");
@@ -105,7 +105,7 @@ class ObjReader : public TriangleSource {
     return true;
   }
 
-  // Blanks and one line end; what an empty line would join is not joined.
+  // Skips blanks and one line end; an empty line joins nothing.
   void take_line_end() {
     while (is_space(text_.peek())) text_.take();
     const int c = text_.peek();
@@ -121,8 +121,7 @@ class ObjReader : public TriangleSource {
     return c == TextScanner::kEnd || c == '\n' || c == '\r' || c == '#';
   }
 
-  // Comments and unknown lines end where they end, whatever their last character is: Windows paths
-  // end in a backslash.
+  // Comments and unknown lines are never joined, even after a backslash: Windows paths end in one.
   void skip_line() {
     for (int c = text_.peek(); c != TextScanner::kEnd && c != '\n' && c != '\r'; c = text_.peek()) {
       text_.take();
@@ -140,13 +139,13 @@ class ObjReader : public TriangleSource {
     }
     const std::optional<Vertex> vertex = snapped_vertex(mm);
     if (!vertex) return text_.bad(vertex_too_far(mm));
-    // Weights and colours, also where they stand in the next line.
+    // Skips weights and colours, also in a joined line.
     while (!ends_line(skip_spaces())) text_.take();
     skip_line();
     return vertices_.push_back(*vertex);
   }
 
-  // The next corner of the face, counted from 0; nothing at the line's end.
+  // The next corner of the face, counted from 0; nullopt at the line's end.
   [[nodiscard]] Result<std::optional<std::int64_t>> corner() {
     if (ends_line(skip_spaces())) {
       skip_line();
@@ -164,7 +163,7 @@ class ObjReader : public TriangleSource {
     return std::optional<std::int64_t>(index);
   }
 
-  [[nodiscard]] Status begin_face() {
+  [[nodiscard]] Status start_face() {
     corners_ = 0;
     face_line_ = text_.line();
     for (std::int64_t* into : {&first_, &last_}) {
@@ -220,7 +219,7 @@ class ObjReader : public TriangleSource {
   MappedArray<Vertex> vertices_;
   MappedArray<Waiting> waiting_;
   std::size_t next_waiting_ = 0;
-  // Of the face that is being cut: how many corners were read, the first and the last of them.
+  // The face that is being cut: corners read so far, the first and the last of them.
   std::int64_t corners_ = 0;
   std::int64_t first_ = 0;
   std::int64_t last_ = 0;

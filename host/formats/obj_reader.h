@@ -1,10 +1,11 @@
-// Wavefront OBJ: "v x y z" and "f a b c …", in mm, z up; everything else says nothing about shape.
+// Reads Wavefront OBJ: "v x y z" and "f a b c …", in mm, z up. Other lines don't describe shape and
+// are ignored.
 //
-// A face's corners are vertices counted from 1, or backwards from -1, and may stand behind it; what
-// follows a slash (texture, normal) is not used. Faces of more than three corners are cut into a
-// fan, which is right for concave ones too: triangles that turn the other way cancel. Faces of
-// fewer are left out, and told. A backslash at a line's end joins the next one in lines of "v" and
-// "f" only: other lines may end in one by chance.
+// A face's corners are vertices counted from 1, or backwards from -1; the vertices may follow later
+// in the file. What follows a slash (texture, normal) is ignored. A face with more than three
+// corners is cut into a fan, which is correct for concave faces too: triangles that turn the other
+// way cancel. Faces with fewer corners are left out, with a warning. A backslash at a line's end
+// joins the next line only for "v" and "f": other lines may end in one by chance.
 #pragma once
 
 #include <memory>
@@ -15,8 +16,8 @@
 
 namespace host {
 
-// COSTS: 16 bytes a vertex, 32 a triangle that stands before its vertices, in a temporary file when
-// there are many (mapped_array.h).
+// COSTS: 16 bytes a vertex, 32 a triangle that comes before its vertices; many of them are kept in
+// a temporary file (mapped_array.h).
 [[nodiscard]] core::Result<std::unique_ptr<TriangleSource>> open_obj(InputFile file);
 
 }  // namespace host

@@ -1,4 +1,4 @@
-// What a file turns out to hold: triangles, layers, or booleans of meshes.
+// The content of a part's file: triangles, layers, or booleans of meshes.
 #pragma once
 
 #include <memory>

@@ -5,7 +5,7 @@
 namespace host {
 namespace {
 
-// "negative_part", "NegativeVolume": letters alone.
+// Lower-case letters only: "negative_part" and "NegativeVolume" become comparable.
 std::string letters_of(std::string_view word) {
   std::string letters;
   for (const char c : word) {

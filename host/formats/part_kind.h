@@ -1,4 +1,4 @@
-// What slicers call the bodies of an object, in any of their spellings.
+// The kinds of bodies of an object, in the spellings of all slicers.
 #pragma once
 
 #include <string_view>
@@ -6,7 +6,7 @@
 namespace host {
 
 enum class PartKind {
-  kPlastic,      // normal_part, ModelPart; nothing
+  kPlastic,      // normal_part, ModelPart, empty
   kNegative,     // negative_part, NegativeVolume: cut out of the object's plastic
   kModifier,     // modifier_part, ParameterModifier: other settings within it
   kSupportMark,  // support_blocker, SupportEnforcer …

@@ -1,10 +1,10 @@
-// A solid as booleans of meshes, unevaluated: what a SIF file says, and a 3MF with negative parts.
+// A solid as an unevaluated boolean expression of meshes, from a SIF file or a 3MF with negative
+// parts.
 //
 //     operands    meshes, each a union of closed shells
 //     nodes       union, intersection, difference of nodes; a leaf is an operand
 //
-// A plane cuts each operand on its own, and the booleans are evaluated on the slices
-// (boolean_layers.h).
+// Each operand is cut on its own, and the booleans are evaluated on the slices (boolean_layers.h).
 #pragma once
 
 #include <cstddef>
@@ -16,19 +16,19 @@
 
 namespace host {
 
-// Meshes that are cut side by side: each has its own sorter and its own sweep.
+// Largest number of operands: each has its own sorter and its own sweep.
 inline constexpr std::size_t kOperandsMax = 64;
 
 struct ShellNode {
   enum class Kind { kOperand, kUnion, kIntersection, kDifference };
   Kind kind = Kind::kUnion;
-  std::size_t operand = 0;          // of a leaf
-  std::vector<std::size_t> inputs;  // of the others: nodes before this one
+  std::size_t operand = 0;          // for kOperand
+  std::vector<std::size_t> inputs;  // for the others: nodes before this one
 };
 
 struct Shell {
   MeshStore::Key key;
-  bool reversed = false;  // its triangles look inwards
+  bool reversed = false;  // its triangles face inwards
   Transform transform{};
   MeshRole role = MeshRole::kSolid;  // only its triangles of this role
 };
@@ -41,7 +41,7 @@ struct ShellTree {
   std::vector<ShellNode> nodes;  // the last one is the part
   std::vector<std::string> warnings;
 
-  // One mesh, nothing to evaluate.
+  // True if it is one mesh, without booleans.
   [[nodiscard]] bool is_plain() const { return operands.size() == 1 && nodes.size() == 1; }
 };
 

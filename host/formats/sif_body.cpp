@@ -23,7 +23,7 @@ using core::Status;
 using Token = SifScanner::Token;
 using Key = MeshStore::Key;
 
-// Shapes of 1.0 that are no triangles one by one.
+// Shapes of SIF 1.0 other than single triangles.
 constexpr std::array<std::string_view, 14> kRefused{"face", "contour", "path",    "tm",   "tab",
                                                     "tac",  "taf",     "tar",     "tsb",  "tsf",
                                                     "tsr",  "tf",      "include", "NURBS"};
@@ -35,9 +35,9 @@ class BodyReader {
 
   [[nodiscard]] Status read(const Key& key) {
     if (Status all = geometry(key, 0); !all.ok()) return all;
-    // What holds what is known only now.
+    // Which objects contain which is known only now.
     for (const auto& [holder, pieces] : pieces_) {
-      if (!store_.begin_object(holder)) {
+      if (!store_.start_object(holder)) {
         return scanner_.bad("'" + shown(holder.second) + "' is there twice; repair the file");
       }
       for (const Piece& piece : pieces) {
@@ -54,7 +54,7 @@ class BodyReader {
     bool reversed = false;
   };
 
-  // Forms up to the closing parenthesis, as pieces of `holder`.
+  // Reads forms up to the closing parenthesis, as pieces of `holder`.
   [[nodiscard]] Status geometry(const Key& holder, int depth) {
     if (depth > kNestingMax) return scanner_.bad("too many forms within one another");
     pieces_.try_emplace(holder);
@@ -135,7 +135,7 @@ class BodyReader {
       corners.push_back(found->second);
     }
     if (corners.size() < 3) return scanner_.bad("a facet of fewer than three corners");
-    if (Status begun = begin_facets(holder); !begun.ok()) return begun;
+    if (Status started = start_facets(holder); !started.ok()) return started;
     for (std::size_t i = 2; i < corners.size(); ++i) {
       const auto first = static_cast<std::uint32_t>(store_.vertices());
       for (const std::size_t corner : {std::size_t{0}, i - 1, i}) {
@@ -146,12 +146,12 @@ class BodyReader {
     return {};
   }
 
-  // Facets that follow one another are one object of the store; a definition in between ends it.
-  [[nodiscard]] Status begin_facets(const Key& holder) {
+  // Consecutive facets are one object of the store; a definition between them ends it.
+  [[nodiscard]] Status start_facets(const Key& holder) {
     const Key* known = &pieces_.find(holder)->first;
     if (facets_of_ == known && store_.vertices() < (std::size_t{1} << 31)) return {};
     const Key key{3, std::to_string(chunks_++)};
-    if (!store_.begin_object(key)) return scanner_.bad("too many surfaces; merge them");
+    if (!store_.start_object(key)) return scanner_.bad("too many surfaces; merge them");
     pieces_[holder].push_back({key, {}, false});
     facets_of_ = known;
     return {};
@@ -222,7 +222,7 @@ class BodyReader {
   MeshStore& store_;
   std::unordered_map<std::string, PointMm> vertices_;
   std::map<Key, std::vector<Piece>> pieces_;
-  const Key* facets_of_ = nullptr;  // whose facets the store's last object takes; in pieces_
+  const Key* facets_of_ = nullptr;  // owner of the facets in the store's last object; in pieces_
   std::int64_t chunks_ = 0;
   std::size_t instances_ = 0;
 };

@@ -1,5 +1,5 @@
-// The body of a SIF 1.0 file: named vertices, triangles over them, surfaces that are defined once
-// and placed often (sif_reader.h).
+// Reads the body of a SIF 1.0 file: named vertices, triangles over them, surfaces that are defined
+// once and placed several times (sif_reader.h).
 #pragma once
 
 #include "core/result.h"               // Status
@@ -8,7 +8,7 @@
 
 namespace host {
 
-// Behind "(body", to its closing parenthesis. Everything comes to be object `key` of the store.
+// Reads from behind "(body" to its closing parenthesis. The body becomes object `key` of the store.
 [[nodiscard]] core::Status read_sif_body(SifScanner& scanner, double unit_mm,
                                          const MeshStore::Key& key, MeshStore& store);
 

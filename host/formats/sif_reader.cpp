@@ -20,7 +20,7 @@ using core::Status;
 using Token = SifScanner::Token;
 using Kind = ShellNode::Kind;
 
-// A set of shells on its way into the tree: either shells alone, or a node.
+// A set of shells before it becomes part of the tree: either only shells, or a node.
 struct ShellSet {
   std::vector<Shell> shells;
   std::optional<std::size_t> node;
@@ -54,7 +54,7 @@ class SifReader {
   }
 
  private:
-  // What stands up to the closing parenthesis, united. Properties of the file are taken too.
+  // The union of the sets up to the closing parenthesis. Reads properties of the file, too.
   [[nodiscard]] Result<ShellSet> sets(const std::string& within, int depth) {
     std::vector<ShellSet> found;
     bool empty_input = false;
@@ -88,7 +88,7 @@ class SifReader {
     return combined(Kind::kDifference, std::move(both));
   }
 
-  // Nothing where the form is no shell set; it has been taken then.
+  // Nullopt if the form is no shell set; it has been read then.
   [[nodiscard]] Result<std::optional<ShellSet>> form(const std::string& keyword, int depth) {
     if (depth > kNestingMax) {
       return scanner_.bad("more than " + std::to_string(kNestingMax) +
@@ -156,7 +156,7 @@ class SifReader {
   [[nodiscard]] Result<ShellSet> shell() {
     if (!unit_mm_) return no_units();
     Shell shell{{0, std::to_string(shells_++)}, false};
-    if (!tree_->store.begin_object(shell.key)) return scanner_.bad("too many shells; merge them");
+    if (!tree_->store.start_object(shell.key)) return scanner_.bad("too many shells; merge them");
     vertices_.clear();
     lowest_ = UINT32_MAX;
     highest_ = 0;
@@ -177,7 +177,7 @@ class SifReader {
     return ShellSet{{shell}, std::nullopt};
   }
 
-  // vertices, triangles, surface, and what surfaces hold, in any order.
+  // Reads vertices, triangles, surface and its contents, in any order.
   [[nodiscard]] Status shell_forms(int depth) {
     if (depth > kNestingMax) return scanner_.bad("too many forms within one another");
     while (true) {
@@ -235,7 +235,7 @@ class SifReader {
     return scanner_.expect_close();
   }
 
-  // Of the shell, six times, in mm³; positive when its triangles look outwards.
+  // Six times the shell's volume, in mm³; positive if its triangles face outwards.
   [[nodiscard]] double volume(std::uint32_t first) const {
     double sum = 0;
     for (std::size_t i = 0; i < triangles_.size(); ++i) {
@@ -259,7 +259,7 @@ class SifReader {
     return tree_->nodes.size() - 1;
   }
 
-  // Shells alone stay one mesh: what winds around any of them is inside.
+  // Shells without booleans stay one mesh: the union of their insides.
   [[nodiscard]] Result<ShellSet> united(std::vector<ShellSet> sets) {
     ShellSet plain;
     std::vector<ShellSet> all;
@@ -293,7 +293,7 @@ class SifReader {
   bool old_ = false;
   std::optional<double> unit_mm_;
   std::int64_t shells_ = 0;
-  // Of the shell that is being read.
+  // The shell that is being read.
   MappedArray<PointMm> vertices_;
   MappedArray<std::array<std::uint32_t, 3>> triangles_;
   std::uint32_t lowest_ = 0;

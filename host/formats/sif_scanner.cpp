@@ -13,7 +13,7 @@ using core::Error;
 using core::Result;
 using core::Status;
 
-// Powers of ten that a double has.
+// Powers of ten that a double holds exactly.
 constexpr std::int64_t kExponentMax = 300;
 
 bool SifScanner::skip_comment() {
@@ -129,7 +129,7 @@ Result<double> SifScanner::number(Token token, const std::string& wanted) {
   }
   if (std::abs(parts[1]) > kExponentMax) return bad("(e M X) with X beyond 300; repair the file");
   if (Status closed = expect_close(); !closed.ok()) return closed.error();
-  // A division, since powers below 1 are no doubles: (e 24 -1) is 2.4, bit for bit.
+  // Divides for negative exponents: powers below 1 are no exact doubles. (e 24 -1) is exactly 2.4.
   const double power = std::pow(10.0, static_cast<double>(std::abs(parts[1])));
   const auto mantissa = static_cast<double>(parts[0]);
   return parts[1] < 0 ? mantissa / power : mantissa * power;

@@ -1,4 +1,4 @@
-// The words of SIF and L-SIF: one construct, (keyword field field …).
+// Splits SIF and L-SIF into tokens. Their only construct is (keyword field field …).
 //
 //     (* comments (* nest *) *)   # and end with the line
 //     numbers: 12, -0.5, and (e M X) for M · 10^X, both whole: (e 24 -1) is 2.4
@@ -19,28 +19,28 @@ class SifScanner {
 
   explicit SifScanner(InputFile file) : text_(std::move(file)) {}
 
-  // A word is in word() until the next call.
+  // The next token. word() holds a word until the next call.
   [[nodiscard]] core::Result<Token> next();
   [[nodiscard]] const std::string& word() const { return word_; }
 
-  // After an opening one: the form's keyword.
+  // The form's keyword. REQUIRES: the last token was an opening parenthesis.
   [[nodiscard]] core::Result<std::string> keyword();
   [[nodiscard]] core::Status expect_open();
   [[nodiscard]] core::Status expect_close();
-  // A number in either way of writing. `wanted` is for messages: "a coordinate".
+  // A number in either notation. `wanted` is for messages: "a coordinate".
   [[nodiscard]] core::Result<double> number(const std::string& wanted);
-  // The same, where `token` is what next() gave last.
+  // The same, if next() has already returned its first token.
   [[nodiscard]] core::Result<double> number(Token token, const std::string& wanted);
-  // The rest of a form, nested ones too, with its closing parenthesis. COSTS: no memory.
+  // Skips the rest of a form, nested ones too, and its closing parenthesis. COSTS: no memory.
   [[nodiscard]] core::Status skip_form();
 
   [[nodiscard]] core::Error bad(const std::string& cause) const { return text_.bad(cause); }
-  // What next() gave last is not what should be there.
+  // The error for a token that should not be there. `token`: the last of next().
   [[nodiscard]] core::Error unexpected(Token token, const std::string& wanted);
   [[nodiscard]] const std::string& name() const { return text_.name(); }
 
  private:
-  // Nothing but blanks and comments; false where a comment does not end.
+  // Skips blanks and comments; false if a comment does not end.
   [[nodiscard]] bool skip_gap();
   [[nodiscard]] bool skip_comment();
 

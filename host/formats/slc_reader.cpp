@@ -25,8 +25,8 @@ constexpr std::size_t kTableRowBytes = 16;
 constexpr char kHeadEnd = 0x1A;
 constexpr std::uint32_t kLastLayer = 0xFFFF'FFFF;
 
-// The word behind a key, up to a blank or the next key: some writers put none in between. Empty for
-// none.
+// The word behind a key, up to a blank or the next key: some writers put no blank between them.
+// Empty if there is none.
 std::string_view value_of(std::string_view head, std::string_view key) {
   const auto blank = [](char c) { return is_blank(static_cast<unsigned char>(c)); };
   std::size_t at = head.find(key);
@@ -65,7 +65,7 @@ class SlcReader : public LayerReader {
       warn(bytes_.name() + ": its head says that it holds no part but a " + shown(type) +
            "; it is printed like a part");
     }
-    // The one that has a table behind it.
+    // Uses the offset that has a table behind it.
     const std::size_t close = end + 1;
     const bool padded = !table_at(close) && table_at(kHeadBytesPadded);
     bytes_.skip(
@@ -77,7 +77,7 @@ class SlcReader : public LayerReader {
     const std::size_t bytes = rest + rows * kTableRowBytes;
     if (bytes_.lookahead(bytes).size() < bytes) return cut_short();
     bytes_.skip(bytes);
-    return begin_layer();
+    return start_layer();
   }
 
   [[nodiscard]] Result<std::optional<Slice>> next() override {
@@ -86,7 +86,7 @@ class SlcReader : public LayerReader {
       if (core::Status read = boundary(); !read.ok()) return read.error();
     }
     const std::int64_t bottom = z_;
-    if (core::Status begun = begin_layer(); !begun.ok()) return begun.error();
+    if (core::Status started = start_layer(); !started.ok()) return started.error();
     if (z_ <= bottom) {
       return bytes_.bad_at_byte("layer " + std::to_string(index_ + 2) +
                                 " does not lie above the one before; export the file again");
@@ -106,7 +106,7 @@ class SlcReader : public LayerReader {
         "export it again");
   }
 
-  // Whether reserved bytes and a table that makes sense stand there.
+  // True if reserved bytes and a plausible table follow.
   bool table_at(std::size_t at) {
     const std::size_t rows_at = at + kReservedBytes;
     const std::string_view bytes = bytes_.lookahead(rows_at + 1 + 255 * kTableRowBytes);
@@ -116,14 +116,15 @@ class SlcReader : public LayerReader {
     for (std::size_t row = 0; row < rows; ++row) {
       const char* entry = bytes.data() + rows_at + 1 + row * kTableRowBytes;
       const double z = float_at(entry), thickness = float_at(entry + 4);
-      // Zeros, and the blanks that pad read as a float of 1e-19, are no thickness.
+      // Zeros are no thickness, nor is padding: blanks read as a float of 1e-19.
       if (!std::isfinite(z) || !(thickness > 1e-6 && thickness < 1e6)) return false;
     }
     return true;
   }
 
-  // Height and count of the next layer; none is the end, where the height is the last one's top.
-  [[nodiscard]] core::Status begin_layer() {
+  // Reads height and count of the next layer. No count: the end; the height is the last layer's
+  // top.
+  [[nodiscard]] core::Status start_layer() {
     const std::string_view bytes = bytes_.lookahead(8);
     if (bytes.size() < 8) return cut_short();
     const std::optional<std::int64_t> z = height_units(float_at(bytes.data()) * unit_mm_);
@@ -152,7 +153,7 @@ class SlcReader : public LayerReader {
       warn(bytes_.name() + ": boundaries with gaps were closed");
     }
     bytes_.skip(8);
-    std::string cause = contours_.begin();
+    std::string cause = contours_.start();
     for (std::uint32_t i = 0; i < points && cause.empty(); ++i) {
       const std::string_view pair = bytes_.lookahead(8);
       if (pair.size() < 8) return cut_short();
@@ -168,7 +169,7 @@ class SlcReader : public LayerReader {
   double unit_mm_ = 1;
   ContourGatherer contours_;
   std::int64_t z_ = 0;
-  std::optional<std::uint32_t> boundaries_;  // of the layer that comes
+  std::optional<std::uint32_t> boundaries_;  // of the next layer
   core::LayerIndex index_ = 0;
   std::int64_t gaps_ = 0;
 };

@@ -1,14 +1,14 @@
-// SLC 2.0 (3D Systems): binary layers, little-endian. U is a uint32, F an IEEE float32.
+// Reads SLC 2.0 (3D Systems): binary layers, little-endian. U is a uint32, F an IEEE float32.
 //
 //     head       text "-SLCVER 2.0 -UNIT MM … -EXTENTS x0,x1 y0,y1 z0,z1 ", then 0D 0A 1A
-//     reserved   256 bytes, after 1A or, for those who pad, after 2048 bytes
+//     reserved   256 bytes, after 1A or, if the writer pads, after 2048 bytes
 //     table      uint8 count, count · { F lowest z, F layer thickness, F, F }
 //     layers     { F z of the lower face, U boundaries, boundaries · { U points, U gaps,
 //                points · (F x, F y) } }
 //     end        F z of the last layer's upper face, U FFFFFFFF
 //
-// What an odd way round leaves inside is inside: outer boundaries counter-clockwise by the format,
-// but a file that is turned throughout is taken as well.
+// A point is inside if its winding number is odd. By the format, outer boundaries are
+// counter-clockwise, but a file with the opposite orientation throughout is read correctly, too.
 #pragma once
 
 #include <memory>

@@ -21,7 +21,7 @@ struct Unit {
   std::string_view name;
   double mm;
 };
-// Between where one stack ends and the next begins: what rounding of decimals may leave.
+// Gap that the rounding of decimals may leave between two stacks.
 constexpr double kSliceGapMax_mm = 1e-3;
 
 constexpr std::array<Unit, 6> kUnits{Unit{"micron", 0.001},  Unit{"millimeter", 1},
@@ -56,7 +56,7 @@ Result<bool> SliceStack::advance() {
 
 core::Region SliceStack::take_region() { return contours_.take(core::FillRule::kPositive); }
 
-// The next stack, at its begin.
+// Opens the next stack at its start.
 Status SliceStack::open() {
   const StackPlace& place = item_.stacks[next_stack_++];
   Result<XmlScanner::ByteSource> bytes = archive_.bytes_of(place.part);
@@ -80,13 +80,13 @@ Status SliceStack::open() {
     const std::string* id = event.value()->attribute("id");
     in_stack_ = id != nullptr && *id == place.id;
     if (!in_stack_) continue;
-    if (Status joins = check_begin(*event.value(), place.id); !joins.ok()) return joins.error();
+    if (Status joins = check_start(*event.value(), place.id); !joins.ok()) return joins.error();
   }
   return {};
 }
 
-// A stack begins where the one before ends: what lies between would be one slab.
-Status SliceStack::check_begin(const XmlEvent& stack, const std::string& id) const {
+// A stack must start where the one before ends: a gap would become one slab.
+Status SliceStack::check_start(const XmlEvent& stack, const std::string& id) const {
   const std::string* text = stack.attribute("zbottom");
   if (!top_mm_ || text == nullptr) return {};
   const std::optional<double> zbottom = parse_real(*text);
@@ -101,12 +101,12 @@ Result<bool> SliceStack::read_on() {
     if (!event.ok()) return event.error();
     if (event.value() == nullptr) return bad("the document ends within a slicestack");
     if (event.value()->space != kThreeMfSlice) continue;
-    const bool begins = event.value()->kind == XmlEvent::Kind::kStart;
-    if (event.value()->name == "slicestack" && !begins) return false;
-    if (event.value()->name == "sliceref" && begins) {
+    const bool starts = event.value()->kind == XmlEvent::Kind::kStart;
+    if (event.value()->name == "slicestack" && !starts) return false;
+    if (event.value()->name == "sliceref" && starts) {
       return bad("a slicestack that is referred to refers to others itself; export it again");
     }
-    if (event.value()->name != "slice" || !begins) continue;
+    if (event.value()->name != "slice" || !starts) continue;
     if (Status read = read_slice(*event.value()); !read.ok()) return read.error();
     return true;
   }
@@ -145,10 +145,10 @@ Status SliceStack::read_slice(const XmlEvent& slice) {
 
 Status SliceStack::take(const XmlEvent& event) {
   if (event.name == "vertex") return vertex(event);
-  const bool begins = event.name == "polygon";
-  if (!begins && event.name != "segment") return {};
-  if (begins) polygon_.clear();
-  const Result<std::size_t> at = number(event, begins ? "startv" : "v2");
+  const bool starts = event.name == "polygon";
+  if (!starts && event.name != "segment") return {};
+  if (starts) polygon_.clear();
+  const Result<std::size_t> at = number(event, starts ? "startv" : "v2");
   if (!at.ok()) return at.error();
   if (polygon_.size() > kLayerPointsMax) {
     return bad("a polygon of more than " + std::to_string(kLayerPointsMax) +
@@ -195,7 +195,7 @@ Status SliceStack::end_polygon() {
     return {};
   }
   if (item_.transform.mirrors()) std::reverse(polygon_.begin(), polygon_.end());
-  std::string cause = contours_.begin();
+  std::string cause = contours_.start();
   for (std::size_t i = 0; i < polygon_.size() && cause.empty(); ++i) {
     cause = contours_.add(vertices_[polygon_[i]]);
   }

@@ -1,10 +1,10 @@
-// One stack of slices of a 3MF package (slice extension 1.0.2), a slice at a time:
+// Reads a stack of slices of a 3MF package (slice extension 1.0.2), one slice at a time:
 //
 //     <slicestack id zbottom>   slices, or references to stacks in other parts of the package
 //       <slice ztop>            vertices, then polygons of segments from vertex to vertex
 //
-// What winds around positively is inside, so that outer contours are counter-clockwise. Each slice
-// reaches down to the one before, the first to zbottom. Polygons that stay open are left out.
+// A point is inside if its winding number is positive: outer contours are counter-clockwise. Each
+// slice reaches down to the one before, the first to zbottom. Open polygons are left out.
 #pragma once
 
 #include <cstdint>
@@ -33,14 +33,14 @@ struct StackPlace {
   std::string id;
 };
 
-// A build item that is slices. REQUIRES: `transform` keeps heights but for a shift.
+// A build item that consists of slices. REQUIRES: `transform` changes heights only by a shift.
 struct SlicedItem {
-  std::vector<StackPlace> stacks;  // one upon the other
+  std::vector<StackPlace> stacks;  // one on top of the other
   double bottom_mm = 0;            // of the first
   Transform transform;
 };
 
-// In mm; nothing for what is no unit of 3MF's.
+// The unit in mm; nullopt if 3MF has no such unit.
 [[nodiscard]] std::optional<double> threemf_unit_mm(const std::string& name);
 
 class SliceStack {
@@ -48,27 +48,27 @@ class SliceStack {
   // REQUIRES: `archive` outlives it
   SliceStack(const ZipArchive& archive, SlicedItem item);
 
-  // To the next slice, the first at first; false at the end.
+  // Advances to the next slice, at first to the first one; false at the end.
   [[nodiscard]] core::Result<bool> advance();
 
-  // Of the slice that was advanced to. REQUIRES: the last advance() gave true
+  // The current slice. REQUIRES: the last advance() returned true
   [[nodiscard]] std::int64_t bottom() const { return bottom_; }
   [[nodiscard]] std::int64_t top() const { return top_; }
   [[nodiscard]] core::Region take_region();
 
   [[nodiscard]] bool left_polygons_out() const { return left_polygons_out_; }
-  // File, part, line and cause.
+  // An error with file, part, line and cause.
   [[nodiscard]] core::Error bad(const std::string& cause) const { return xml_->bad(cause); }
 
  private:
   [[nodiscard]] core::Status open();
-  // Reads up to the next <slice>, and it; false at the stack's end.
+  // Reads the next <slice>; false at the stack's end.
   [[nodiscard]] core::Result<bool> read_on();
-  [[nodiscard]] core::Status check_begin(const XmlEvent& stack, const std::string& id) const;
+  [[nodiscard]] core::Status check_start(const XmlEvent& stack, const std::string& id) const;
   [[nodiscard]] core::Status read_slice(const XmlEvent& slice);
   [[nodiscard]] core::Status take(const XmlEvent& event);
   [[nodiscard]] core::Status vertex(const XmlEvent& event);
-  // A vertex's number, as the attribute has it.
+  // The vertex number in an attribute.
   [[nodiscard]] core::Result<std::size_t> number(const XmlEvent& event, const char* name) const;
   [[nodiscard]] core::Status end_polygon();
 

@@ -69,7 +69,7 @@ class SliceV0Reader : public LayerReader {
     return *value * unit_mm_;
   }
 
-  // At "Z" or "END".
+  // REQUIRES: the scanner is at "Z" or "END".
   [[nodiscard]] core::Status read_faces() {
     text_.skip_blanks();
     const std::string_view word = text_.word();
@@ -120,7 +120,7 @@ class SliceV0Reader : public LayerReader {
       if (!x.ok()) return x.error();
       const Result<double> y = real("a coordinate");
       if (!y.ok()) return y.error();
-      std::string cause = open ? std::string() : contours_.begin();
+      std::string cause = open ? std::string() : contours_.start();
       open = true;
       if (cause.empty()) cause = contours_.add(x.value(), y.value());
       if (!cause.empty()) return text_.bad(cause);
@@ -130,7 +130,7 @@ class SliceV0Reader : public LayerReader {
   TextScanner text_;
   double unit_mm_ = kInchMm;
   ContourGatherer contours_;
-  std::optional<Faces> faces_;  // of the layer that comes
+  std::optional<Faces> faces_;  // of the next layer
   core::LayerIndex index_ = 0;
 };
 

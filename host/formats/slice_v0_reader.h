@@ -1,13 +1,13 @@
-// "Slice V0": the ASCII contours of Stratasys' FDM 1600 and its kin (.slc, .ssl).
+// Reads "Slice V0", the ASCII contours of Stratasys' FDM 1600 and similar machines (.slc, .ssl).
 //
 //     Slice V0                   FILE(…UNITS(INCH)…)  SLICES()
 //     Z <lower face> <thickness>   then for each contour "x y" lines and a C     … END
 //
-// Lengths are inches unless UNITS(MM) is said. Contours nest, whichever way they turn: files differ
-// in that, and the format does not say. A layer stands on the one below; the heights may differ
-// from that by rounding, not more than kSliceV0GapMax of a thickness.
+// Lengths are in inches unless UNITS(MM) is given. Contours count by nesting, not by orientation:
+// files differ in that, and the format does not define it. Each layer lies on the one below; by
+// rounding, heights may differ by up to kSliceV0GapMax of a thickness.
 //
-// Not to be mixed up with QuickSlice 6's own .ssl, of which no description is public: refused.
+// QuickSlice 6 has a .ssl format of its own without a public description, which is refused.
 #pragma once
 
 #include <memory>

@@ -11,7 +11,7 @@ namespace {
 using core::Point;
 using core::Ring;
 
-// Its points from the least one on, counter-clockwise: equal for both copies of a contour.
+// The points from the smallest one on, counter-clockwise: equal for both copies of a contour.
 Ring shape_of(const Ring& ring) {
   Ring shape = ring;
   if (core::doubled_area_units(shape) < 0) std::reverse(shape.begin(), shape.end());
@@ -56,7 +56,7 @@ class SliceV0Writer : public LayerWriter {
   void end(std::string& into) override { into += "END\n"; }
 
  private:
-  // Regions have their outer contours counter-clockwise, this format clockwise.
+  // Outer contours are counter-clockwise in regions, clockwise in this format.
   static void append_ring(const Ring& ring, std::string& into) {
     for (auto point = ring.rbegin(); point != ring.rend(); ++point) {
       append_inches(point->x, into);

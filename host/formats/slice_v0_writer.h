@@ -1,14 +1,14 @@
-// Writes "Slice V0" contours (slice_v0_reader.h), in inches: outer contours clockwise, as in the
-// one genuine file that could be measured; contours within them the other way, and so on.
+// Writes "Slice V0" contours (slice_v0_reader.h), in inches. Outer contours are clockwise, as in
+// the only genuine file that could be measured; contours within them alternate.
 //
 //     slices   the part
-//     walls    the wall's contours, then the inside's. Where the two meet, the contour stands in
-//              the file twice, once for either side. Counted by nesting they cancel, so that such a
-//              file is still the part.
+//     walls    the wall's contours, then the inside's. Where the two meet, the contour is in the
+//              file twice, once for each side. The two copies cancel by nesting, so such a file
+//              still describes the part.
 //
-// The format has no build styles: DETC2000/DAC-14285 gives the loose style to both copies of such a
-// contour, because QuickSlice 6.2 mixes them up otherwise. Without styles that is: both copies
-// stand among the inside's contours (LayerContents::kWallsForQuickSlice).
+// In DETC2000/DAC-14285 both copies of such a contour have the loose build style, because QuickSlice
+// 6.2 confuses them otherwise. This format has no build styles; the equivalent is to write both
+// copies among the inside's contours (LayerContents::kWallsForQuickSlice).
 #pragma once
 
 #include <memory>

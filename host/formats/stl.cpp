@@ -17,7 +17,7 @@ using core::Result;
 
 static_assert(kPlaneMaxMm * core::kUnitsPerMm <= core::kCoordinateMax);
 
-// As many bytes as the kind is told from.
+// Bytes that decide the kind.
 constexpr std::size_t kLookBytes = 4096;
 
 std::string number_text(double mm) {
@@ -62,7 +62,7 @@ std::optional<core::Triangle> StlReader::snapped(const Corners& corners) {
   core::Triangle triangle;
   for (std::size_t i = 0; i < 3; ++i) {
     const auto& [x, y, z] = corners[i];
-    // Written so that what is no number is refused too.
+    // Written so that NaN is refused, too.
     const bool near = std::abs(x) <= kPlaneMaxMm && std::abs(y) <= kPlaneMaxMm;
     if (!near || !(std::abs(z) <= kHeightMaxMm)) return std::nullopt;
     triangle.corners[i] = {static_cast<std::int32_t>(std::llround(x * core::kUnitsPerMm)),

@@ -1,14 +1,14 @@
-// STL, binary and text: a list of facets, one after the other, in bounded memory.
+// Reads STL, binary and text, facet by facet in bounded memory.
 //
 //     binary   80 bytes of header, a count (uint32), then for each facet 12 floats (normal and
 //              three corners) and 2 bytes, all little-endian
 //     text     solid NAME / facet normal N N N / outer loop / vertex X Y Z, three times / endloop /
-//              endfacet / endsolid NAME; words in any case, parted by any blanks or line ends
+//              endfacet / endsolid NAME; words in any case, separated by any blanks or line ends
 //
-// Which of the two is told by the content: many binary files begin with "solid" as well. Text
-// begins with that word and, after the rest of its line, goes on with "facet" or "endsolid".
+// The content decides which of the two it is: many binary files start with "solid", too. Text
+// starts with that word, and "facet" or "endsolid" follows after the rest of the line.
 //
-// Normals and colour bytes are not used: a facet's side is told by the order of its corners.
+// Normals and colour bytes are ignored: the order of its corners gives a facet's side.
 #pragma once
 
 #include <array>
@@ -24,13 +24,13 @@
 
 namespace host {
 
-// format() is "binary STL" or "ASCII STL". A file that ends within a facet, and a corner that is no
-// number or out of range, are errors that name the facet and its byte or line. Fewer facets than
-// the head counts, and text without its last "endsolid", leave a doubt(). Text behind "endsolid" is
-// left out, and told.
+// format() is "binary STL" or "ASCII STL". Errors, with the facet and its byte or line: the file
+// ends within a facet; a corner is no number or out of range. A file with fewer facets than its
+// head says, or text without its last "endsolid", leaves a doubt(). Text after "endsolid" is left
+// out, with a warning.
 class StlReader : public TriangleSource {
  public:
-  // Reads as much as tells the kind.
+  // Reads only as far as needed to recognise the kind.
   static core::Result<std::unique_ptr<StlReader>> open(InputFile file);
 
  protected:
@@ -38,9 +38,9 @@ class StlReader : public TriangleSource {
 
   using Corners = std::array<std::array<double, 3>, 3>;  // in mm
 
-  // Nothing for corners that are no numbers or out of range.
+  // Nullopt if a corner is no number or out of range.
   [[nodiscard]] static std::optional<core::Triangle> snapped(const Corners& corners);
-  // Why there was nothing. `place` says where in the file.
+  // The error for that. `place`: the position in the file.
   [[nodiscard]] core::Error not_snapped(const Corners& corners, const std::string& place) const;
   [[nodiscard]] core::Error bad_part(const std::string& place, const std::string& cause) const;
 

@@ -15,7 +15,7 @@ using core::Result;
 constexpr std::size_t kHeaderBytes = 84;
 constexpr std::size_t kFacetBytes = 50;
 constexpr std::size_t kNormalBytes = 12;
-// More are no count: writers that never came back to fill it in leave -1, and the like.
+// A larger number is no count: writers that never fill it in leave -1 or the like.
 constexpr std::uint32_t kCountMax = 0x7FFFFFFE;
 
 std::uint32_t u32_at(const char* bytes) {
@@ -28,7 +28,7 @@ double float_at(const char* bytes) { return std::bit_cast<float>(u32_at(bytes));
 
 class BinaryStlReader : public StlReader {
  public:
-  // `there`: whole facets that fill the file, if that is known; they count more than the head.
+  // `there`: facets that fill the file exactly, if known; they have precedence over the head.
   BinaryStlReader(InputFile file, std::uint32_t count, std::optional<std::int64_t> there)
       : StlReader(std::move(file)), count_(count), to_the_end_(count == 0 || there > count) {}
 
@@ -91,11 +91,11 @@ class BinaryStlReader : public StlReader {
   }
 
   std::uint32_t count_;
-  bool to_the_end_;  // a count of 0 is what writers leave that never came back to fill it in
+  bool to_the_end_;  // the count is 0: the writer never filled it in
   bool ended_ = false;
 };
 
-// Facets that a file of this size has; nothing where that can't be known, or it is no whole number.
+// Facets in a file of this size; nullopt if the size is not known or the number is not whole.
 std::optional<std::int64_t> facets_in(const InputFile& file) {
   const std::optional<std::int64_t> size = file.size();
   constexpr auto kHead = static_cast<std::int64_t>(kHeaderBytes);
@@ -106,8 +106,8 @@ std::optional<std::int64_t> facets_in(const InputFile& file) {
 
 }  // namespace
 
-bool is_binary_stl(const InputFile& file, std::string_view begin) {
-  return begin.size() >= kHeaderBytes && facets_in(file) == u32_at(begin.data() + kHeaderBytes - 4);
+bool is_binary_stl(const InputFile& file, std::string_view start) {
+  return start.size() >= kHeaderBytes && facets_in(file) == u32_at(start.data() + kHeaderBytes - 4);
 }
 
 Result<std::unique_ptr<StlReader>> open_binary_stl(InputFile file) {

@@ -9,17 +9,17 @@
 
 namespace host {
 
-// The file is as long as a binary STL with the count at its place, whatever its head says. `begin`:
-// its first window.
-[[nodiscard]] bool is_binary_stl(const InputFile& file, std::string_view begin);
+// True if the file's size is that of a binary STL with its count of facets, whatever the header
+// says. `start`: its first window.
+[[nodiscard]] bool is_binary_stl(const InputFile& file, std::string_view start);
 [[nodiscard]] core::Result<std::unique_ptr<StlReader>> open_binary_stl(InputFile file);
 [[nodiscard]] core::Result<std::unique_ptr<StlReader>> open_text_stl(InputFile file);
 
-// What text in a file's first window looks like.
+// The kind of text in a file's first window.
 enum class StlText {
-  kNone,       // bytes that text doesn't have
-  kStl,        // solid … facet, solid … endsolid, or cut off before that can be told
-  kNotFacets,  // begins with "solid", and goes on otherwise
+  kNone,       // no text
+  kStl,        // solid … facet, solid … endsolid, or cut off before that can be decided
+  kNotFacets,  // starts with "solid"; something else follows
   kOther,      // some other text
 };
 [[nodiscard]] StlText text_kind(std::string_view window);

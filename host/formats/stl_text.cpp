@@ -12,9 +12,9 @@ namespace {
 using core::Error;
 using core::Result;
 
-// Longer words are no STL's; names are skipped without being looked at.
+// STL has no longer words; names are skipped unread.
 constexpr std::size_t kWordMax = 256;
-// "normal" and its numbers, none of which is used.
+// "normal" and its numbers, which are ignored.
 constexpr int kNormalWordsMax = 4;
 
 bool is_line_end(char c) { return c == '\n' || c == '\r'; }
@@ -32,7 +32,7 @@ std::string_view without_mark(std::string_view text) {
   return text;
 }
 
-// Takes the first word off `text`; empty at its end.
+// Removes the first word of `text` and returns it; empty at its end.
 std::string_view take_word(std::string_view& text) {
   const auto* begin = std::find_if_not(text.begin(), text.end(), is_blank);
   const auto* end = std::find_if(begin, text.end(), is_blank);
@@ -45,7 +45,7 @@ bool has_control_bytes(std::string_view text) {
                      [](char c) { return static_cast<unsigned char>(c) < 0x20 && !is_blank(c); });
 }
 
-// Words of a text, and where they are.
+// Words of a text with their lines.
 class Words {
  public:
   explicit Words(InputFile& file) : file_(file) {}
@@ -65,7 +65,7 @@ class Words {
     return word;
   }
 
-  // Up to the line's end, however long.
+  // Skips to the line's end, however long the line is.
   [[nodiscard]] core::Status skip_line() {
     return skip_while([](char c) { return !is_line_end(c); });
   }
@@ -107,16 +107,16 @@ class TextStlReader : public StlReader {
       const Result<std::string_view> word = words_.next();
       if (!word.ok()) return word.error();
       if (word.value().empty()) return end();
-      const bool begins = is_word(word.value(), "solid"), ends = is_word(word.value(), "endsolid");
-      const bool facet_begins = is_word(word.value(), "facet");
-      if (begins || (ends && in_solid_)) {
-        if (begins && in_solid_) ++unended_;
-        in_solid_ = begins;
+      const bool starts = is_word(word.value(), "solid"), ends = is_word(word.value(), "endsolid");
+      const bool facet_starts = is_word(word.value(), "facet");
+      if (starts || (ends && in_solid_)) {
+        if (starts && in_solid_) ++unended_;
+        in_solid_ = starts;
         ended_once_ = ended_once_ || ends;
         if (core::Status skipped = words_.skip_line(); !skipped.ok()) return skipped.error();
-      } else if (in_solid_ && facet_begins) {
+      } else if (in_solid_ && facet_starts) {
         return facet();
-      } else if (!in_solid_ && ended_once_ && !facet_begins) {
+      } else if (!in_solid_ && ended_once_ && !facet_starts) {
         if (text_line_ == 0) text_line_ = words_.line();
         if (core::Status skipped = words_.skip_line(); !skipped.ok()) return skipped.error();
       } else {
@@ -130,7 +130,7 @@ class TextStlReader : public StlReader {
     return "facet " + std::to_string(facets_ + 1) + " (line " + std::to_string(words_.line()) + ")";
   }
 
-  // `word` is what next() gave last.
+  // `word`: the last of next().
   [[nodiscard]] Error unexpected(std::string_view word, const std::string& wanted) {
     std::string shown(word.substr(0, 40));
     std::replace_if(
@@ -172,7 +172,7 @@ class TextStlReader : public StlReader {
     return unexpected(word.value(), "'" + std::string(wanted) + "'");
   }
 
-  // Whatever stands for a normal, up to "outer": some writers put nan or nothing there.
+  // Skips the normal, up to "outer": some writers put nan or nothing there.
   [[nodiscard]] core::Status skip_normal() {
     for (int i = 0; i <= kNormalWordsMax; ++i) {
       const Result<std::string_view> word = words_.next();
@@ -222,9 +222,9 @@ class TextStlReader : public StlReader {
 
   Words words_;
   bool in_solid_ = false;
-  bool ended_once_ = false;     // a solid, so that other text may follow
-  std::int64_t unended_ = 0;    // solids that another one cut off
-  std::int64_t text_line_ = 0;  // the first line behind a solid that is no STL
+  bool ended_once_ = false;     // a solid has ended: other text may follow
+  std::int64_t unended_ = 0;    // solids without an end before the next one
+  std::int64_t text_line_ = 0;  // the first line after a solid that is no STL
   bool told_ = false;
 };
 
@@ -237,7 +237,7 @@ StlText text_kind(std::string_view window) {
     const auto* line_end = std::find_if(text.begin(), text.end(), is_line_end);
     std::string_view rest(line_end, static_cast<std::size_t>(text.end() - line_end));
     const std::string_view word = take_word(rest);
-    // Cut off here, it could still become either; a word that ends the window may be half of one.
+    // The window ends here: both kinds are possible, and its last word may be incomplete.
     const bool cut_off = rest.empty() && !has_control_bytes(window);
     if (is_word(word, "facet") || is_word(word, "endsolid") || cut_off) return StlText::kStl;
   }

@@ -15,7 +15,7 @@ void skip_gap(std::string_view& text) {
   while (!text.empty() && is_gap(text.front())) text.remove_prefix(1);
 }
 
-// Up to a gap, the next command, or a sign that begins the next number.
+// A number, up to a gap, the next command, or a sign that starts the next number.
 std::optional<double> take_number(std::string_view& text) {
   skip_gap(text);
   std::size_t end = 0;
@@ -41,7 +41,7 @@ double model_y(double y, const SvgAxis& axis) { return axis.mirrored ? axis.heig
 
 std::string add_svg_points(std::string_view points, const SvgAxis& axis, Turn turn,
                            ContourGatherer& into) {
-  if (std::string cause = into.begin(); !cause.empty()) return cause;
+  if (std::string cause = into.start(); !cause.empty()) return cause;
   for (skip_gap(points); !points.empty(); skip_gap(points)) {
     const std::optional<double> x = take_number(points);
     const std::optional<double> y = x ? take_number(points) : std::nullopt;
@@ -77,7 +77,7 @@ std::string add_svg_path(std::string_view data, const SvgAxis& axis, ContourGath
     if (!dy) return no_number(data);
     x = relative ? x + *dx : *dx;
     y = relative ? y + *dy : *dy;
-    std::string cause = open ? std::string() : into.begin();
+    std::string cause = open ? std::string() : into.start();
     if (!open && may_move) start_x = x, start_y = y;
     open = true;
     if (cause.empty()) cause = into.add(x, model_y(y, axis));

@@ -1,4 +1,4 @@
-// The numbers of an SVG's shapes, as contours.
+// Reads the numbers of an SVG's shapes as contours.
 #pragma once
 
 #include <string>
@@ -8,13 +8,13 @@
 
 namespace host {
 
-// y as the model has it: `height_mm - y` where the picture counts down.
+// Converts y to the model's: `height_mm - y` if the picture's y axis points down.
 struct SvgAxis {
   bool mirrored = false;
   double height_mm = 0;
 };
 
-// points="x,y x,y …", as one contour. Returns why it can't be taken; empty when it can.
+// points="x,y x,y …", one contour. Returns why it can't be read; empty if it can.
 [[nodiscard]] std::string add_svg_points(std::string_view points, const SvgAxis& axis, Turn turn,
                                          ContourGatherer& into);
 

@@ -75,7 +75,7 @@ class SvgReader : public LayerReader {
   }
 
  private:
-  // The faces of the layer that begins; bottom_ and top_ are still the last one's.
+  // The faces of the layer that starts; bottom_ and top_ are still those of the one before.
   [[nodiscard]] Status set_faces(const std::string& z_text, const std::string* height_text) {
     std::optional<double> z = parse_real(z_text);
     const std::optional<double> height = height_text ? parse_real(*height_text) : 0.0;
@@ -108,7 +108,7 @@ class SvgReader : public LayerReader {
     return {};
   }
 
-  // Up to the end of its <g>.
+  // Reads to the end of its <g>.
   [[nodiscard]] Status read_layer() {
     for (int open = 1; open > 0;) {
       const Result<const XmlEvent*> event = xml_.next();

@@ -1,6 +1,6 @@
-// Writes SVG with layers (svg_reader.h), the dialect with paths: an island with its holes is a
-// path, one <g> a layer; the picture is the bed, in mm, y upside down. Walls and insides are told
-// apart by class and colour.
+// Writes SVG with layers (svg_reader.h), the variant with paths: a path for an island with its
+// holes, a <g> for a layer. The picture is the bed, in mm, with y pointing down. Walls and insides
+// have different classes and colours.
 #pragma once
 
 #include <memory>

@@ -1,7 +1,7 @@
-// A file's bytes one by one, with the line they stand in: what readers of text are made of.
+// Reads a file byte by byte and counts lines: the base of all readers of text.
 //
-// Reading can fail anywhere, so failure is kept and looks like the end of the file; whoever meets
-// the end asks bad() or cut_short(), which tell the truth.
+// A failure to read is stored and looks like the end of the file. At the end, use the error of
+// bad() or cut_short(): they return the failure if there was one.
 #pragma once
 
 #include <cstdint>
@@ -27,18 +27,18 @@ class TextScanner {
   }
   // REQUIRES: peek() is not kEnd.
   void take();
-  // The next so many bytes, fewer only before the end. Valid until the next call.
+  // The next `count` bytes, fewer only at the end. Valid until the next call.
   // REQUIRES: count <= InputFile::kWindowMax
   [[nodiscard]] std::string_view lookahead(std::size_t count);
-  // Without counting lines. REQUIRES: count <= what lookahead() gave last.
+  // Skips bytes without counting lines. REQUIRES: count <= size of the last lookahead().
   void skip(std::size_t count) { next_ += count; }
 
-  // Blanks and line ends. Returns peek().
+  // Skips blanks and line ends. Returns peek().
   int skip_blanks();
-  // Up to the next blank, line end, or one of `stops`, which stays; at most kWordBytesMax. Valid
-  // until the next call. Empty where there is none.
+  // Reads up to the next blank, line end, or one of `stops`, which is not read; at most
+  // kWordBytesMax. Valid until the next call. Empty if there is no word.
   [[nodiscard]] std::string_view word(std::string_view stops = {});
-  // Up to the line's end, which stays; at most kEntryBytesMax of it are given, the rest skipped.
+  // Reads up to the line's end, which is not read. Returns at most kEntryBytesMax; skips the rest.
   [[nodiscard]] std::string_view rest_of_line();
 
   [[nodiscard]] std::int64_t line() const { return line_; }
@@ -47,12 +47,12 @@ class TextScanner {
   }
   [[nodiscard]] const std::string& name() const { return file_.name(); }
 
-  // Reading failed. Else file, line or byte, and the cause.
+  // The failure to read, if there was one; otherwise an error with file, line (or byte) and cause.
   [[nodiscard]] core::Error bad(const std::string& cause) const;
   [[nodiscard]] core::Error bad_at_byte(const std::string& cause) const;
-  // The same at the end of the file where `wanted` should be.
+  // The same, for a file that ends where `wanted` should be.
   [[nodiscard]] core::Error cut_short(const std::string& wanted) const;
-  // cut_short() at the end, else that something else stands where `wanted` should be.
+  // cut_short() at the end; otherwise an error for `found` where `wanted` should be.
   [[nodiscard]] core::Error unexpected(std::string_view found, const std::string& wanted);
   [[nodiscard]] bool failed() const { return failure_.has_value(); }
 
@@ -70,7 +70,7 @@ class TextScanner {
 
 [[nodiscard]] constexpr bool is_blank(int c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
-// What a file says, made fit for a message: short, printable.
+// A file's text for a message: short, printable.
 [[nodiscard]] std::string shown(std::string_view text, std::size_t length_max = 40);
 
 }  // namespace host

@@ -1,8 +1,7 @@
-// Build items of a 3MF of which some have negative parts, as booleans: each item's plastic without
-// what its own negative parts enclose, all items together. Another item's plastic is not cut.
+// Turns the build items of a 3MF with negative parts into booleans: each item's plastic minus its
+// own negative parts, and the union of all items. A negative part cuts no other item.
 //
-// Items that are not in one another's way are cut in one go, since few meshes can be cut side by
-// side (kOperandsMax).
+// Items that don't touch one another share operands, since there can be only kOperandsMax.
 #pragma once
 
 #include <vector>
@@ -18,9 +17,9 @@ struct ThreeMfItem {
   Transform transform;
 };
 
-// Fills the tree's operands and nodes. REQUIRES: its store has the items, none of them placed; at
-// least one has negative parts
-// COSTS: looks at all triangles of items that are cut, where they are several.
+// Fills the tree's operands and nodes. REQUIRES: its store has the items, none of them added to its
+// build; at least one has negative parts
+// COSTS: reads all triangles of the items that are cut, if there are several.
 [[nodiscard]] core::Status cut_items(const std::vector<ThreeMfItem>& items, ShellTree& tree);
 
 }  // namespace host

@@ -14,7 +14,7 @@ namespace {
 
 using core::Result;
 
-// Extensions that a file may require. What they add is taken, or changes no shape.
+// Extensions that a file may require: they are supported, or don't change the shape.
 constexpr std::array<std::string_view, 5> kKnownExtensions{
     "http://schemas.microsoft.com/3dmanufacturing/core/",
     "http://schemas.microsoft.com/3dmanufacturing/production/",
@@ -22,7 +22,7 @@ constexpr std::array<std::string_view, 5> kKnownExtensions{
     "http://schemas.microsoft.com/3dmanufacturing/slice/",
     "http://schemas.microsoft.com/3dmanufacturing/triangleset"};
 
-// The next word of a list parted by blanks; empty at its end.
+// The next word of a list separated by blanks; empty at its end.
 std::string_view take_word(std::string_view& list) {
   while (!list.empty() && is_blank(static_cast<unsigned char>(list.front()))) list.remove_prefix(1);
   std::size_t end = 0;

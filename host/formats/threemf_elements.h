@@ -1,4 +1,4 @@
-// What single elements of a 3MF model say: units, corners, transforms.
+// Reads single elements of a 3MF model: units, corners, transforms.
 #pragma once
 
 #include <array>
@@ -12,22 +12,22 @@
 
 namespace host {
 
-// <model>: its unit in mm. An error too where it requires an extension that is not known.
+// <model>: its unit in mm. An error if it requires an unknown extension.
 [[nodiscard]] core::Result<double> unit_of(const XmlEvent& event, const XmlScanner& xml);
 
 // <vertex>, in mm.
 [[nodiscard]] core::Result<PointMm> point_of(const XmlEvent& event, const XmlScanner& xml,
                                              double unit_mm);
 
-// <triangle>, of an object with so many vertices.
+// <triangle>, of an object with `vertices` vertices.
 [[nodiscard]] core::Result<std::array<std::uint32_t, 3>> corners_of(const XmlEvent& event,
                                                                     const XmlScanner& xml,
                                                                     std::size_t vertices);
-// <triangle>: slicers have painted something on it.
+// <triangle>: true if a slicer has painted on it.
 [[nodiscard]] bool is_painted(const XmlEvent& event);
 
-// <item>, <component>: twelve numbers, of which the translation is in the model's unit; none is no
-// transform.
+// <item>, <component>: twelve numbers, with the translation in the model's unit. Without them, the
+// identity.
 [[nodiscard]] core::Result<Transform> transform_of(const XmlEvent& event, const XmlScanner& xml,
                                                    double unit_mm);
 

@@ -60,13 +60,13 @@ class ThreeMfReader : public TriangleSource {
     return {};
   }
 
-  // Items that others cut: booleans then, and no triangles.
+  // True if items have negative parts: the content is booleans then, no triangles.
   [[nodiscard]] bool is_cut() const {
     return sliced_items_.empty() && std::any_of(items_.begin(), items_.end(), [&](const auto& i) {
              return store_.count(i.key, MeshRole::kNegative) > 0;
            });
   }
-  // REQUIRES: is_cut(); nothing is asked of it afterwards
+  // REQUIRES: is_cut(); not used afterwards
   [[nodiscard]] Result<std::unique_ptr<ShellTree>> take_tree() {
     tree_->format = format();
     tree_->name = archive_.name();
@@ -76,7 +76,7 @@ class ThreeMfReader : public TriangleSource {
     return std::move(tree_);
   }
 
-  // Empty: what is to be printed are meshes.
+  // Empty if the items are meshes.
   [[nodiscard]] const std::vector<SlicedItem>& sliced_items() const { return sliced_items_; }
   [[nodiscard]] ZipArchive take_archive() { return std::move(archive_); }
 
@@ -132,7 +132,7 @@ class ThreeMfReader : public TriangleSource {
     return path.starts_with('/') ? path.substr(1) : path;
   }
 
-  // The part's number, read some day; -1 when there are too many.
+  // The part's number; the part is read later. -1 if there are too many.
   [[nodiscard]] int part_number(const std::string& path) {
     const std::string name = without_slash(path);
     for (std::size_t i = 0; i < parts_.size(); ++i) {
@@ -179,7 +179,7 @@ class ThreeMfReader : public TriangleSource {
   [[nodiscard]] Status object(const XmlEvent& event, int part, const XmlScanner& xml) {
     const std::string* id = event.attribute("id");
     if (id == nullptr) return xml.bad("an object without id; export the part again");
-    if (!store_.begin_object({part, *id})) {
+    if (!store_.start_object({part, *id})) {
       return xml.bad("object '" + shown(*id) + "' is there twice, or there are too many objects");
     }
     in_object_ = true;
@@ -211,7 +211,7 @@ class ThreeMfReader : public TriangleSource {
     return store_.add_triangle(corners.value());
   }
 
-  // The object that a component or an item names.
+  // The object that a component or an item refers to.
   [[nodiscard]] Result<ThreeMfItem> reference(const XmlEvent& event, int part,
                                               const XmlScanner& xml) {
     const std::string* id = event.attribute("objectid");
@@ -242,7 +242,7 @@ class ThreeMfReader : public TriangleSource {
     return {};
   }
 
-  // Slic3r's own: <volume ts te modifier> behind the triangles that it counts.
+  // Slic3r's own <volume ts te modifier>, after the triangles that it refers to.
   [[nodiscard]] Status take_volume(const XmlEvent& event, const XmlScanner& xml) {
     const std::string* modifier = event.attribute("modifier");
     const std::string *first = event.attribute("ts"), *last = event.attribute("te");
@@ -260,7 +260,7 @@ class ThreeMfReader : public TriangleSource {
     return {};
   }
 
-  // With all triangles there.
+  // REQUIRES: all triangles have been read.
   [[nodiscard]] Status apply_roles() {
     for (const auto& [object, ranges] : roles_.volumes) own_volumes_[{0, object}] = ranges;
     for (const auto& [place, role] : roles_.parts) {
@@ -287,7 +287,7 @@ class ThreeMfReader : public TriangleSource {
 
   void warn(const std::string& text) { warnings_.push_back(archive_.name() + ": " + text); }
 
-  // Where slices stand; they are read when they are asked for.
+  // Notes where the slices are; they are read later.
   [[nodiscard]] Status take_stack(const XmlEvent& event, int part, const XmlScanner& xml) {
     if (event.name == "slicestack") {
       const std::string* id = event.attribute("id");
@@ -309,7 +309,7 @@ class ThreeMfReader : public TriangleSource {
     return {};
   }
 
-  // Returns why it can't be printed; empty when it can.
+  // Returns why it can't be printed; empty if it can.
   [[nodiscard]] std::string add_sliced(const ThreeMfItem& item) {
     const auto& [part, object] = item.key;
     const std::string& id = sliced_.at(item.key);
@@ -353,13 +353,13 @@ class ThreeMfReader : public TriangleSource {
   std::vector<std::string> parts_;  // the package's models; the root is the first
   std::vector<ThreeMfItem> items_;
   std::set<MeshStore::Key> unprintable_;
-  std::map<MeshStore::Key, std::string> sliced_;  // objects that are slices: their stack
+  std::map<MeshStore::Key, std::string> sliced_;  // objects that are slices, with their stack
   std::map<MeshStore::Key, Stack> stacks_;
-  Stack* stack_ = nullptr;  // that is being read
+  Stack* stack_ = nullptr;  // the one that is being read
   std::vector<SlicedItem> sliced_items_;
   double unit_mm_ = 1;  // of the part that is being read
   bool in_object_ = false;
-  MeshStore::Key object_;  // the one that was begun last
+  MeshStore::Key object_;  // the one that was started last
   bool told_ = false;
   bool painted_ = false;
   ThreeMfRoles roles_;

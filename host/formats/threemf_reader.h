@@ -1,15 +1,16 @@
-// 3MF, core specification 1.x, components in other parts of the package (production extension),
-// and objects given as slices (slice extension): build items, components, transforms, units.
-// Colours and materials are not used. What slicers say of the meshes (threemf_roles.h) is: negative
-// parts are cut out of their item (threemf_cut.h), modifiers and marks for supports are no plastic.
+// Reads 3MF: core specification 1.x, components in other parts of the package (production
+// extension), objects given as slices (slice extension). It reads build items, components,
+// transforms and units; colours and materials are ignored. Roles that slicers give to meshes are
+// used (threemf_roles.h): negative parts are cut out of their item (threemf_cut.h), modifiers and
+// marks for supports are not printed.
 //
-// An object that has both a full mesh and slices is read as its mesh; one whose mesh is only a
-// stand-in (meshresolution "lowres"), as its slices.
+// An object with a full mesh and slices is read as its mesh. If the mesh is only a preview
+// (meshresolution "lowres"), the object is read as its slices.
 //
-// Items that the build says are not printable, and objects whose type is not "model" or
-// "solidsupport", are left out, and told. What would give another part is refused by name: required
-// extensions other than those above, slices that are tilted or a component, items of which some
-// are slices and some are meshes.
+// Items that are marked as not printable, and objects of a type other than "model" or
+// "solidsupport", are left out, with a warning. These are refused, because the part would be wrong:
+// other required extensions; slices that are tilted, or used as a component; some items that are
+// slices and some that are meshes.
 #pragma once
 
 #include "core/result.h"                // Result
@@ -21,7 +22,7 @@ namespace host {
 // Model parts of one package.
 inline constexpr int kThreeMfPartsMax = 1'024;
 
-// COSTS: reads the whole package once, slices once more; see mesh_store.h for what is held.
+// COSTS: reads the whole package once, slices twice; see mesh_store.h for the memory.
 [[nodiscard]] core::Result<PartContent> open_threemf(ZipArchive archive);
 
 }  // namespace host

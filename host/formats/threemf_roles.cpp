@@ -108,7 +108,7 @@ class RolesReader {
   std::string object_;
   bool open_ = false;  // within a part or a volume
   std::string part_;
-  RoleRange range_;  // of a volume, its end for its last triangle
+  RoleRange range_;  // of a volume
   PartKind kind_ = PartKind::kPlastic;
   std::size_t taken_ = 0;
 };

@@ -1,5 +1,5 @@
-// What slicers say about a 3MF's meshes beside the model: which parts are plastic, which are cut
-// out, which are there to mark a place.
+// Reads the roles that slicers give to a 3MF's meshes, outside the model: plastic, cut out, or only
+// a mark.
 //
 //     Metadata/model_settings.config      <object id><part id subtype="negative_part">
 //                                         (Bambu Studio, OrcaSlicer: a part is a component)
@@ -8,7 +8,7 @@
 //                                         (PrusaSlicer: a volume is some of the object's triangles;
 //                                         before volume_type there was key="modifier" value="1")
 //
-// Vertices stand in the model where they belong, whatever matrix a volume has here.
+// The model's vertices are final: a volume's matrix in these files is ignored.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +24,7 @@
 
 namespace host {
 
-// The first and the last of an object's triangles.
+// A range of an object's triangles.
 struct RoleRange {
   std::size_t first = 0;
   std::size_t last = 0;
@@ -32,23 +32,23 @@ struct RoleRange {
 };
 
 struct ThreeMfRoles {
-  // By the root's object. In order, none overlaps another.
+  // By object of the root model. In ascending order, without overlaps.
   std::map<std::string, std::vector<RoleRange>> volumes;
-  // By the root's object and the component's.
+  // By object of the root model and its component's object.
   std::map<std::pair<std::string, std::string>, MeshRole> parts;
   std::int64_t modifiers = 0;
   std::int64_t support_marks = 0;
   std::int64_t plates = 0;
   std::string unknown;  // the first type that is none of these
 
-  // What of it is not used, a sentence each, to stand behind the file's name.
+  // Warnings about ignored bodies, one sentence each, to follow the file's name.
   [[nodiscard]] std::vector<std::string> left_out() const;
 };
 
-// Puts them in order; false where two overlap.
+// Sorts them; false if two overlap.
 [[nodiscard]] bool in_order(std::vector<RoleRange>& ranges);
 
-// Nothing where the package has no such entries.
+// Empty if the package has no such entries.
 [[nodiscard]] core::Result<ThreeMfRoles> read_roles(const ZipArchive& archive);
 
 }  // namespace host

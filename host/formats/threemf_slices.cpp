@@ -19,7 +19,7 @@ using core::Result;
 using core::Slice;
 using core::Status;
 
-// Heights that are the same, each rounded to the grid by itself.
+// Difference between equal heights that were rounded to the grid separately.
 constexpr std::int64_t kSameHeightUnits = 1;
 
 bool same_height(std::int64_t a, std::int64_t b) { return std::abs(a - b) <= kSameHeightUnits; }
@@ -60,7 +60,7 @@ class SlicesReader : public LayerReader {
   }
 
  private:
-  // What all stacks have at the lowest height that comes next.
+  // The union of all stacks at the lowest next height.
   [[nodiscard]] Result<Slice> layer() {
     const SliceStack& lowest =
         **std::min_element(stacks_.begin(), stacks_.end(),
@@ -96,7 +96,7 @@ class SlicesReader : public LayerReader {
   }
 
   ZipArchive archive_;
-  std::vector<std::unique_ptr<SliceStack>> stacks_;  // those that go on
+  std::vector<std::unique_ptr<SliceStack>> stacks_;  // those that have not ended
   ContourGatherer together_;
   std::int64_t top_ = 0;
   core::LayerIndex index_ = 0;

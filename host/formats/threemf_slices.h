@@ -1,8 +1,7 @@
-// Build items of a 3MF package that are given as slices, as one row of layers: at each height, what
-// all items together have there.
+// Reads the build items of a 3MF package that are given as slices, as one sequence of layers: each
+// layer is the union of all items at that height.
 //
-// Items that are cut at other heights than the rest can't be one print and are refused, and so is a
-// space without any slice between two.
+// Errors: items with slices at different heights, which can't be one print; a gap between slices.
 #pragma once
 
 #include <memory>
@@ -15,7 +14,7 @@
 
 namespace host {
 
-// Each is unpacked by a stream of its own, of some 200 KB.
+// Each item is unpacked by a stream of its own, of about 200 KB.
 inline constexpr std::size_t kSlicedItemsMax = 64;
 
 // REQUIRES: 1 … kSlicedItemsMax items

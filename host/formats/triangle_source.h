@@ -1,5 +1,5 @@
-// Plug point: where a mesh's triangles come from. One file format each (formats/), in any order of
-// triangles, read as they are asked for.
+// Plug point: a source of a mesh's triangles, in any order, read on demand. One for each mesh
+// format.
 #pragma once
 
 #include <cstdint>
@@ -19,16 +19,16 @@ class TriangleSource {
   // For people: "binary STL".
   [[nodiscard]] virtual std::string format() const = 0;
 
-  // The next triangle, snapped to the grid, x and y within ±kCoordinateMax, or nothing at the end.
-  // An error names the file and the place in it, and is final.
+  // The next triangle, snapped to the grid, x and y within ±kCoordinateMax; nullopt at the end.
+  // Errors name the file and the position in it, and are final.
   [[nodiscard]] virtual core::Result<std::optional<core::Triangle>> next() = 0;
 
-  // Given so far.
+  // Triangles given so far.
   [[nodiscard]] std::int64_t facets() const { return facets_; }
-  // What was odd and how it was taken; known for good once next() has given nothing. A few at most.
+  // What was odd and how it was treated: a few at most. Complete once next() has returned nullopt.
   [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
-  // Why the file may have been cut off between two triangles, without its name; empty where it is
-  // whole. Known with the warnings. Whoever knows the surface decides: a cut one is open.
+  // Why the file may have been cut off between two triangles, without its name; empty if it is
+  // complete. Known at the end, too. The caller decides by the surface: that of a cut file is open.
   [[nodiscard]] const std::string& doubt() const { return doubt_; }
 
  protected:

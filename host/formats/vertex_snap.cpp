@@ -10,7 +10,7 @@ namespace host {
 
 std::optional<core::Vertex> snapped_vertex(const PointMm& mm) {
   const auto& [x, y, z] = mm;
-  // Not a number compares as false.
+  // NaN compares as false.
   const bool fits =
       std::abs(x) <= kPlaneMaxMm && std::abs(y) <= kPlaneMaxMm && std::abs(z) <= kHeightMaxMm;
   if (!fits) return std::nullopt;

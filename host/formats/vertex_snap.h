@@ -1,4 +1,4 @@
-// A corner in mm on its way to the grid.
+// Snaps corners in mm to the grid.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@ namespace host {
 
 using PointMm = std::array<double, 3>;
 
-// Nothing for one that is no number, or out of range (format_limits.h); and what to say then.
+// Nullopt if not finite or out of range (format_limits.h). vertex_too_far() is the message.
 [[nodiscard]] std::optional<core::Vertex> snapped_vertex(const PointMm& mm);
 [[nodiscard]] std::string vertex_too_far(const PointMm& mm);
 

@@ -1,4 +1,4 @@
-// A file's bytes for an XmlScanner.
+// A file as the source of an XmlScanner.
 #pragma once
 
 #include "host/files/input_file.h"     // InputFile

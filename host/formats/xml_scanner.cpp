@@ -26,7 +26,7 @@ const std::string* XmlEvent::attribute(std::string_view wanted) const {
   return nullptr;
 }
 
-// Events of one piece, gathered by expat's callbacks; their memory is used again.
+// Events of one piece, collected by expat's callbacks; their memory is reused.
 struct XmlScanner::State {
   std::string name;
   ByteSource bytes;

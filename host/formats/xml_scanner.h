@@ -1,8 +1,7 @@
-// XML as a row of events, from bytes that come in pieces: nothing of the document is kept.
+// Parses XML as a stream of events; the document is not kept.
 //
-// Refused, with the line: entities that the document declares (they can be made to expand without
-// end), more than kNestingMax elements within one another, and one tag or text longer than
-// kXmlTokenBytesMax.
+// Errors, with the line: an entity that the document declares (entities can expand without end);
+// elements nested deeper than kNestingMax; a tag or text longer than kXmlTokenBytesMax.
 #pragma once
 
 #include <cstddef>
@@ -22,33 +21,34 @@ namespace host {
 struct XmlEvent {
   enum class Kind { kStart, kEnd, kText };
   Kind kind = Kind::kStart;
-  std::string space;  // the name's namespace; empty for none
-  std::string name;   // without prefix; of a text: the text, perhaps in pieces
-  // Names that have a prefix come as "namespace|name".
+  std::string space;  // the name's namespace; may be empty
+  std::string name;   // without prefix; for kText, the text, perhaps in pieces
+  // Names with a prefix are given as "namespace|name".
   std::vector<std::pair<std::string, std::string>> attributes;
   std::int64_t line = 0;
 
-  // Nothing where there is no such attribute. Valid as long as the event.
+  // Null if there is no such attribute. Valid as long as the event.
   [[nodiscard]] const std::string* attribute(std::string_view wanted) const;
 };
 
 class XmlScanner {
  public:
-  // Puts the next bytes into a buffer of that size, none at the end.
+  // Reads the next bytes into a buffer of that size; 0 at the end.
   using ByteSource = std::function<core::Result<std::size_t>(char*, std::size_t)>;
 
-  // `name` is the file, for messages. `wants_text`: without it, texts are left out.
+  // `name` is the file, for messages. Without `wants_text`, there are no kText events.
   XmlScanner(std::string name, ByteSource bytes, bool wants_text);
   ~XmlScanner();
   XmlScanner(XmlScanner&&) noexcept;
 
-  // The next event, valid until the next call; nothing at the document's end. An error is final.
+  // The next event, valid until the next call; null at the document's end. An error is final.
   [[nodiscard]] core::Result<const XmlEvent*> next();
 
-  // What a prefix has been declared to mean so far; empty for none. Of the first kNestingMax.
+  // The namespace that a prefix was declared for so far; empty if none. The first kNestingMax
+  // declarations are kept.
   [[nodiscard]] std::string namespace_of(const std::string& prefix) const;
 
-  // File, line of the last event, cause.
+  // An error with file, line of the last event, and cause.
   [[nodiscard]] core::Error bad(const std::string& cause) const;
   [[nodiscard]] const std::string& name() const;
 

@@ -18,7 +18,7 @@ using core::Error;
 using core::ErrorCode;
 using core::Result;
 
-// Of an entry, unpacked at once.
+// Bytes of an entry that are unpacked at once.
 constexpr std::size_t kPieceBytes = std::size_t{1} << 15;
 
 Error unreadable(const std::string& name, const std::string& cause) {
@@ -64,7 +64,7 @@ class UnnamedFile {
     return {};
   }
 
-  // From its begin; it is the caller's to close.
+  // Opens it at its start; the caller closes it.
   [[nodiscard]] int release() {
     ::lseek(descriptor_, 0, SEEK_SET);
     return std::exchange(descriptor_, -1);
@@ -76,7 +76,7 @@ class UnnamedFile {
   int descriptor_ = -1;
 };
 
-// All of `file`, as a file that can be read from anywhere.
+// All of `file`, as a file with random access.
 Result<int> copied(InputFile& file) {
   Result<UnnamedFile> copy = UnnamedFile::create();
   if (!copy.ok()) return copy.error();

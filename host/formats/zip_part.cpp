@@ -24,7 +24,7 @@ constexpr std::array<std::string_view, 6> kMeshEndings{".stl", ".obj", ".amf",
                                                        ".3mf", ".sif", ".zip"};
 constexpr std::array<std::string_view, 5> kLayerEndings{".cli", ".slc", ".ssl", ".lsif", ".svg"};
 
-// Named in an error.
+// Entries that an error names.
 constexpr std::size_t kNamesMax = 5;
 constexpr std::size_t kStlLookBytes = 4'096;
 
@@ -54,7 +54,7 @@ std::string listed(const std::vector<std::string>& names) {
   return text;
 }
 
-// Unknown bytes are taken for STL elsewhere; here only what is one for sure.
+// Elsewhere, unknown bytes are read as STL; here only certain STL counts.
 bool is_mesh(InputFile& file) {
   const Result<FileKind> kind = kind_of(file);
   if (!kind.ok()) return false;

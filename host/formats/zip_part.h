@@ -1,10 +1,9 @@
-// The one part in a zip archive that is no 3MF package: what sites and mail programs make of a
-// file.
+// Finds the one part in an ordinary zip archive, as web sites and mail programs make them.
 //
-// Entries that are named like meshes come first (.stl .obj .amf .3mf .sif), then those like layer
-// files, then any others whose content is a mesh. Where the first of these is several, none is
-// chosen: they are named in the error. Folders and what systems add (__MACOSX, .DS_Store) don't
-// count.
+// Entries with a mesh's ending come first (.stl .obj .amf .3mf .sif), then those with a layer
+// file's ending, then others whose content is a mesh. If the first of these groups that is not
+// empty has several entries, the error names them. Folders and files that systems add (__MACOSX,
+// .DS_Store) don't count.
 #pragma once
 
 #include "core/result.h"               // Result
@@ -13,13 +12,13 @@
 
 namespace host {
 
-// Entries with other names that are unpacked to see what they are.
+// Entries with other endings that are unpacked to recognise their kind.
 inline constexpr std::size_t kZipLooksMax = 16;
 
-// A 3MF package, which is a zip archive by itself.
+// True for a 3MF package, which is a zip archive, too.
 [[nodiscard]] bool is_threemf(const ZipArchive& archive);
 
-// COSTS: unpacks it into a temporary file.
+// The part, unpacked into a temporary file.
 [[nodiscard]] core::Result<InputFile> only_part(const ZipArchive& archive);
 
 }  // namespace host

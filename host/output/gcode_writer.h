@@ -1,11 +1,11 @@
-// Commands and the marks between them as the text of a .gcode file: one line a command, exactly as
-// it would be sent, and PrusaSlicer's comments, which its viewer and others colour roads by:
+// Writes commands as the text of a .gcode file: one line for each command, exactly as it would be
+// sent, and the comments of PrusaSlicer, by which its viewer and others colour roads:
 //
 //     ;LAYER_CHANGE           ;TYPE:External perimeter
 //     ;Z:0.4                  ;WIDTH:0.45
 //     ;HEIGHT:0.2             G1 X10.5 Y3 E0.0123
 //
-// Stripped of comments, the file is what `rind print` sends.
+// Without its comments, the file is what `rind print` sends.
 #pragma once
 
 #include <optional>
@@ -18,17 +18,17 @@ namespace host {
 
 class GcodeWriter {
  public:
-  // Appends what a motion and its command (from MotionEncoder) are in the file.
-  // COSTS: at most three short lines more than the command's own.
+  // Appends the text for a motion and its command (from MotionEncoder).
+  // COSTS: at most three short lines besides the command's own.
   void write(const core::Motion& motion, const std::optional<firmware_link::Command>& command,
              std::string& into);
 
  private:
-  std::optional<core::RoadKind> kind_;  // as last written; nothing after a layer's begin
+  std::optional<core::RoadKind> kind_;  // as last written; nullopt at a layer's start
   core::Length width_;
 };
 
-// ";TYPE:" as PrusaSlicer names it.
+// PrusaSlicer's name for the kind, as in its ";TYPE:" comments.
 [[nodiscard]] const char* prusa_type_name(core::RoadKind kind);
 
 }  // namespace host

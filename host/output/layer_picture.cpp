@@ -19,7 +19,7 @@ constexpr int kAreaRows = 7;      // of the left panel's legend, at most
 
 using Text = std::back_insert_iterator<std::string>;
 
-// Where things lie on the page, in pixels; the part itself is drawn in mm and scaled.
+// Positions on the page, in pixels; the part itself is drawn in mm and scaled.
 struct Frame {
   core::Box box;  // of everything drawn
   double px_per_mm = 1;
@@ -98,8 +98,8 @@ void append_road(Text out, const core::Road& road) {
                  road.width.mm() * 0.74);
 }
 
-void begin_panel(Text out, const Frame& frame, int panel) {
-  // The part's y points up, the page's down.
+void start_panel(Text out, const Frame& frame, int panel) {
+  // The part's y axis points up, the page's down.
   const double slack =
       frame.panel_width - to_mm(std::int64_t{frame.box.max.x} - frame.box.min.x) * frame.px_per_mm;
   fmt::format_to(
@@ -180,15 +180,15 @@ std::string draw_layer(const LayerPicture& picture) {
   const Frame frame = frame_of(picture);
   std::string svg;
   const Text out = std::back_inserter(svg);
-  begin_page(svg, frame.page_width(), frame.page_height());
+  start_page(svg, frame.page_width(), frame.page_height());
   append_title(svg, picture.title,
                fmt::format("layer {}, {:g} to {:g} mm above the bed; {}", slice.index + 1,
                            slice.bottom.mm(), slice.top().mm(), wall_words(settings)));
 
   const double hairline = 1.2 / frame.px_per_mm;
-  begin_panel(out, frame, 0);
+  start_panel(out, frame, 0);
   for (const Area& area : areas) {
-    // Its own colour around it too, so that no gap shines through between neighbours.
+    // A stroke in its own colour, so that no gap shows between neighbours.
     append_region(out, *area.region,
                   fmt::format("fill=\"{0}\" stroke=\"{0}\" stroke-width=\"{1:.4g}\"",
                               area.colours->body, 0.3 * hairline));
@@ -201,7 +201,7 @@ std::string draw_layer(const LayerPicture& picture) {
                             kInkColour, 1.3 * hairline));
   svg += "</g>\n";
 
-  begin_panel(out, frame, 1);
+  start_panel(out, frame, 1);
   append_region(out, slice.region, "fill=\"#f1eee8\"");
   svg += "<g fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n";
   for (const core::Road& road : *picture.roads) append_road(out, road);

@@ -1,8 +1,8 @@
-// Draws one layer as SVG, for people: on the left the wall, by the paper's regions that say why it
-// is wall, and the inside; on the right the roads that fill them, each with its true width.
+// Draws one layer as SVG. On the left: the inside, and the wall, coloured by the paper's regions
+// (why a spot is wall). On the right: the roads that fill them, each with its true width.
 //
 //     ┌ title ─────────────────────────┐
-//     │  wall and inside  │  roads     │      one scale for both, told by the bar
+//     │  wall and inside  │  roads     │      one scale for both, shown by the bar
 //     │  ├── 5 mm ──┤     legend        │
 //     └────────────────────────────────┘
 #pragma once
@@ -21,7 +21,7 @@ struct LayerPicture {
   const std::vector<core::Road>* roads = nullptr;  // in printing order
 };
 
-// COSTS: wall_regions(), and text of some 60 bytes a point. REQUIRES: window and roads are there.
+// COSTS: wall_regions(), and text of about 60 bytes a point. REQUIRES: window and roads are set.
 [[nodiscard]] std::string draw_layer(const LayerPicture& picture);
 
 }  // namespace host

@@ -1,4 +1,4 @@
-// What `rind slice` writes, by the name of the file or by --format.
+// The format that `rind slice` writes, by the file's name or by --format.
 #pragma once
 
 #include <optional>
@@ -11,19 +11,19 @@ namespace host {
 
 enum class OutputFormat { kGcode, kCli, kCliBinary, kCliRoads, kLsif, kSliceV0, kSvg };
 
-// What --format takes: "gcode", "cli", "cli-binary" …; files that are named so end so.
+// The words of --format: "gcode", "cli", "cli-binary" …; also the endings of files' names.
 [[nodiscard]] std::vector<std::string> output_format_names();
 
-// `word` is --format's, or empty. What has no name to tell by, standard output or a device, gets
-// what a printer reads. Nothing where neither tells.
+// `word` is that of --format, or empty. Standard output and devices, which have no ending, get
+// G-code. Nullopt if neither the word nor the name is known.
 [[nodiscard]] std::optional<OutputFormat> output_format_of(const std::string& output,
                                                            const std::string& word);
 
-// Whether a picture may have that name: pictures are SVG.
+// Whether a picture may have that name: pictures end in .svg.
 [[nodiscard]] bool may_be_picture(const std::string& output);
 
-// `word` is --contents': "walls", "slices", "quickslice", or empty: walls where the format tells
-// them from insides.
+// `word` is that of --contents: "walls", "slices", "quickslice", or empty, which means walls if the
+// format can distinguish them from insides.
 [[nodiscard]] LayerContents contents_of(OutputFormat format, const std::string& word);
 
 }  // namespace host

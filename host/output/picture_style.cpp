@@ -62,7 +62,7 @@ std::string escaped(const std::string& text) {
   return out;
 }
 
-void begin_page(std::string& svg, double width, double height, double shown_height_max) {
+void start_page(std::string& svg, double width, double height, double shown_height_max) {
   const double shown = std::min(1.0, shown_height_max / height);
   fmt::format_to(std::back_inserter(svg),
                  "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{2:.0f}\" height=\"{3:.0f}\" "

@@ -1,8 +1,8 @@
-// What the pictures have in common: colours, legend rows, the scale bar, the page.
+// Common parts of the pictures: colours, legend rows, the scale bar, the page.
 //
-// Warm colours are dense, cool ones loose; the wall's three regions
+// Warm colours are dense, cool ones loose. The wall's three regions
 // (core/sections/wall_regions.h) and the kinds of road have the same colours in every picture.
-// Text goes to the end of `svg`.
+// Functions append to `svg`.
 #pragma once
 
 #include <array>
@@ -46,27 +46,28 @@ inline constexpr std::array<KindStyle, core::kRoadKindCount> kKindStyles = {{
     {core::RoadKind::kSkirt, "skirt", {"#8d8d8d", "#bdbdbd"}},
 }};
 
-// Of what is solid for another reason than the three regions: all that is, where the style decides.
+// The colours of what is solid for another reason than the three regions; with the styles regular
+// and fast, that is everything solid.
 [[nodiscard]] const Colours& further_colours(const core::Settings& settings);
 
 [[nodiscard]] const KindStyle& style_of(core::RoadKind kind);
 
 [[nodiscard]] double to_mm(std::int64_t units);
 
-// "0.8 mm, as a ball"; or of the style that decides instead of the wall.
+// "wall 0.8 mm thick, by a ball"; for the styles regular and fast, the style.
 [[nodiscard]] std::string wall_words(const core::Settings& settings);
 
-// Why each of the wall's regions is wall, for legends.
+// For legends: why each of the wall's regions is wall.
 struct RegionWords {
   std::string own, uncovered, neighbours, further;
 };
 [[nodiscard]] RegionWords region_words(const core::Settings& settings);
 
-// For text in SVG.
+// Text, escaped for SVG.
 [[nodiscard]] std::string escaped(const std::string& text);
 
-// A page taller than `shown_height_max` is shown smaller, for programs that open no larger one.
-void begin_page(std::string& svg, double width, double height, double shown_height_max = 1e9);
+// A page taller than `shown_height_max` is scaled down, for programs with a limit.
+void start_page(std::string& svg, double width, double height, double shown_height_max = 1e9);
 void end_page(std::string& svg);
 void append_title(std::string& svg, const std::string& title, const std::string& subtitle);
 void append_text(std::string& svg, double x, double y, const std::string& text);

@@ -18,18 +18,18 @@ constexpr double kPairWidthPx = 440;   // of each, where two squarish ones stand
 constexpr double kPairHeightPx = 480;
 constexpr double kTallHeightPx = 900;
 constexpr double kTallWidthPx = 460;
-// A part like a needle is drawn this wide, unless its rows were more than that tall then; its page
-// is as tall as it takes.
+// A needle-like part is drawn this wide, unless its rows would then be taller than this. Its page
+// is as tall as needed.
 constexpr double kNeedlePx = 110;
 constexpr double kNeedleRowPx = 2;
 constexpr double kPadPx = 66;      // beside the part: room for a measure
 constexpr double kPadTopPx = 30;   // over it
 constexpr double kLetterPx = 7.5;  // of the subtitle, about
 constexpr double kSideLegendPx = 490;
-constexpr double kPageHeightMaxPx = 16'000;  // as shown; what is drawn in can be taller
+constexpr double kPageHeightMaxPx = 16'000;  // as shown; the drawing's own height may be larger
 constexpr double kBallPxMin = 4;
 constexpr std::size_t kBallHeights = 6;
-// Where rows are no whole pixels, they overlap the next by so much, lest the page shines through.
+// Rows that are not whole pixels overlap the next row by this much, so that no gap shows.
 constexpr double kSeamPx = 1;
 
 constexpr std::array<std::size_t, 5> kLegendOrder = {1, 2, 3, 4, 0};
@@ -59,7 +59,7 @@ const Colours& SectionPicture::colours_of(std::size_t tint) const {
   return *colours[tint];
 }
 
-// Where the style decides, the wall is nobody's ball's; and small ones are specks.
+// No balls if the style decides instead of the wall, nor if they would be specks.
 bool SectionPicture::shows_balls() const {
   return options_.settings.style == core::BuildStyle::kThinWall &&
          options_.settings.wall_thickness.mm() * px_per_mm_ >= kBallPxMin;
@@ -85,7 +85,7 @@ void SectionPicture::lay_out() {
     px_per_mm_ = paired;
   }
   px_per_mm_ = std::max(px_per_mm_, std::min(kNeedlePx / width_mm, kNeedleRowPx / row_mm));
-  // Whole pixels for a row, where that is near enough: edges come out sharp.
+  // A whole number of pixels for a row, if that is near enough: edges are sharp then.
   seam_px_ = kSeamPx;
   const double row_px = row_mm * px_per_mm_;
   if (row_px >= 2) {
@@ -142,7 +142,7 @@ double SectionPicture::height_px(core::Length height) const {
   return panels_[0].top + panel_height_px() - (height - view_.bottom).mm() * px_per_mm_;
 }
 
-// More than half a layer within the view is all of it.
+// A layer is in view if more than half of its height is.
 bool SectionPicture::in_view(const core::Slice& slice) const {
   const core::Length middle = slice.bottom + core::Length::from_units(slice.height.units() / 2);
   return view_.bottom <= middle && middle <= view_.top;
@@ -158,9 +158,9 @@ bool SectionPicture::in_view(const Ball& ball) const {
   return left <= ball.x && ball.x <= right && top <= ball.y && ball.y <= bottom;
 }
 
-std::string SectionPicture::begin() {
+std::string SectionPicture::start() {
   std::string svg;
-  begin_page(svg, page_width_, page_height_, kPageHeightMaxPx);
+  start_page(svg, page_width_, page_height_, kPageHeightMaxPx);
   append_title(svg, options_.title, options_.subtitle);
   const double width = to_mm(view_.along.to - view_.along.from) * px_per_mm_;
   for (const Panel& panel : panels_) {
@@ -174,7 +174,7 @@ std::string SectionPicture::begin() {
                    "fill=\"#fff\" stroke=\"#d8d0c2\" stroke-width=\"3\"/>\n",
                    panel.left, panel.top, width, bed - panel.top);
   }
-  // What is measured may reach out of a view, and not into the legend.
+  // Measures may reach out of a view; they must not cover the legend.
   if (options_.view) {
     fmt::format_to(std::back_inserter(svg),
                    "<clipPath id=\"view\"><rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" "
@@ -268,7 +268,7 @@ void SectionPicture::flush_row(std::string& svg) {
   }
 }
 
-// Where balls are drawn: at both outer ends of the inside, at a few heights.
+// Notes the balls to draw: at both outer ends of the inside, at a few heights.
 void SectionPicture::note_balls(const core::Slice& slice, const core::Intervals& loose) {
   if (loose.empty()) return;
   const core::Length middle = slice.bottom + core::Length::from_units(slice.height.units() / 2);
@@ -383,7 +383,7 @@ void SectionPicture::append_legend(std::string& svg) {
 std::string SectionPicture::end() {
   std::string svg;
   flush_row(svg);
-  // The part's end, which no window sees from below.
+  // The part's top, which the windows below don't reach.
   const double over_mm = (options_.height - highest_loose_).mm();
   if (thinnest_ && over_mm < thinnest_->thickness_mm) {
     const core::Length along = core::Length::from_units(highest_loose_along_);

@@ -1,14 +1,14 @@
-// Draws a vertical cut through a part as SVG, layer by layer: whatever the part's height, no more
-// is held than the window, and one row.
+// Draws a vertical cut through a part as SVG, layer by layer. It holds only the window and one row,
+// whatever the part's height.
 //
 //     ┌ title ──────────────────────────────────────┐
 //     │  the wall's regions,     │  roads as beads,  │   one scale for both; roads only where a
 //     │  the inside, balls of    │  cut across       │   layer is kBeadRowPx tall or more
 //     │  the wall's thickness    │                   │
-//     │  legend, scale, what was measured            │
+//     │  legend, scale, measurements                 │
 //     └──────────────────────────────────────────────┘
 //
-// Rows that look the same are drawn as one, so that an upright part's picture stays small.
+// Rows that look the same are drawn as one, so that the picture of an upright part stays small.
 #pragma once
 
 #include <array>
@@ -33,7 +33,7 @@ inline constexpr double kBeadRowPx = 3;
 
 class SectionPicture {
  public:
-  // Along the line as an interval, and heights above the bed.
+  // A view of the cut: an interval along the line, and heights above the bed.
   struct View {
     core::Interval along;
     core::Length bottom, top;
@@ -45,28 +45,28 @@ class SectionPicture {
     core::SectionLine line;
     core::Box box;        // of the part
     core::Length height;  // of the part
-    // What of the cut is drawn; all of it where nothing is said.
+    // The part of the cut that is drawn; nullopt: all of it.
     std::optional<View> view;
     core::Settings settings;
   };
 
   explicit SectionPicture(Options options);
 
-  // Whether the scale lets roads be seen; if not, layer() needs none.
+  // Whether the scale is large enough for roads; if not, roads() is not called.
   [[nodiscard]] bool shows_roads() const { return panels_.size() > 1; }
 
-  // Each returns the text that comes next: begin() once, roads() and layer() for every layer from
-  // the bed up, end() once.
-  [[nodiscard]] std::string begin();
+  // Each returns the next piece of the picture's text: start() once, roads() and layer() for every
+  // layer from the bed up, end() once.
+  [[nodiscard]] std::string start();
   // REQUIRES: shows_roads(). `bottom` and `height` are the layer's.
   [[nodiscard]] std::string roads(const core::Slice& slice, const std::vector<core::Road>& roads);
-  // window.layer() is drawn. COSTS: as wall_section() and thinnest_wall().
+  // Draws window.layer(). COSTS: as wall_section() and thinnest_wall().
   [[nodiscard]] std::string layer(const core::LayerWindow& window);
   [[nodiscard]] std::string end();
 
-  // What was measured so far; nothing where the cut has met no loose region.
+  // The thinnest wall measured so far; nullopt if the cut has met no loose region.
   [[nodiscard]] const std::optional<core::ThinnestWall>& thinnest() const { return thinnest_; }
-  // Of the cut, mm².
+  // Areas of the cut, in mm².
   [[nodiscard]] double solid_mm2() const { return solid_mm2_; }
   [[nodiscard]] double loose_mm2() const { return loose_mm2_; }
 
@@ -83,8 +83,8 @@ class SectionPicture {
     double x = 0, y = 0;
   };
 
-  // The panels one above the other; side by side with the legend beneath; side by side with the
-  // legend beside.
+  // kStacked: the panels one above the other; kPaired: side by side, the legend below; kTall: side
+  // by side, the legend beside them.
   enum class Layout { kStacked, kPaired, kTall };
 
   [[nodiscard]] const Colours& colours_of(std::size_t tint) const;
@@ -112,7 +112,7 @@ class SectionPicture {
   View view_;
   std::vector<Panel> panels_;
 
-  // The rows that look the same, not yet written.
+  // Rows that look the same and are not written yet.
   RowPieces row_;
   core::Length row_bottom_, row_top_;
 

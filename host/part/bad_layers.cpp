@@ -30,13 +30,13 @@ std::optional<std::string> why_bad(const core::SliceDefects& defects, bool empty
     return fmt::format("{} open contour{} can't be closed", defects.dropped_chains,
                        defects.dropped_chains == 1 ? "" : "s");
   }
-  if (empty && more_above) return "it holds nothing, and the part goes on above it";
+  if (empty && more_above) return "it is empty, and the part continues above it";
   return std::nullopt;
 }
 
 core::Result<std::optional<std::string>> BadLayers::check(core::Slice& slice,
                                                           core::LayerIndex layers) {
-  // A part that is sliced as it comes ends with its last slice that is not empty.
+  // A part from a pipe ends with its last slice that is not empty.
   const bool more_above = layers == 0 || slice.index + 1 < layers;
   const std::optional<std::string> why = why_bad(slice.defects, slice.region.empty(), more_above);
   if (!why) {

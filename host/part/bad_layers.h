@@ -1,13 +1,13 @@
-// What is done with a layer whose slice is not to be trusted: contours that stay open and had to be
-// left out, or nothing at all while the part goes on above it.
+// How a layer with a bad slice is treated. A slice is bad if contours could not be closed and were
+// left out, or if it is empty although the part continues above it.
 //
-//     repair      what could be closed is printed, the rest is missing there (segment_chains.h)
-//     neighbour   the slice below is printed once more
-//     pause       a print leaves the part before that layer and waits for its user, who lets it
-//                 go on as repaired, or stops it; where nothing is printed, as stop (job.cpp)
+//     repair      the closed contours are printed, the open ones are missing (segment_chains.h)
+//     neighbour   the slice below is printed again instead
+//     pause       the print pauses before that layer, off the part; the user resumes it (as
+//                 repair) or stops it. Without a print, pause is stop (job.cpp)
 //     stop        the print ends: nozzle lifted off the part, heaters off
 //
-// Each is told with its layer and height.
+// Each bad layer is reported with its number and height.
 #pragma once
 
 #include <cstdint>
@@ -25,22 +25,22 @@ namespace host {
 
 enum class OnBadLayer { kRepair, kNeighbour, kPause, kStop };
 
-// As users write it; an unknown word is `repair`.
+// The word of the option. An unknown word is `repair`.
 [[nodiscard]] std::string bad_layer_word(OnBadLayer action);
 [[nodiscard]] OnBadLayer bad_layer_of(const std::string& word);
 
-// Why the slice is bad; nothing: it is not. `more_above`: the part goes on.
+// Why the slice is bad; nullopt if it is not. `more_above`: the part continues above it.
 [[nodiscard]] std::optional<std::string> why_bad(const core::SliceDefects& defects, bool empty,
                                                  bool more_above);
 
 class BadLayers {
  public:
-  // `part` stands in messages. REQUIRES: `warnings` outlives it.
+  // `part` is for messages. REQUIRES: `warnings` outlives this.
   BadLayers(OnBadLayer action, std::string part, WarningBox& warnings)
       : action_(action), part_(std::move(part)), warnings_(warnings) {}
 
-  // Takes the slices from the bed up; may change the slice. `layers` of the part, 0: not known.
-  // ENSURES: a value is why the print is to pause before that layer.
+  // Checks the slices from the bed up, and may change one. `layers`: of the part, 0 if not known.
+  // Returns why the print has to pause before this layer; nullopt if it has not.
   [[nodiscard]] core::Result<std::optional<std::string>> check(core::Slice& slice,
                                                                core::LayerIndex layers);
 
@@ -50,7 +50,7 @@ class BadLayers {
   OnBadLayer action_;
   std::string part_;
   WarningBox& warnings_;
-  core::Region below_;  // kept for the neighbour only
+  core::Region below_;  // only for kNeighbour
   std::int64_t count_ = 0;
 };
 

@@ -20,7 +20,7 @@ Shift shift_to_bed(const MeshExtent& extent, const core::Settings& settings) {
     return {settings.part_x.units() - box.min.x, settings.part_y.units() - box.min.y,
             -extent.lowest_z};
   }
-  // Doubled, so that halves are rounded once; the sums stay below 2^32.
+  // Computed in half units, so that it is rounded once; the sums stay below 2^32.
   const auto centred = [](std::int64_t bed, std::int64_t low, std::int64_t high) {
     return (bed - low - high) / 2;
   };

@@ -1,7 +1,7 @@
-// Where a mesh comes to lie on the bed, and whether it fits there.
+// Places a mesh on the bed and checks that it fits.
 //
-// Lowest point at height 0; in the plane the middle of its box at the middle of the bed, or the
-// box's lowest corner where the settings say.
+// The lowest point is at height 0. In the plane, the centre of the mesh's box is at the bed's
+// centre, or the box's front left corner is where the settings say.
 #pragma once
 
 #include <cstdint>
@@ -27,12 +27,12 @@ struct Shift {
 [[nodiscard]] core::Triangle shifted(core::Triangle triangle, const Shift& shift);
 [[nodiscard]] core::Box shifted(const core::Box& box, const Shift& shift);
 
-// kOutOfBounds for a mesh that is larger than the bed or the axis, or would lie outside; the
-// message gives its measures and what to do, and begins with `name`.
+// kOutOfBounds if the mesh is larger than the bed or the axis, or would lie outside. The message
+// starts with `name` and gives the mesh's dimensions and what to do.
 [[nodiscard]] core::Status check_on_bed(const MeshExtent& extent, const Shift& shift,
                                         const core::Settings& settings, const std::string& name);
 
-// "12.3", without zeros at the end.
+// "12.3", without trailing zeros.
 [[nodiscard]] std::string mm_text(std::int64_t units);
 
 }  // namespace host

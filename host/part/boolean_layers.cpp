@@ -93,9 +93,9 @@ class BooleanLayers : public LayerSource {
   }
 
   [[nodiscard]] Result<std::optional<Slice>> next() override {
-    const double begin_s = thread_cpu_seconds(), before_s = counters_.sort_cpu_s;
+    const double start_s = thread_cpu_seconds(), before_s = counters_.sort_cpu_s;
     Result<std::optional<Slice>> slice = cut();
-    counters_.slice_cpu_s += thread_cpu_seconds() - begin_s - (counters_.sort_cpu_s - before_s);
+    counters_.slice_cpu_s += thread_cpu_seconds() - start_s - (counters_.sort_cpu_s - before_s);
     return slice;
   }
 
@@ -132,7 +132,7 @@ class BooleanLayers : public LayerSource {
     return operand.sorter.finish();
   }
 
-  // What a boolean of boxes leaves at most.
+  // Upper bound of the extent, from the operands' boxes.
   [[nodiscard]] MeshExtent extent_of(const ShellNode& node) const {
     if (node.kind == Kind::kOperand) return operands_[node.operand]->extent;
     MeshExtent extent = extent_of(tree_->nodes[node.inputs[0]]);
@@ -194,7 +194,7 @@ class BooleanLayers : public LayerSource {
     return std::optional<Slice>(std::move(result));
   }
 
-  // Nodes stand before those that use them, kNestingMax deep at most.
+  // Nodes come before the nodes that use them, and nest at most kNestingMax deep.
   [[nodiscard]] Region evaluated(const ShellNode& node) const {
     if (node.kind == Kind::kOperand) return slices_[node.operand].region;
     Region region = evaluated(tree_->nodes[node.inputs[0]]);

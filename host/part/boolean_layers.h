@@ -1,10 +1,10 @@
-// Slices of a solid that is given as booleans of meshes: each mesh is cut on its own, and the
+// Slices a solid that is a boolean expression of meshes: each mesh is cut on its own, and the
 // booleans are evaluated on the slices.
 //
 //     operand 0 ──> MeshSorter ──> PlaneSweep ──> slice ─┐
 //     operand 1 ──> MeshSorter ──> PlaneSweep ──> slice ─┴─> union, intersection, difference
 //
-// The extent that the part is placed by is what the booleans leave of the meshes' boxes.
+// The part's extent, for placing it, is the result of the booleans on the meshes' boxes.
 #pragma once
 
 #include <memory>
@@ -16,8 +16,8 @@
 
 namespace host {
 
-// REQUIRES: !tree->is_plain(). Errors are open_part()'s, then or in read_rest().
-// COSTS: for each operand the triangles that cross one plane; for all of them options.sort_bytes.
+// Errors are those of open_part(), here or in read_rest(). REQUIRES: !tree->is_plain()
+// COSTS: memory for each operand's triangles that cross one plane; options.sort_bytes for all.
 [[nodiscard]] core::Result<OpenedPart> open_booleans(std::unique_ptr<ShellTree> tree,
                                                      const core::Settings& settings,
                                                      const OpenOptions& options);

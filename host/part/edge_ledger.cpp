@@ -19,10 +19,10 @@ std::uint64_t number_of(const core::Vertex& vertex) {
   return mixed(plane + 0x9E3779B97F4A7C15 * mixed(static_cast<std::uint64_t>(vertex.z) + 1));
 }
 
-// Places are known where so many edges have a cell of their own for each that has not.
+// Positions are trusted if this many edges have a cell of their own for each edge that shares one.
 constexpr std::int64_t kClearPerShared = 4;
 
-// Half of a sum that is twice a coordinate's, modulo 2^64, by the count that it was added with.
+// Half of a sum modulo 2^64 that is `count` times (±2) the sum of two coordinates.
 std::int64_t middle(std::uint64_t sum, std::int64_t count) {
   return static_cast<std::int64_t>(sum) / (2 * count);
 }
@@ -54,14 +54,14 @@ void EdgeLedger::add_edge(const core::Vertex& p, std::uint64_t p_number, const c
 
 std::optional<EdgeLedger::Turned> EdgeLedger::turned() const {
   if (closed()) return std::nullopt;
-  // Every edge is there an even number of times: what is left over runs the same way.
+  // If every edge occurs an even number of times, the remaining edges run the same way twice.
   const bool only_turned = parity_ == 0;
   Turned turned;
   std::int64_t clear = 0, shared = 0;
   for (std::size_t i = 0; i < kCells; ++i) {
     const Cell& cell = cells_[i];
     if (cell.count == 0 && cell.number == 0) continue;
-    // One edge alone gives back the cell that it belongs to.
+    // A single edge's number leads back to its cell.
     const std::uint64_t twice = cell.count < 0 ? 0 - cell.number : cell.number;
     if (std::abs(cell.count) != 2 || twice % 2 != 0 || twice / 2 % kCells != i) {
       shared += std::max<std::int64_t>(2, std::abs(cell.count) / 2);
@@ -76,7 +76,7 @@ std::optional<EdgeLedger::Turned> EdgeLedger::turned() const {
   }
   turned.edges = clear + (only_turned ? shared : 0);
   turned.exact = !only_turned || shared == 0;
-  // Those that share a cell are elsewhere, but not far from so many others.
+  // Edges that share a cell lie elsewhere, but near the many others.
   turned.placed = clear > 0 && (!only_turned || kClearPerShared * shared <= clear);
   if (!turned.placed) turned.box = {};
   if (turned.edges == 0) return std::nullopt;

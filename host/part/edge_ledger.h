@@ -1,13 +1,13 @@
-// Whether a surface is closed and which way its facets are turned, from seeing each facet once, in
-// constant memory.
+// Finds out whether a surface is closed and its facets are oriented alike, in one pass over the
+// facets and in constant memory.
 //
-// In a sound surface every edge is walked once in either direction. Each directed edge adds a
-// number made from its ends, and its reverse takes the same away; a closed surface leaves 0. A sum
-// of 0 by chance, from a surface with holes, has odds of one in 2^64.
+// In a sound surface, every edge occurs once in each direction. Each directed edge adds a number
+// computed from its ends; the reverse edge subtracts the same number. The sum over a closed surface
+// is 0. A surface with holes gives 0 with a probability of 2^-64.
 //
-// Where a facet is turned over against its neighbour, their edge runs the same way twice. The sums
-// are kept in cells, by edge, with the edge's place: a cell in which a single edge is left over
-// tells where it is.
+// If two neighbouring facets are oriented differently, their common edge runs the same way twice.
+// The edges are hashed into cells with a sum each, and with the sum of their coordinates: a cell in
+// which one edge remains gives the position of that edge.
 #pragma once
 
 #include <array>
@@ -28,31 +28,30 @@ class EdgeLedger {
 
   struct Turned {
     std::int64_t edges = 0;  // that run the same way twice
-    bool exact = true;       // false: about so many
-    bool placed = true;      // false: it is not known where
-    core::Box box;           // around them in the plane; empty where it is not known
-    core::Vertex lowest;     // the middle of one of the lowest
+    bool exact = true;       // false: `edges` is an estimate
+    bool placed = true;      // false: the positions are not known
+    core::Box box;           // around them in the plane; empty if not known
+    core::Vertex lowest;     // the middle of one of the lowest edges
   };
-  // Nothing where no edge is known to run the same way twice.
-  // COSTS: a look at every cell.
+  // Nullopt if no edge is known to run the same way twice. COSTS: O(cells).
   [[nodiscard]] std::optional<Turned> turned() const;
 
  private:
   struct Cell {
     std::int64_t count = 0;
     std::uint64_t number = 0;
-    // Of both ends together, as often as counted.
+    // Sums over both ends, with the edge's sign.
     std::uint64_t x = 0;
     std::uint64_t y = 0;
     std::uint64_t z = 0;
   };
 
-  // From p to q, whose numbers these are.
+  // The edge from p to q; each end with its hash.
   void add_edge(const core::Vertex& p, std::uint64_t p_number, const core::Vertex& q,
                 std::uint64_t q_number);
 
   std::uint64_t sum_ = 0;
-  std::uint64_t parity_ = 0;  // 0: every edge is there an even number of times
+  std::uint64_t parity_ = 0;  // 0: every edge occurs an even number of times
   std::vector<Cell> cells_{kCells};
   static constexpr std::size_t kCells = 1'024;
 };

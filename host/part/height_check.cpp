@@ -52,7 +52,7 @@ Status check_strays(const MeshSurvey& survey, const std::string& name, const Hei
     const OutermostCorners::End& end = upwards ? *top : *bottom;
     const std::int64_t rest =
         std::max<std::int64_t>(upwards ? end.rest - height.low : height.high - end.rest, 0);
-    // The other end may have gone astray as well.
+    // The other end may have stray corners, too.
     const std::int64_t inner = std::clamp<std::int64_t>(top->rest - bottom->rest, 0, rest);
     const std::int64_t longest = std::max(inner, wide(survey.extent().box));
     if (end.alone < Length::from_mm(kStrayAlone_mm).units() || end.alone / kStrayTimes < longest) {

@@ -1,5 +1,6 @@
-// How evenly a mesh's corners fill its height, in constant memory and in one pass, whatever the
-// order: the height in up to 128 bins, twice as wide whenever the mesh has outgrown them.
+// Finds stretches of a mesh's height without corners, in one pass, in any order, in constant
+// memory: the height is divided into up to 128 bins, whose width doubles when the mesh outgrows
+// them.
 #pragma once
 
 #include <bitset>
@@ -16,7 +17,7 @@ class HeightFill {
     filled_.set(static_cast<std::size_t>(bin - first_));
   }
 
-  // The longest stretch without a corner, to a bin's width; low >= high: there is none.
+  // The longest stretch without a corner, exact to a bin's width; low >= high if there is none.
   struct Stretch {
     std::int64_t low = 0;
     std::int64_t high = 0;
@@ -29,8 +30,8 @@ class HeightFill {
   void add_outside(std::int64_t z);
   void widen();
 
-  std::bitset<kBins> filled_;  // the first one is
-  std::int64_t first_ = 0;     // its number, counted from height 0
+  std::bitset<kBins> filled_;  // bit 0 is bin first_
+  std::int64_t first_ = 0;     // bins are counted from height 0
   std::int64_t last_ = -1;
   int shift_ = 0;  // a bin is 2^shift_ units wide
 };

@@ -75,7 +75,7 @@ class PlacedLayers : public LayerSource {
       if (Status fits = check_layer_height(file_.name, *slice.value(), settings_); !fits.ok()) {
         return fits.error();
       }
-      // Empty layers on top are none.
+      // Empty layers on top don't count.
       extent.lowest_z = std::min(extent.lowest_z, slice.value()->bottom.units());
       if (slice.value()->region.empty()) continue;
       add(*slice.value(), extent);
@@ -110,7 +110,7 @@ class PlacedLayers : public LayerSource {
     return file_.layers->next();
   }
 
-  // The next layer; empty ones are held until one with contours follows: those on top are none.
+  // Reads the next layer. Empty ones are held back until one with contours follows.
   [[nodiscard]] Status read_on() {
     while (true) {
       Result<std::optional<Slice>> slice = read();

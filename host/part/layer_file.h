@@ -1,19 +1,17 @@
-// A layer file set on the bed: it goes the same way as a mesh from here on.
+// Opens a layer file as a part and places it on the bed. From here on it is treated like a mesh.
 //
 //     LayerReader ──> shift ──> slices with heights of their own
 //
-// The lowest layer's lower face is the bed. Where the part lies in the plane (bed_placing.h) rests
-// on its extent:
+// The lowest layer's lower face lies on the bed. The position in the plane (bed_placing.h) follows
+// from the part's extent, which is taken from
 //
-//     a file that can be read twice   is read through first, a layer at a time
-//     a pipe whose head tells it      is believed (CLI's $$DIMENSION)
-//     any other pipe                  its first layer with contours stands for it, and a warning
-//                                     says so
+//     a file that can be read twice       all its layers, read one at a time beforehand
+//     a pipe whose head gives an extent   the head (CLI's $$DIMENSION)
+//     any other pipe                      its first layer with contours, with a warning
 //
-// Empty layers on top of the last one with contours are left out (of a pipe, kEmptyLayersMax).
+// Empty layers above the last one with contours are left out (of a pipe, kEmptyLayersMax).
 //
-// Layers that come from a pipe are checked as they come: one that leaves the bed or the axis ends
-// the print there.
+// Layers from a pipe are checked as they arrive: one outside the bed or the axis ends the print.
 #pragma once
 
 #include <cstddef>
@@ -29,19 +27,18 @@
 
 namespace host {
 
-// Empty layers that are waited through for the next one with contours.
+// Empty layers that are held back until one with contours follows.
 inline constexpr std::size_t kEmptyLayersMax = core::kWindowLayersMax;
 
 struct LayerFileInput {
-  std::string name;  // stands in errors
+  std::string name;  // for messages
   std::unique_ptr<LayerReader> layers;
-  // Opens the same layers once more, from the begin; empty where they can be read only once, as
-  // from a pipe.
+  // Opens the same layers again, from the start; empty if they can be read only once (a pipe).
   std::function<core::Result<std::unique_ptr<LayerReader>>()> again;
 };
 
-// Errors are open_part()'s (part_file.h), then or in read_rest(), which reads a file to its end,
-// and checks the layers' heights (layer_rules.h).
+// Errors are those of open_part() (part_file.h), here or in read_rest(), which reads a file to its
+// end and checks the layers' heights (layer_rules.h).
 [[nodiscard]] core::Result<OpenedPart> open_layer_file(LayerFileInput file,
                                                        const core::Settings& settings);
 

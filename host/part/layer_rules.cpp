@@ -36,7 +36,7 @@ core::Status check_layer_height(const std::string& part, const core::Slice& slic
 core::Status check_on_bed(const std::string& part, const core::Slice& slice,
                           const std::vector<core::Road>& roads, const core::Settings& settings) {
   for (const core::Road& road : roads) {
-    // An arc may bulge beyond its road's points: the nozzle stays above the bed even then.
+    // An arc may bulge beyond its road's points; the nozzle must stay above the bed even then.
     const bool may_bulge =
         settings.arcs != core::ArcUse::kOff && road.points.size() >= core::kArcSegmentsMin;
     const std::int64_t bulge = may_bulge ? settings.arc_fit_tolerance.units() : 0;

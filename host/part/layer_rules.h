@@ -1,4 +1,4 @@
-// What a layer must keep to be printable with these settings, told before anything of it is sent.
+// Checks that a layer is printable with these settings, before any of it is sent.
 #pragma once
 
 #include <string>
@@ -11,13 +11,13 @@
 
 namespace host {
 
-// Layers of a layer file have heights of their own: too low for the window's bound
-// (kWallLayersMax), or too high for the road's width and the nozzle, is an error that names
-// part, layer and height.
+// For layers with heights of their own. Error if the height is too small for the window's bound
+// (kWallLayersMax), or too large for the road's width or the nozzle; it names part, layer and
+// height.
 [[nodiscard]] core::Status check_layer_height(const std::string& part, const core::Slice& slice,
                                               const core::Settings& settings);
 
-// Nothing where all beads lie on the bed; else what leaves it, and what to do.
+// Error if a bead leaves the bed; it says which, and what to do.
 [[nodiscard]] core::Status check_on_bed(const std::string& part, const core::Slice& slice,
                                         const std::vector<core::Road>& roads,
                                         const core::Settings& settings);

@@ -27,10 +27,11 @@ using core::Result;
 using core::Status;
 using core::Triangle;
 
-// So many triangles are read, then sorted, between two looks at the clock.
+// Triangles read and sorted between two readings of the clock.
 constexpr std::size_t kBatchTriangles = 1024;
 
-// Of the look-ahead: how far out of order a pipe's first triangles may be to be thought in order.
+// A pipe is taken to be in order if its first triangles are out of order by at most this fraction
+// (1/8) of the look-ahead.
 constexpr std::size_t kGuessShare = 8;
 
 std::size_t window_of(const OpenOptions& options) {
@@ -75,11 +76,11 @@ class MeshLayers : public LayerSource {
   }
 
   [[nodiscard]] Result<std::optional<core::Slice>> next() override {
-    const double begin_s = thread_cpu_seconds();
+    const double start_s = thread_cpu_seconds();
     const double before_s = counters_.sort_cpu_s + counters_.read_cpu_s;
     Result<std::optional<core::Slice>> slice = sweep_->next();
     const double other_s = counters_.sort_cpu_s + counters_.read_cpu_s - before_s;
-    counters_.slice_cpu_s += thread_cpu_seconds() - begin_s - other_s;
+    counters_.slice_cpu_s += thread_cpu_seconds() - start_s - other_s;
     counters_.peak_triangles_held = sweep_->peak_triangles_held();
     ++slices_;
     return slice;
@@ -111,7 +112,7 @@ class MeshLayers : public LayerSource {
     return streaming_ ? check_tall() : Status();
   }
 
-  // At the file's end: a file that was cut off between two triangles has an open surface.
+  // At the file's end. A file that was cut off between two triangles has an open surface.
   [[nodiscard]] Status check_whole() const {
     const std::string& doubt = mesh_.triangles->doubt();
     if (surveyed_ || doubt.empty() || survey_.closed()) return {};
@@ -119,26 +120,26 @@ class MeshLayers : public LayerSource {
                    doubt + ", and the surface is open: it is cut short; copy or export it again");
   }
 
-  // The first look already tells what will never fit.
+  // The look-ahead may already be too large.
   [[nodiscard]] Status check_so_far() const {
     return check_fit(shift_to_bed(survey_.extent(), settings_));
   }
 
-  // Names what went astray, where that is why it does not fit.
+  // The error names the stray corners, if there are any.
   [[nodiscard]] Status check_fit(const Shift& shift) const {
     Status fits = check_on_bed(survey_.extent(), shift, settings_, mesh_.name);
     if (fits.ok()) return fits;
     return Error{fits.error().code, fits.error().message + stray_text(survey_)};
   }
 
-  // Whether it is as high as it can have been meant, as far as that is known.
+  // Checks that the height is plausible, as far as it is known.
   [[nodiscard]] Status check_tall() {
     if (options_.tall || !survey_.highest_cut()) return {};
     return streaming_ && !ended_ ? check_height_so_far(survey_, settings_, mesh_.name)
                                  : check_height(survey_, settings_, mesh_.name);
   }
 
-  // A file that is in order so far: to its end, or to where the order breaks.
+  // Reads a file that is in order so far: to its end, or to the facet that breaks the order.
   [[nodiscard]] Status survey_rest() {
     ahead_ = {};
     while (!ended_ && survey_.in_order()) {
@@ -183,7 +184,7 @@ class MeshLayers : public LayerSource {
     return check_and_restart();
   }
 
-  // Before anything moves; with the heaters on already, where there was more than a look ahead.
+  // Runs before anything moves; the heaters are on already if there was more than the look-ahead.
   [[nodiscard]] Status check_and_restart() {
     if (options_.plane_check == PlaneCheck::kNone || survey_.closed()) return {};
     const Result<OpenPlanes> open = check_planes(*sweep_);
@@ -200,7 +201,7 @@ class MeshLayers : public LayerSource {
       summary_.warnings.push_back(mesh_.name + ": " + cause + "; they are left out");
     }
     if (sorter_) {
-      if (Status begun = sorter_->rewind(); !begun.ok()) return begun;
+      if (Status started = sorter_->rewind(); !started.ok()) return started;
     } else {
       Result<std::unique_ptr<TriangleSource>> again = mesh_.again();
       if (!again.ok()) return again.error();
@@ -231,7 +232,7 @@ class MeshLayers : public LayerSource {
     return {code, mesh_.name + ": " + cause};
   }
 
-  // With everything seen.
+  // REQUIRES: the mesh was read to its end.
   [[nodiscard]] Status place() {
     const MeshExtent& extent = survey_.extent();
     if (!survey_.highest_cut()) {
@@ -295,7 +296,7 @@ class MeshLayers : public LayerSource {
     }
   }
 
-  // From a batch, so that the clock is not looked at for each.
+  // Reads in batches, so that the clock is not read for each triangle.
   [[nodiscard]] Result<std::optional<Triangle>> next_sorted() {
     if (next_in_batch_ == batch_.size()) {
       const CpuTimer timer(counters_.sort_cpu_s);
@@ -329,7 +330,7 @@ class MeshLayers : public LayerSource {
     return std::optional<Triangle>(shifted(window_held_.pop(), shift_));
   }
 
-  // A facet of a pipe that is sliced as it comes: is it on the bed, and not too late?
+  // For a pipe that is sliced as it arrives: the facet must be on the bed and not too late.
   [[nodiscard]] Status check_arrival(const Triangle& triangle) {
     MeshExtent extent;
     extent.add(triangle);
@@ -359,16 +360,16 @@ class MeshLayers : public LayerSource {
   PartSummary summary_;
   PartCounters counters_;
   Shift shift_;
-  std::vector<Triangle> ahead_;  // the look-ahead, until it is known what becomes of it
+  std::vector<Triangle> ahead_;  // the look-ahead, until it is decided how the mesh is read
   std::vector<Triangle> batch_;
   std::size_t next_in_batch_ = 0;
   bool ended_ = false;      // all has been read
   bool surveyed_ = false;   // it is read for the second time
-  bool streaming_ = false;  // it is sliced as it comes
+  bool streaming_ = false;  // it is sliced as it arrives
   std::optional<MeshSorter> sorter_;
   ReorderWindow window_held_;
   std::optional<core::PlaneSweep> sweep_;
-  core::LayerIndex slices_ = 0;  // asked for
+  core::LayerIndex slices_ = 0;  // given so far
 };
 
 }  // namespace

@@ -11,7 +11,7 @@
 namespace host {
 namespace {
 
-// Of a run that is read or written: what a disk likes, or what a small budget leaves.
+// Buffer of a run that is read or written: a size that suits a disk, less with a small budget.
 constexpr std::size_t kBufferBytesMin = std::size_t{4} << 10;
 constexpr std::size_t kBufferBytesMax = std::size_t{64} << 10;
 constexpr std::size_t kBuffersWanted = 16;
@@ -47,7 +47,7 @@ core::Status MeshSorter::add(const core::Triangle& triangle) {
   if (run_.size() == capacity) {
     if (core::Status spilled = spill(); !spilled.ok()) return spilled;
   }
-  // At once, so that growing never holds two of them; memory is used as it fills.
+  // Reserved at once, so that growing never holds two copies. Pages are used only as they fill.
   if (run_.capacity() == 0) run_.reserve(capacity);
   run_.push_back(triangle);
   ++size_;
@@ -94,7 +94,7 @@ core::Status MeshSorter::merge_until_few() {
     const std::size_t count = runs_->runs().size();
     for (std::size_t first = 0; first < count; first += at_once) {
       TriangleMerge merge(*runs_, first, std::min(count, first + at_once), buffer);
-      if (core::Status begun = merge.begin(); !begun.ok()) return begun;
+      if (core::Status started = merge.start(); !started.ok()) return started;
       while (true) {
         core::Result<std::optional<core::Triangle>> next = merge.next();
         if (!next.ok()) return next.error();
@@ -116,7 +116,7 @@ core::Status MeshSorter::rewind() {
   if (!runs_) return {};
   merge_ = std::make_unique<TriangleMerge>(*runs_, 0, runs_->runs().size(),
                                            buffer_bytes(options_.memory_bytes));
-  return merge_->begin();
+  return merge_->start();
 }
 
 core::Result<std::optional<core::Triangle>> MeshSorter::next() {

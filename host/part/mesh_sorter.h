@@ -1,14 +1,14 @@
-// Triangles in, in any order; the same triangles out in order of lowest z, in bounded memory.
+// Sorts triangles by lowest z in bounded memory: an external merge sort.
 //
 //     add ──> [ run being filled ] ── full ──> sorted ──> run ▒▒▒▒▒▒
 //                                                         run ▒▒▒▒▒▒▒   in one unnamed file
 //                                                         run ▒▒▒▒
 //     next <── merged, all runs at once, a buffer each <───┘
 //
-// As long as all fits the budget nothing is written. With more runs than there are buffers, runs
-// are merged into longer ones first, as often as it takes: each pass writes a new file and gives
-// the old one back. Triangles of equal lowest z come in the order of their corners, so that what
-// comes out depends neither on the order in the file nor on the budget.
+// Nothing is written while all triangles fit the budget. If there are more runs than buffers, runs
+// are first merged into longer ones, in as many passes as needed; each pass writes a new file and
+// deletes the old one. Triangles with the same lowest z are ordered by their corners, so the result
+// depends neither on the input's order nor on the budget.
 #pragma once
 
 #include <cstddef>
@@ -29,9 +29,9 @@ class TriangleMerge;
 class MeshSorter {
  public:
   struct Options {
-    // Runs, buffers and all. REQUIRES: >= kSortBytesMin (limits.h)
+    // For runs and buffers together. REQUIRES: >= kSortBytesMin (limits.h)
     std::size_t memory_bytes;
-    std::string folder;  // of the file; empty: $TMPDIR, or /tmp
+    std::string folder;  // of the temporary file; empty: $TMPDIR, or /tmp
   };
 
   explicit MeshSorter(const Options& options);
@@ -39,23 +39,23 @@ class MeshSorter {
   MeshSorter(MeshSorter&&) noexcept;
   MeshSorter& operator=(MeshSorter&&) noexcept;
 
-  // Fails when the file can't be made or written.
+  // Error if the temporary file can't be made or written.
   // REQUIRES: finish() was not called. COSTS: amortised O(log of a run).
   [[nodiscard]] core::Status add(const core::Triangle& triangle);
 
-  // No triangle follows. COSTS: as many passes over the file as spill_passes() tells then.
+  // No triangle follows. COSTS: spill_passes() passes over the file.
   [[nodiscard]] core::Status finish();
 
-  // The next one up, or nothing when all have left. REQUIRES: finish() was called.
+  // The next triangle up; nullopt after the last. REQUIRES: finish() was called.
   // COSTS: O(log runs).
   [[nodiscard]] core::Result<std::optional<core::Triangle>> next();
 
-  // Begins anew at the lowest. REQUIRES: finish() was called.
+  // Starts again at the lowest triangle. REQUIRES: finish() was called.
   [[nodiscard]] core::Status rewind();
 
-  // Taken so far.
+  // Triangles added so far.
   [[nodiscard]] std::int64_t size() const { return size_; }
-  // Written so far, all passes together.
+  // Bytes written so far, in all passes.
   [[nodiscard]] std::int64_t spilled_bytes() const { return spilled_bytes_; }
   // How often every triangle was written.
   [[nodiscard]] int spill_passes() const { return spill_passes_; }
@@ -65,9 +65,9 @@ class MeshSorter {
   [[nodiscard]] core::Status merge_until_few();
 
   Options options_;
-  std::vector<core::Triangle> run_;  // being filled; later all, where nothing was written
+  std::vector<core::Triangle> run_;  // being filled; in the end all of them, if none was written
   std::size_t next_in_run_ = 0;
-  std::unique_ptr<TriangleRuns> runs_;    // nothing: not a run was written
+  std::unique_ptr<TriangleRuns> runs_;    // null: no run was written
   std::unique_ptr<TriangleMerge> merge_;  // of the last pass
   std::int64_t size_ = 0;
   std::int64_t spilled_bytes_ = 0;

@@ -9,10 +9,10 @@
 namespace host {
 namespace {
 
-// Facets whose heights are taken together.
+// Facets whose heights are united in one step.
 constexpr std::size_t kSpansAtOnce = 1'024;
 
-// Parts whose longest side is below these may be in metres or in inches, in inches.
+// A part whose longest side is shorter than this may be in metres, or in inches.
 constexpr std::int64_t kMetresBelow = 10'000, kInchesBelow = 50'000;
 
 }  // namespace
@@ -43,7 +43,7 @@ bool MeshSurvey::add(const core::Triangle& triangle) {
   }
   highest_cut_ = std::max(high, highest_cut_.value_or(high));
   order_.add(triangle);
-  // Most facets stand where the one before stood.
+  // Most facets overlap the one before in height.
   if (!spans_.empty() && low <= spans_.back().high && high >= spans_.back().low &&
       spans_.size() > united_) {
     spans_.back() = {std::min(low, spans_.back().low), std::max(high, spans_.back().high)};
@@ -82,7 +82,7 @@ MeshSurvey::EmptyLayers MeshSurvey::empty_layers(core::Length layer_height) {
   unite_spans();
   EmptyLayers empty;
   for (std::size_t i = 1; i < spans_.size(); ++i) {
-    // Planes above the lower span, and not above the upper one's beginning.
+    // Planes above the lower span and not above the start of the upper one.
     const auto planes_up_to = [&](std::int64_t z) {
       return core::layer_count(core::Length::from_units(z - extent_.lowest_z), layer_height);
     };
@@ -114,7 +114,7 @@ std::string turned_text(const EdgeLedger::Turned& turned) {
             mm_text(turned.lowest.z) + " mm in the file";
   }
   return text +
-         ": some are inside out; contours there that lie within others are taken for holes; "
+         ": some are inside out; contours there that lie within others are taken as holes; "
          "look at the layers with 'rind show', or repair the mesh";
 }
 

@@ -1,6 +1,6 @@
-// What can be known of a mesh from seeing each facet once, in constant memory: its extent, whether
-// it nearly is in order of height, whether its surface is closed and turned one way
-// (edge_ledger.h), where no facet stands, which corners lie outermost.
+// Facts about a mesh from one pass over its facets, in constant memory: its extent, whether the
+// facets are nearly in order of height, whether the surface is closed and oriented alike
+// (edge_ledger.h), heights without facets, the outermost corners.
 #pragma once
 
 #include <cstddef>
@@ -19,14 +19,14 @@
 
 namespace host {
 
-// Two corners at one point.
+// Two corners are the same point.
 [[nodiscard]] bool is_degenerate(const core::Triangle& triangle);
-// Three corners, and not flat: some plane crosses it.
+// True for a facet that some horizontal plane crosses: not degenerate, not horizontal.
 [[nodiscard]] bool can_be_cut(const core::Triangle& triangle);
 
 class MeshSurvey {
  public:
-  // `window` is what the gauge of order assumes.
+  // `window`: for the OrderGauge.
   explicit MeshSurvey(std::size_t window) : order_(window) {}
 
   // Returns can_be_cut().
@@ -34,17 +34,17 @@ class MeshSurvey {
 
   // Of all facets, flat ones included.
   [[nodiscard]] const MeshExtent& extent() const { return extent_; }
-  // Highest corner of those that a plane can cross; nothing: there is none.
+  // Highest corner of the facets that a plane can cross; nullopt if there are none.
   [[nodiscard]] std::optional<std::int64_t> highest_cut() const { return highest_cut_; }
-  // Two corners at one point.
+  // Facets that are degenerate.
   [[nodiscard]] std::int64_t degenerate() const { return degenerate_; }
   [[nodiscard]] bool in_order() const { return order_.in_order(); }
   [[nodiscard]] bool closed() const { return edges_.closed(); }
-  // Edges between facets that are turned over against one another; nothing: none is known.
+  // Edges between facets that are oriented differently; nullopt if none is known.
   [[nodiscard]] std::optional<EdgeLedger::Turned> turned() const { return edges_.turned(); }
 
-  // Layers between others that no facet reaches: the part goes on above them in the air. Of many
-  // narrow gaps the narrowest may be missed (kHeightGapsMax).
+  // Layers that no facet reaches although the part continues above them. If there are many narrow
+  // gaps, the narrowest may be missed (kHeightGapsMax).
   struct EmptyLayers {
     core::LayerIndex count = 0;
     core::LayerIndex first = 0;  // counted from 0
@@ -58,13 +58,13 @@ class MeshSurvey {
   };
   [[nodiscard]] Gap widest_gap();
 
-  // The facet that spans most of the height, by its highest corner.
+  // The facet that spans the most height, with its highest corner.
   struct TallFacet {
     std::int64_t span = 0;
     FacetCorner corner;
   };
   [[nodiscard]] const TallFacet& tallest() const { return tallest_; }
-  // Of facets that a plane can cross; downwards and sidewards of all.
+  // Upwards, of the facets that a plane can cross; in the other directions, of all facets.
   [[nodiscard]] const OutermostCorners& outermost() const { return outermost_; }
   [[nodiscard]] const HeightFill& fill() const { return fill_; }
 
@@ -85,17 +85,17 @@ class MeshSurvey {
   std::int64_t degenerate_ = 0;
   EdgeLedger edges_;
   OrderGauge order_;
-  std::vector<Span> spans_;  // heights of facets: the first ones apart and in order
-  std::size_t united_ = 0;   // so many of them
+  std::vector<Span> spans_;  // heights of facets; the first united_ are disjoint and in order
+  std::size_t united_ = 0;
 };
 
-// What is told of edges between facets that are turned over, in the file's own coordinates.
+// The warning about facets that are oriented differently, in the file's own coordinates.
 [[nodiscard]] std::string turned_text(const EdgeLedger::Turned& turned);
 
-// "is it in inches …?", where the size makes one think so.
+// "is it in inches …?" if the size suggests that; nullopt otherwise.
 [[nodiscard]] std::optional<std::string> unit_question(const MeshExtent& extent);
 
-// A warning where the size makes one think that the file is in another unit: "… in inches?".
+// A warning if the size suggests that the file is in another unit: "… in inches?".
 [[nodiscard]] std::optional<std::string> unit_warning(const MeshExtent& extent);
 
 }  // namespace host

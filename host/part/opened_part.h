@@ -1,4 +1,4 @@
-// A part that is ready to be sliced: what is known of it, and where its slices come from.
+// A part that is ready to be sliced: its summary and its source of slices.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@
 
 namespace host {
 
-// What is looked for in all layers of a mesh whose surface is not closed, before the first slice.
+// Whether all layers of a mesh with an open surface are checked before the first slice.
 enum class PlaneCheck {
   kNone,
   kWarn,    // layers with contours that can't be closed are a warning
@@ -25,36 +25,36 @@ enum class PlaneCheck {
 
 // How a part is to be opened.
 struct OpenOptions {
-  // For sorting a mesh. REQUIRES: >= kSortBytesMin (limits.h)
+  // Memory for sorting a mesh. REQUIRES: >= kSortBytesMin (limits.h)
   std::size_t sort_bytes = kSortBytesDefault;
-  // Triangles looked at ahead, and that may be out of order; fewer where sort_bytes holds fewer.
+  // The look-ahead, in triangles; so many may be out of order. Fewer if sort_bytes holds fewer.
   // REQUIRES: >= 2
   std::size_t reorder_triangles = kReorderTriangles;
-  // A mesh that comes through a pipe in order of height may be sliced as it comes. The begin of it
-  // is looked at; if a facet comes too late all the same, layers->next() ends with an error.
+  // A mesh from a pipe may be sliced as it arrives if its look-ahead is in order of height. A later
+  // facet that breaks the order is an error of layers->next().
   bool stream_pipes = false;
-  // Somebody says that it is in order; otherwise the look-ahead has to be so by far, since any few
-  // triangles are nearly in order.
+  // The user says that it is in order. Otherwise the look-ahead is judged more strictly, because
+  // any few triangles are nearly in order.
   bool order_is_sure = false;
   PlaneCheck plane_check = PlaneCheck::kNone;
-  // Somebody says that a mesh is meant to be as high as it is (height_check.h).
+  // The user says that the mesh's height is meant (height_check.h).
   bool tall = false;
 };
 
-// What is known of a part before its first slice. One that is sliced as it comes through a pipe is
-// known only as far as it was read: `layers` and `height` are 0 then.
+// A part's summary before its first slice. Of a pipe that is sliced as it arrives, it covers what
+// was read so far; `layers` and `height` are 0.
 struct PartSummary {
   std::string format;           // "binary STL", "ASCII CLI"
-  std::int64_t facets = 0;      // in the file; layer files have none
-  std::int64_t degenerate = 0;  // of them, two corners at one point: left out
-  // Not known of layers from a pipe before its end: an empty box, and 0.
+  std::int64_t facets = 0;      // in the file; 0 for layer files
+  std::int64_t degenerate = 0;  // facets with two equal corners: left out
+  // Empty and 0 for layers from a pipe, whose end is not known.
   core::Box box;  // on the bed
   core::Length height;
   core::LayerIndex layers = 0;
-  std::vector<std::string> warnings;  // for people: what was odd and how it was taken
+  std::vector<std::string> warnings;  // for people: what was odd and how it was treated
 };
 
-// What has been used so far; processor time of the thread that called.
+// Resources used so far. Processor time is that of the calling thread.
 struct PartCounters {
   std::int64_t peak_triangles_held = 0;  // crossing one plane
   double read_cpu_s = 0;
@@ -65,8 +65,8 @@ struct PartCounters {
 
 struct OpenedPart {
   PartSummary summary;
-  // Reads what has to be read before the first slice, and checks it; gives the whole summary.
-  // Empty: there is nothing left to read. REQUIRES: called once, before layers->next().
+  // Reads and checks what is needed before the first slice; returns the complete summary. Empty if
+  // nothing is left to read. REQUIRES: called once, before layers->next().
   std::function<core::Result<PartSummary>()> read_rest;
   std::unique_ptr<LayerSource> layers;
   std::function<PartCounters()> counters;  // valid as long as `layers`

@@ -7,7 +7,7 @@
 namespace host {
 namespace {
 
-// Grows in the direction.
+// The coordinate in that direction.
 std::int64_t reach(const core::Vertex& at, Direction direction) {
   switch (direction) {
     case Direction::kLeft:

@@ -17,7 +17,7 @@ namespace {
 
 using core::Result;
 
-// How to open the same file once more as the same kind; nothing for what can be read only once.
+// A function that opens the same file again as the same kind; empty if it can be read only once.
 template <typename Reader>
 std::function<Result<Reader>()> opener(const InputFile& file, const std::string& path,
                                        FileKind kind, Result<Reader> (*open)(FileKind, InputFile)) {
@@ -29,7 +29,7 @@ std::function<Result<Reader>()> opener(const InputFile& file, const std::string&
   };
 }
 
-// Booleans are evaluated slice by slice; without any, it is a mesh like others.
+// Booleans are evaluated slice by slice; a file without any is an ordinary mesh.
 Result<OpenedPart> open_sif(InputFile file, MeshInput input, const core::Settings& settings,
                             const OpenOptions& options) {
   Result<std::unique_ptr<ShellTree>> tree = read_sif(std::move(file));

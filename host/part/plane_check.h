@@ -1,4 +1,4 @@
-// A look at all planes of a mesh before anything moves: at which of them do contours stay open?
+// Finds the planes of a mesh with open contours, before anything moves.
 #pragma once
 
 #include "core/result.h"              // Result
@@ -12,8 +12,8 @@ struct OpenPlanes {
   core::LayerIndex first = 0;   // the lowest of them, counted from 0
 };
 
-// To the sweep's end. Errors are the sweep's; and a stop signal is one.
-// COSTS: about two thirds of slicing, nothing of offsets and roads.
+// Runs the sweep to its end. Errors: those of the sweep, and a stop signal.
+// COSTS: about two thirds of the time for slicing.
 [[nodiscard]] core::Result<OpenPlanes> check_planes(core::PlaneSweep& sweep);
 
 }  // namespace host

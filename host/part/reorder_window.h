@@ -1,9 +1,9 @@
-// Puts triangles that come nearly in order of lowest z into that order, holding a few of them.
+// Sorts triangles that arrive nearly in order of lowest z, holding a few of them.
 //
 //     push ──> ( the lowest of those held leaves ) ──> pop
 //
-// With room for K, the order comes out right exactly when no triangle has more than K before it
-// that are higher.
+// With room for K triangles, the result is in order if and only if no triangle comes after more
+// than K higher ones.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ namespace host {
 class ReorderWindow {
  public:
   ReorderWindow() = default;
-  // Begins with these.
+  // Starts with these.
   explicit ReorderWindow(std::vector<core::Triangle> triangles);
 
   void push(const core::Triangle& triangle);
@@ -31,12 +31,13 @@ class ReorderWindow {
   std::vector<core::Triangle> heap_;  // the lowest in front
 };
 
-// Tells whether a row of triangles is nearly in order, in constant memory and in one pass.
+// Decides whether a sequence of triangles is nearly in order, in one pass and in constant memory.
 //
 //     ░░░░░░░░ block ░░░░░░░░ block ░░░░░░░░ block         none lower than any that came two
 //      highest of all ─────────────────> none lower        blocks before: two blocks are K
 //
-// Says yes only where a ReorderWindow with room for K does; it may say no although one would.
+// in_order() implies that a ReorderWindow with room for K sorts the sequence; the reverse need not
+// hold.
 class OrderGauge {
  public:
   // REQUIRES: window >= 2
@@ -49,7 +50,8 @@ class OrderGauge {
  private:
   std::size_t block_;
   std::size_t in_block_ = 0;
-  // Highest of the lowest z: in this block, up to the last one's end, up to the one's before.
+  // Maxima of lowest z: in this block; up to the end of the last block; up to that of the one
+  // before.
   std::int64_t here_ = INT64_MIN, before_ = INT64_MIN, long_before_ = INT64_MIN;
   bool in_order_ = true;
 };

@@ -5,7 +5,7 @@
 namespace host {
 namespace {
 
-// Differences wrap around like unsigned numbers, so that every pair of heights has one.
+// Differences are modulo 2^64, so that every pair of heights has one.
 void put(std::int64_t from, std::int64_t to, std::string& into) {
   const std::uint64_t way = static_cast<std::uint64_t>(to) - static_cast<std::uint64_t>(from);
   std::uint64_t left = way << 1 ^ (way >> 63 != 0 ? UINT64_MAX : 0);

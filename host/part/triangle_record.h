@@ -1,8 +1,8 @@
-// A triangle as few bytes, for the sorter's temporary file.
+// A compact encoding of a triangle, for the sorter's temporary file.
 //
-// The first corner is told from the first corner of the triangle before, the other two from the
-// first: nine whole numbers, each in as many bytes as it takes (7 bits a byte, the lowest first,
-// the sign in the lowest bit). A sorted facet of make_part's vase takes 15.7
+// The first corner is stored as its difference to the first corner of the triangle before, the
+// other two as differences to the first corner: nine integers, each a zigzag varint (7 bits a byte,
+// the lowest first, the sign in the lowest bit). A sorted facet of make_part's vase takes 15.7
 // bytes, in memory 48.
 #pragma once
 

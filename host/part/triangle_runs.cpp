@@ -29,8 +29,8 @@ core::Status TriangleRuns::end_run() {
   if (core::Status written = file_.append(buffer_); !written.ok()) return written;
   buffer_.clear();
   before_ = {};
-  runs_.push_back({run_begin_, file_.size()});
-  run_begin_ = file_.size();
+  runs_.push_back({run_start_, file_.size()});
+  run_start_ = file_.size();
   return {};
 }
 
@@ -46,7 +46,7 @@ TriangleMerge::TriangleMerge(const TriangleRuns& runs, std::size_t first, std::s
   }
 }
 
-core::Status TriangleMerge::begin() {
+core::Status TriangleMerge::start() {
   for (std::size_t i = 0; i < readers_.size(); ++i) {
     const core::Result<bool> more = advance(readers_[i]);
     if (!more.ok()) return more.error();

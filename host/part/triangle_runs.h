@@ -1,4 +1,4 @@
-// Sorted runs of triangles in one unnamed file, and several of them merged into one order.
+// Sorted runs of triangles in one unnamed file, and their merging.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@ namespace host {
 // The order: by lowest z, then by corners.
 [[nodiscard]] bool lower(const core::Triangle& a, const core::Triangle& b);
 
-// One after the other into one file.
+// Writes runs one after the other into one file.
 class TriangleRuns {
  public:
   struct Run {
@@ -40,19 +40,19 @@ class TriangleRuns {
   std::size_t buffer_bytes_;
   std::string buffer_;
   core::Vertex before_;  // first corner of the last triangle of the run
-  std::int64_t run_begin_ = 0;
+  std::int64_t run_start_ = 0;
   std::vector<Run> runs_;
 };
 
-// The triangles of some runs, the lowest first.
+// Merges some of the runs: gives their triangles, the lowest first.
 class TriangleMerge {
  public:
-  // Runs `first` … `last` - 1. REQUIRES: the runs outlive it; buffer_bytes is at least a record's.
+  // Runs `first` … `last` - 1. REQUIRES: the runs outlive this; buffer_bytes holds a record.
   TriangleMerge(const TriangleRuns& runs, std::size_t first, std::size_t last,
                 std::size_t buffer_bytes);
 
-  // Before the first next().
-  [[nodiscard]] core::Status begin();
+  // REQUIRES: called once, before the first next().
+  [[nodiscard]] core::Status start();
   [[nodiscard]] core::Result<std::optional<core::Triangle>> next();
 
  private:

@@ -1,5 +1,5 @@
-// Where a print stands just before a layer: with this, and the slices around that layer, the rest
-// of the print can be computed once more, command for command, without what lies below.
+// The state of the geometry just before a layer. From this and the slices around that layer, the
+// rest of the print can be computed again, command for command, without the layers below.
 #pragma once
 
 #include <cstdint>
@@ -11,9 +11,9 @@
 namespace host {
 
 struct Checkpoint {
-  core::LayerIndex layer = 0;  // the one that comes next, counted from 0
+  core::LayerIndex layer = 0;  // the next layer, counted from 0
   core::Length bottom;         // of that layer
-  std::int64_t commands = 0;   // of the print, before the layer's first
+  std::int64_t commands = 0;   // of the print before that layer
   double filament_mm = 0;      // in roads below it
   core::MotionState motions;
   MotionEncoder::State encoder;

@@ -1,5 +1,5 @@
-// What one slice sets going on its way through the stages (ordered_stages.h): the slice itself, its
-// offsets, and the layers that it settles in the window, with what becomes of them.
+// One slice's work on its way through the stages (ordered_stages.h): the slice, its offsets, and
+// the layers that the window can split once this slice is known.
 #pragma once
 
 #include <optional>
@@ -23,14 +23,14 @@ struct SettledLayer {
 };
 
 struct LayerBatch {
-  std::optional<core::Slice> slice;  // none: the source has ended, the window is emptied
-  std::optional<core::Error> error;  // why there is none
+  std::optional<core::Slice> slice;  // nullopt: the source has ended, the window is emptied
+  std::optional<core::Error> error;  // why there is no slice
   std::optional<std::string> pause;  // why to pause before its layer
   core::OffsetCutter::Reservation offsets;
   std::int64_t offset_retries = 0;
   std::vector<SettledLayer> settled;
   StageUse use;
-  double watched_s = 0;  // in stages that are watched (layer_watch.h)
+  double watched_s = 0;  // time in the stages that layer_watch.h watches
 };
 
 }  // namespace host

@@ -1,7 +1,7 @@
-// How long layers take: the median and the worst, however many there are.
+// Median and worst of the layers' times, in constant memory.
 //
-// Times are counted in bins, each a twentieth wider than the one before, so that a median is right
-// to 5 %:
+// Times are counted in bins, each a twentieth wider than the one before, so the median is exact to
+// 5 %:
 //
 //     1 µs ├┼┼─┼─┼──┼──┼───┼───┼ … ┤ over an hour
 #pragma once
@@ -18,7 +18,7 @@ class LayerTimes {
  public:
   void add(core::LayerIndex layer, double seconds);
 
-  // 0 where no layer was counted. COSTS: O(bins).
+  // 0 if no layer was counted. COSTS: O(bins).
   [[nodiscard]] double median_ms() const;
   [[nodiscard]] double worst_ms() const { return worst_s_ * 1e3; }
   [[nodiscard]] core::LayerIndex worst_layer() const { return worst_layer_; }

@@ -12,7 +12,7 @@
 namespace host {
 namespace {
 
-// A look that comes so much later than it should: the program was stopped.
+// A check that is later than this: the program was stopped meanwhile.
 constexpr double kStoppedAfter_s = 2;
 
 }  // namespace
@@ -34,7 +34,7 @@ std::string slow_layer_text(const SlowLayer& layer) {
                      layer.layer + 1, layer.height.mm(), size, layer.seconds);
 }
 
-// A thread of the standard library has a stack of 8 MB, which limits of memory count.
+// A pthread, because a std::thread has a stack of 8 MB, which counts against memory limits.
 LayerWatch::LayerWatch(Tell tell, double limit_s) : tell_(std::move(tell)), limit_s_(limit_s) {
   pthread_attr_t attributes;
   if (::pthread_attr_init(&attributes) != 0) return;
@@ -58,7 +58,7 @@ LayerWatch::~LayerWatch() {
 
 LayerWatch::Look::Look(LayerWatch& watch, core::LayerIndex layer, core::Length height,
                        const core::Region* region, double& spent_s)
-    : watch_(watch), layer_{layer, height, {}, 0}, region_(region), spent_s_(spent_s), begin_s_(0) {
+    : watch_(watch), layer_{layer, height, {}, 0}, region_(region), spent_s_(spent_s), start_s_(0) {
   watch_.enter(*this);
 }
 
@@ -68,7 +68,7 @@ LayerWatch::Look::Look(LayerWatch& watch, core::LayerIndex layer, core::Length h
       layer_{layer, height, size, 0},
       region_(nullptr),
       spent_s_(spent_s),
-      begin_s_(0) {
+      start_s_(0) {
   watch_.enter(*this);
 }
 
@@ -83,14 +83,14 @@ double LayerWatch::running_s() const { return steady_seconds() - stopped_s_; }
 
 void LayerWatch::enter(Look& look) {
   const std::lock_guard lock(mutex_);
-  look.begin_s_ = running_s();
+  look.start_s_ = running_s();
   looks_.push_back(&look);
 }
 
 void LayerWatch::leave(Look& look) {
   const std::lock_guard lock(mutex_);
   looks_.erase(std::find(looks_.begin(), looks_.end(), &look));
-  look.spent_s_ += running_s() - look.begin_s_;
+  look.spent_s_ += running_s() - look.start_s_;
   if (!look.over_) return;
   const core::LayerIndex layer = look.layer_.layer;
   const auto same = [layer](const SlowLayer& each) { return each.layer == layer; };
@@ -101,9 +101,9 @@ void LayerWatch::leave(Look& look) {
   slow_.slowest.seconds = look.spent_s_;
 }
 
-// By the lock. Whether it is to be told.
+// Returns whether to report the layer. REQUIRES: the lock is held.
 bool LayerWatch::note(Look& look) {
-  const double seconds = look.spent_s_ + running_s() - look.begin_s_;
+  const double seconds = look.spent_s_ + running_s() - look.start_s_;
   if (look.over_ || seconds <= limit_s_) return false;
   look.over_ = true;
   look.layer_.seconds = seconds;
@@ -130,7 +130,7 @@ void LayerWatch::run() {
         if (note(*look)) to_tell.push_back(look->layer_);
       }
     } catch (const std::exception&) {
-      // No memory to note it in.
+      // No memory to note it.
     }
     if (!tell_ || to_tell.empty()) continue;
     lock.unlock();
@@ -139,7 +139,7 @@ void LayerWatch::run() {
   }
 }
 
-// Without memory to say it in, it is not said.
+// Reports nothing if there is no memory for it.
 void LayerWatch::tell(const SlowLayer& layer) const {
   try {
     tell_(layer);

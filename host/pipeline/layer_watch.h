@@ -1,12 +1,12 @@
-// Tells of layers that take long to compute while they are still being computed, so that nobody has
-// to guess why nothing moves: a thread of its own looks at what the stages are at.
+// Reports layers that take long to compute, while they are being computed, so that users see why
+// nothing moves. A thread of its own checks what the stages are working on.
 //
-//     stage ── look(layer) ───── computes ───── gone         a Look lives as long as a stage works
-//                     └── the watch looks every kWatchPeriod_s; over the limit: tell
+//     stage ── Look(layer) ───── computes ───── gone      a Look exists while a stage works
+//                     └── the thread checks every kWatchPeriod_s; over the limit: report
 //
-// It needs some memory (kWatchStackBytes); where there is none, layers are not watched.
+// The thread needs kWatchStackBytes; without that memory, layers are not watched.
 //
-// Time counts while the program runs; when it was stopped (SIGSTOP) nothing was computed.
+// Time in which the program was stopped (SIGSTOP) does not count.
 #pragma once
 
 #include <pthread.h>
@@ -40,17 +40,17 @@ struct LayerSize {
 struct SlowLayer {
   core::LayerIndex layer = 0;  // counted from 0
   core::Length height;         // of its top
-  LayerSize size;              // 0: not known yet
+  LayerSize size;              // 0 if not known yet
   double seconds = 0;          // so far
 };
 
-// "layer 12 at 2.4 mm (48000 edges, 1200 islands): has been computed for 2.1 s, and still is"
+// "layer 12, at 2.4 mm (48000 edges, 1200 islands): computing it takes long, 2.1 s so far"
 [[nodiscard]] std::string slow_layer_text(const SlowLayer& layer);
 
-// What a run met.
+// The slow layers of a run.
 struct SlowLayers {
   std::int64_t count = 0;
-  std::vector<SlowLayer> first;  // kSlowLayersTold of them, with all their seconds
+  std::vector<SlowLayer> first;  // the first kSlowLayersTold, with their whole time
   SlowLayer slowest;
 };
 
@@ -58,15 +58,14 @@ class LayerWatch {
  public:
   using Tell = std::function<void(const SlowLayer&)>;
 
-  // `tell`: called by the watch's thread, for the first kSlowLayersTold layers, once each; may be
-  // empty.
+  // `tell`: called by the thread, once for each of the first kSlowLayersTold layers; may be empty.
   explicit LayerWatch(Tell tell, double limit_s = kSlowLayer_s);
   ~LayerWatch();
   LayerWatch(const LayerWatch&) = delete;
   LayerWatch& operator=(const LayerWatch&) = delete;
 
-  // While it lives, its thread computes that layer. `spent_s` is what earlier stages took of the
-  // same work, and is added to.
+  // While it exists, the calling thread computes that layer. `spent_s`: time that earlier stages
+  // took for the layer; this stage's time is added.
   class Look {
    public:
     Look(LayerWatch& watch, core::LayerIndex layer, core::Length height, const core::Region* region,
@@ -81,9 +80,9 @@ class LayerWatch {
     friend class LayerWatch;
     LayerWatch& watch_;
     SlowLayer layer_;
-    const core::Region* region_;  // null: its size is known
+    const core::Region* region_;  // null if its size is known
     double& spent_s_;
-    double begin_s_;
+    double start_s_;
     bool over_ = false;  // the limit
   };
 
@@ -103,12 +102,12 @@ class LayerWatch {
   mutable std::mutex mutex_;  // for all below
   std::condition_variable ended_changed_;
   bool ended_ = false;
-  double stopped_s_ = 0;  // the program did not run so long
+  double stopped_s_ = 0;  // time in which the program did not run
   std::vector<Look*> looks_;
   SlowLayers slow_;
-  std::deque<core::LayerIndex> known_;  // slow ones, the latest kSlowLayersKnown
+  std::deque<core::LayerIndex> known_;  // the latest kSlowLayersKnown slow layers
   pthread_t thread_{};
-  bool watches_ = false;  // without memory for the thread nobody is told
+  bool watches_ = false;  // false: there was no memory for the thread
 };
 
 }  // namespace host

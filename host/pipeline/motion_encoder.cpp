@@ -47,7 +47,7 @@ std::optional<Command> MotionEncoder::encode_one(const core::Extrude& motion) {
   move.extruding = true;
   put_position(motion.to, move);
   if (!move.x_um && !move.y_um) {
-    // Shorter than the wire can tell: its material goes into the next move, not into a blob.
+    // Too short for the wire's unit: its filament goes into the next move, not into a blob.
     state_.filament_rest_10nm += motion.filament_mm * kFilamentUnitsPerMm;
     return std::nullopt;
   }
@@ -98,7 +98,7 @@ std::optional<Command> MotionEncoder::encode_one(const core::Verbatim& motion) {
   if (firmware_link::blank_or_comment(motion.line)) return std::nullopt;
   const auto made = firmware_link::verbatim_from(motion.line);
   RIND_CHECK(std::holds_alternative<firmware_link::Verbatim>(made));
-  // It may have moved anything.
+  // The line may have moved anything.
   state_.x_um = state_.y_um = state_.z_um = state_.f_mm_min = std::nullopt;
   return std::get<firmware_link::Verbatim>(made);
 }

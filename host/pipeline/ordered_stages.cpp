@@ -20,7 +20,7 @@ void run_in_turn(const OrderedStages& stages) {
   }
 }
 
-// The pipeline hands plain values on: a shared pointer, so that nothing is lost on an exception.
+// TBB copies values between stages: a shared pointer, so that nothing leaks on an exception.
 using Shared = std::shared_ptr<LayerBatch>;
 
 auto stage(tbb::filter_mode mode, const std::function<void(LayerBatch&)>& work) {

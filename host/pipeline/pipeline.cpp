@@ -92,7 +92,7 @@ class Pipeline {
     return {};
   }
 
-  // In order. After the last slice, empty batches until the window is empty.
+  // Called in order. After the last slice it gives empty batches until the window is empty.
   std::unique_ptr<LayerBatch> take() {
     if (window_emptied_ || stopped()) return nullptr;
     auto batch = std::make_unique<LayerBatch>();
@@ -125,14 +125,14 @@ class Pipeline {
     return {};
   }
 
-  // Whether no layer from the start on can see this slice, in millimetres or in layers.
+  // True if this slice is too far below the start to matter, in millimetres and in layers.
   [[nodiscard]] bool below_start(const core::Slice& slice) const {
     if (!job_.start) return false;
     return slice.index + core::wall_layers(settings_) < job_.start->layer &&
            slice.top() + settings_.wall_thickness <= job_.start->bottom;
   }
 
-  // A layer that was printed before, and too low to be split rightly here.
+  // True for a layer below the start: it was printed before, and can't be split correctly here.
   [[nodiscard]] bool below_start(const core::SplitLayer& split) const {
     return job_.start && split.slice.index < job_.start->layer;
   }
@@ -330,7 +330,7 @@ class Pipeline {
   double filament_before_mm_ = 0;
   core::LayerIndex layers_timed_ = 0;
   std::optional<core::Error> error_;
-  std::atomic<bool> refused_ = false;  // an output wants no more, or there was an error
+  std::atomic<bool> refused_ = false;  // an output returned false, or there was an error
 };
 
 }  // namespace

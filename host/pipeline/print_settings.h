@@ -1,5 +1,5 @@
-// Everything that a user can set about a print: what decides the G-code (core::Settings), and how
-// the G-code is sent. Units, ranges and help texts are in host/settings/settings_rows.h.
+// All settings of a print: those that decide the G-code (core::Settings), and those of the link.
+// Units, ranges and help texts are in host/settings/settings_rows.h.
 #pragma once
 
 #include <utility>
@@ -21,7 +21,7 @@ struct PrintSettings : core::Settings {
 
   // The link.
   PackUse meatpack = PackUse::kOff;
-  double wait_limit_s = 0;  // least time to wait for an answer; 0: by the command
+  double wait_limit_s = 0;  // least time to wait for an answer; 0: depends on the command
 };
 
 }  // namespace host

@@ -1,5 +1,5 @@
-// What one layer costs in one stage, measured where the work is done: processor time,
-// allocations and odd events of the thread that does it.
+// Measures what a layer costs in a stage: processor time, allocations and boolean retries of the
+// thread that does the work.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ struct StageUse {
   std::int64_t boolean_retries = 0;
 };
 
-// Adds what the calling thread uses during its own life.
+// Adds what the calling thread uses during the meter's lifetime to `use`.
 class StageMeter {
  public:
   StageMeter(Stage stage, StageUse& use)

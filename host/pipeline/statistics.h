@@ -1,4 +1,4 @@
-// What a run did and what it cost, for --stats. Plain values; nothing grows with the layers.
+// Results and costs of a run, for --stats. Plain values; none grows with the number of layers.
 #pragma once
 
 #include <array>
@@ -20,14 +20,14 @@ namespace host {
 // As in the statistics file: "outer_perimeter".
 [[nodiscard]] std::string road_kind_name(core::RoadKind kind);
 
-// PLA's; the filament's own isn't known. For weights told to people only.
+// Density of PLA: the filament's own isn't known. Only for weights in messages.
 inline constexpr double kDensityGramsMm3 = 1.24e-3;
 
 // Millimetres of filament by RoadKind.
 using FilamentUse = std::array<double, core::kRoadKindCount>;
 [[nodiscard]] double total_mm(const FilamentUse& filament);
 
-// What was mended in the mesh: how often, and at which heights (the first kDefectHeightsMax).
+// Mended defects of the mesh: how many, and at which heights (the first kDefectHeightsMax).
 class DefectLog {
  public:
   void add(const core::Slice& slice);
@@ -53,27 +53,27 @@ class DefectLog {
   std::int64_t flipped_facets_ = 0;
   std::int64_t doubled_facets_ = 0;
   std::int64_t turned_contours_ = 0;
-  // Of the first of them: a corner on the bed, and its layer's top.
+  // The first turned contour: a corner on the bed, and its layer's top.
   core::Point turned_at_;
   core::Length turned_height_;
   core::Length widest_gap_;
   std::vector<core::Length> heights_;
 };
 
-// Layers that cost a comparison, because they were like one before.
+// Layers whose results were reused, because the layer equals one before.
 struct ReuseCounts {
   std::int64_t offsets = 0;
   std::int64_t splits = 0;
   std::int64_t roads = 0;
 };
 
-// Allocations by stage, those of the first kWarmUpLayers left out: what kept memory doesn't save.
+// Allocations by stage. The first kWarmUpLayers are left out: they fill reusable buffers.
 class AllocationLog {
  public:
-  // REQUIRES: layers come by index, from 0.
+  // REQUIRES: layers are added in order, from 0.
   void add(std::int64_t layer, const StageCounts& counts);
 
-  // A layer's, in the mean; 0 before there is any.
+  // Mean of a layer; 0 before there is any.
   [[nodiscard]] double per_layer(Stage stage) const;
 
  private:
@@ -81,14 +81,14 @@ class AllocationLog {
   StageCounts counts_{};
 };
 
-// What was in memory at a time.
+// The most in memory at once.
 struct HeldCounts {
   std::int64_t layers = 0;
   std::int64_t regions = 0;    // partial intersections of the window
   std::int64_t triangles = 0;  // crossing one plane
 };
 
-// Filled by the geometry side.
+// Filled by the geometry's thread.
 struct GeometryStatistics {
   StageClock clock;
   std::int64_t layers = 0;
@@ -101,26 +101,26 @@ struct GeometryStatistics {
   std::int64_t mountain_retries = 0;   // Voronoi diagrams that failed their check
   std::int64_t boolean_retries = 0;    // operands that crossed themselves (core/booleans/boolean.h)
   std::int64_t region_operations = 0;  // of the window: intersections and subtractions
-  int region_operations_worst = 0;     // of one layer
+  int region_operations_worst = 0;     // most in one layer
   ReuseCounts reused;
-  double regularised_mm3 = 0;  // moved from loose to solid, to be printable (regularise.h)
+  double regularised_mm3 = 0;  // moved from loose to solid to be printable (regularise.h)
   LayerTimes layer_times;      // processor time
-  AllocationLog allocations;   // of the program only: tests have no hook that counts
+  AllocationLog allocations;   // only in the program: tests have no hook that counts
   double solid_mm3 = 0;        // volume of the wall, and of the inside
   double loose_mm3 = 0;
   FilamentUse filament_mm{};
   double time_s = 0;  // estimated, heating left out
-  bool ended = true;  // false: left in the middle of a layer, and nothing else here is known
+  bool ended = true;  // false: abandoned in the middle of a layer; no other value here is known
   DefectLog defects;
-  // Of a file: when the first road was handed to it. LinkStatistics has a print's.
-  std::optional<double> first_road_s;      // since the program began
+  // When the first road was written to the file. LinkStatistics has those of a print.
+  std::optional<double> first_road_s;      // since the program started
   std::optional<double> first_road_cpu_s;  // of the whole program
 };
 
-// Filled by the link's side.
+// Filled by the link's thread.
 struct LinkStatistics {
   StageClock clock;
-  std::optional<double> first_command_s;  // since the program began, when the controller said ok
+  std::optional<double> first_command_s;  // since the program started, until its ok
   std::optional<double> first_road_s;
   std::optional<double> first_road_cpu_s;  // of the whole program
   std::optional<std::int64_t> slices_cut_at_first_road;
@@ -128,17 +128,17 @@ struct LinkStatistics {
   std::int64_t stalls = 0;
   std::int64_t resends = 0;
   double resend_ratio = 0;      // of all lines
-  double planner_low_s = 0;     // the controller below half its planner for want of lines
-  std::int64_t slowdowns = 0;   // the feed was lowered, because geometry fell behind
+  double planner_low_s = 0;     // the planner was less than half full for lack of lines
+  std::int64_t slowdowns = 0;   // the feed was lowered because geometry fell behind
   std::int64_t parks = 0;       // the nozzle left the part for the same reason
-  std::int64_t recoveries = 0;  // gone on after a lost port or a reset
-  int feed_percent = 100;       // what geometry can follow
+  std::int64_t recoveries = 0;  // resumed after a lost port or a reset
+  int feed_percent = 100;       // that geometry can follow
 };
 
 // Peak of this program's resident memory so far.
 [[nodiscard]] std::int64_t peak_rss_bytes();
 
-// The statistics as JSON text; `link` is null where nothing was sent.
+// The statistics as JSON text. `link` is null if nothing was sent.
 [[nodiscard]] std::string statistics_json(const GeometryStatistics& geometry,
                                           const LinkStatistics* link);
 

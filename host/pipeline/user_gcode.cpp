@@ -48,7 +48,7 @@ core::Status check_lines(const Lines& lines, const char* setting, const Lines& a
   return {};
 }
 
-// What is set back when one of the commands was used.
+// The command that restores a mode, and the commands that change it.
 struct Restored {
   std::string_view changed_by;
   std::string_view line;
@@ -60,7 +60,7 @@ constexpr std::array kRestored = {
     Restored{"M209", "M209 S0"},
 };
 
-// What is left as the user set it, and changes the part or where it lies.
+// Commands whose effect is kept, although it changes the part or its position.
 struct Kept {
   std::string_view command;
   std::string_view effect;
@@ -80,7 +80,7 @@ constexpr std::array kKept = {
     Kept{"SET_GCODE_OFFSET", "moves the coordinates that the part is laid in"},
 };
 
-// G92 without E alone: the printer's place gets another name.
+// True for G92 with more than E: it gives the current position other coordinates.
 bool renames_place(const std::string& line) {
   const std::vector<std::string> commands = firmware_link::commands_in(line);
   if (commands.empty() || commands.front() != "G92") return false;
@@ -103,8 +103,8 @@ core::Result<Lines> allowed_commands(const std::string& text) {
     rest.remove_prefix(std::min(rest.size(), one.size() + 1));
     if (one.empty()) continue;
     const std::string command = firmware_link::canonical(one);
-    const bool begins_right = command.front() >= 'A' && command.front() <= 'Z';
-    if (!begins_right || firmware_link::command_word_size(one) != one.size()) {
+    const bool starts_right = command.front() >= 'A' && command.front() <= 'Z';
+    if (!starts_right || firmware_link::command_word_size(one) != one.size()) {
       return bad(fmt::format("allow_gcode: \"{}\" is no command; expected such as M500,M501", one));
     }
     const auto refused = firmware_link::refused_command(command);
@@ -132,8 +132,8 @@ std::vector<std::string> user_gcode_notes(const core::Settings& settings) {
     const std::string sent = firmware_link::without_comments(line);
     if (renames_place(line)) {
       note(
-          fmt::format("start_gcode: {} gives the nozzle's place another name: the part is laid in "
-                      "those coordinates",
+          fmt::format("start_gcode: {} gives the nozzle's position other coordinates: the part is "
+                      "laid in those",
                       sent));
     }
     for (const std::string& command : firmware_link::commands_in(line)) {

@@ -1,16 +1,15 @@
-// The user's own G-code, before and behind the print, between rind's own modes.
+// The user's start and end G-code, and the modes that rind sets around them.
 //
-// A print counts in millimetres, absolute places and relative filament. The user's lines may count
-// otherwise: they begin as a controller does that was just switched on, and what they leave behind
-// is set back.
+// A print uses millimetres, absolute positions and relative filament. The user's lines may use
+// other modes: they start in the modes of a controller that was just switched on, and the modes
+// that they change are restored.
 //
 //     G21 G90 M82   start G-code   G21 G90 M83 G92 E0   the print   (G92 E0)   end G-code
 //
-// Set back besides, where the start G-code changed it: the plane of arcs (G17), feeds in mm/min
-// (G94), Celsius (M149 C), filament by its length (M200 D0), retraction by rind (M209 S0). Not
-// set back is what a user has changed on purpose and what the part is printed with: offsets
-// (G92 X…, G55), factors (M220, M221), the tool (T1), limits (M203 …). user_gcode_notes() names
-// what of that changes the part.
+// Also restored, if the start G-code changed it: the plane of arcs (G17), feeds in mm/min (G94),
+// Celsius (M149 C), filament by its length (M200 D0), retraction by rind (M209 S0). Not restored,
+// because the user has changed it on purpose: offsets (G92 X…, G55), factors (M220, M221), the tool
+// (T1), limits (M203 …). user_gcode_notes() names those that change the part.
 #pragma once
 
 #include <string>
@@ -21,22 +20,22 @@
 
 namespace host {
 
-// The commands that the user allows by `allow_gcode` ("M500,M501"), in the link's spelling. An
-// error names what is no command, or is never allowed.
+// The commands that the user allows by `allow_gcode` ("M500,M501"), in the link's spelling. Errors:
+// a word that is no command; a command that is never allowed.
 [[nodiscard]] core::Result<std::vector<std::string>> allowed_commands(const std::string& text);
 
-// Whether all the user's own lines (start and end G-code) may be sent; else which one may not, and
-// why, and what to do. Asked before anything heats.
+// Error if one of the user's lines (start and end G-code) must not be sent; it says which, why, and
+// what to do. Called before anything heats.
 [[nodiscard]] core::Status check_user_gcode(const core::Settings& settings);
 
-// What the user's lines change for the whole print, a sentence each.
+// The lasting changes that the user's lines make to the print, one sentence each.
 [[nodiscard]] std::vector<std::string> user_gcode_notes(const core::Settings& settings);
 
-// What sets back what some of the user's lines changed, besides units, absolute places and relative
-// filament; empty mostly.
+// Commands that restore what these lines changed, other than units, absolute positions and relative
+// filament. Mostly empty.
 [[nodiscard]] std::vector<std::string> restored_after(const std::vector<std::string>& lines);
 
-// The same settings, with the modes in start_gcode and end_gcode.
+// The same settings, with the commands for the modes added to start_gcode and end_gcode.
 [[nodiscard]] core::Settings with_own_modes(core::Settings settings);
 
 }  // namespace host

@@ -167,7 +167,7 @@ core::Status apply_prusa(const Line& line, const std::string& name, LoadedSettin
 }
 
 // PrusaSlicer's own values where a profile is silent, and `cooling` before what it rests on.
-core::Status begin_prusa(std::vector<Line>& lines, LoadedSettings& loaded) {
+core::Status start_prusa(std::vector<Line>& lines, LoadedSettings& loaded) {
   const auto cools = [](const Line& line) { return is_prusa_cooling(line.key); };
   if (std::none_of(lines.begin(), lines.end(), cools)) return {};
   std::stable_partition(lines.begin(), lines.end(),
@@ -218,7 +218,8 @@ Result<LoadedSettings> read_settings(std::string_view text, const std::string& n
   loaded.settings = base;
   loaded.from_prusa = is_prusa_file(text, lines.value());
   if (loaded.from_prusa) {
-    if (core::Status begun = begin_prusa(lines.value(), loaded); !begun.ok()) return begun.error();
+    if (core::Status started = start_prusa(lines.value(), loaded); !started.ok())
+      return started.error();
   }
   for (const Line& line : lines.value()) {
     if (!line.section.empty() && line.section != "rind") {

@@ -16,9 +16,9 @@ namespace host {
 namespace {
 
 std::atomic<std::int64_t> g_limit = 0;    // 0: none
-std::atomic<std::int64_t> g_used = 0;     // allocated and not given back
-std::atomic<std::int64_t> g_base = 0;     // resident beside that
-std::atomic<std::int64_t> g_refused = 0;  // would have been in use with what was refused last
+std::atomic<std::int64_t> g_used = 0;     // allocated and not freed
+std::atomic<std::int64_t> g_base = 0;     // resident besides g_used
+std::atomic<std::int64_t> g_refused = 0;  // use that the last refused allocation would have led to
 
 thread_local std::int64_t t_allocations = 0;
 thread_local std::int64_t t_unsettled = 0;
@@ -32,7 +32,7 @@ std::int64_t resident_bytes() {
   return resident_pages * sysconf(_SC_PAGESIZE);
 }
 
-// Threads count by themselves at first, so that they don't wait for one another at every piece.
+// Each thread first counts for itself, so that threads don't contend at every allocation.
 void settle(std::int64_t bytes) noexcept {
   t_unsettled += bytes;
   if (std::abs(t_unsettled) < kMemoryUnsettledBytes) return;

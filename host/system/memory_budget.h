@@ -1,11 +1,12 @@
-// How much memory the program may use, so that it says what it lacks instead of being killed.
+// The program's memory limit. A program that reaches it reports what it lacks instead of being
+// killed by the system.
 //
 //     resident when the limit was set  +  what was allocated since  <=  the limit
 //
-// The program's operator new asks here (memory_hook.cpp, in the program only); what does not fit
-// throws std::bad_alloc, which the pipeline turns into an error that names the layer, the need and
-// the limit. Small pieces may go beyond it by kMemoryReserveBytes, so that the link can still bring
-// the printer to a safe end.
+// The program's operator new asks memory_allowed() (memory_hook.cpp, not in tests) and throws
+// std::bad_alloc if the answer is no. The pipeline turns that into an error with the layer, the
+// memory needed and the limit. Small allocations may exceed the limit by kMemoryReserveBytes, so
+// that the link can still stop the printer safely.
 #pragma once
 
 #include <cstddef>
@@ -14,25 +15,26 @@
 
 namespace host {
 
-// The library's allocator keeps what is freed in a heap for each thread, of which every one grows
-// to its thread's worst layer. One for two threads is enough (tower: no processor time lost).
+// Lets every two threads share one heap of the C library. With a heap for each thread, every heap
+// grows to its thread's worst layer. Measured on the tower: no processor time lost.
 // REQUIRES: called before any other thread runs; jobs >= 1
 void share_heaps(int jobs);
 
-// Counts from here on; 0: no limit.
+// Counting starts here. 0: no limit.
 void set_memory_limit(std::int64_t bytes);
 
-// From the hook: whether it may be had, and what was. Any thread; neither allocates.
+// For the hook: may so many bytes be allocated; so many were allocated; so many were freed.
+// Called by any thread. None of them allocates.
 [[nodiscard]] bool memory_allowed(std::size_t bytes) noexcept;
 void memory_taken(std::size_t bytes) noexcept;
 void memory_given_back(std::size_t bytes) noexcept;
 
-// Allocations of the calling thread since it began; 0 where no hook counts them.
+// Allocations of the calling thread since it started; 0 if no hook counts them.
 [[nodiscard]] std::int64_t thread_allocations() noexcept;
 
-// What was missing when an allocation was refused last, for people: "12.3 MB of memory are needed,
-// 10.0 MB allowed (--memory-limit)", or that the system had no more. The limit ends with this call:
-// who asks is about to end, and needs a little memory to say why.
+// Why the last allocation was refused, for people: "12.3 MB of memory are needed, 10.0 MB allowed
+// (--memory-limit)", or that the system had no more. This call removes the limit: the caller is
+// about to end and needs a little memory to say why.
 [[nodiscard]] std::string memory_refusal();
 
 }  // namespace host

@@ -1,8 +1,8 @@
-// Where the processor's time goes: seconds by stage, and each stage's worst layer.
+// Processor time by stage, in total and for each stage's worst layer.
 //
-// A thread is in one stage at a time; enter() gives the time since the last switch to the stage
-// that is left. Only the calling thread's own processor time counts, so that waiting for the
-// printer or for another program doesn't look like work.
+// A thread is in one stage at a time. enter() adds the time since the last call to the stage that
+// ends. Only the calling thread's processor time counts: waiting for the printer or for another
+// program is not counted as work.
 //
 // COSTS: enter() and end_layer() one system call each; nothing grows with the number of layers.
 #pragma once
@@ -16,7 +16,7 @@ namespace host {
 enum class Stage { kNone, kRead, kSort, kSlice, kOffset, kWindow, kRoads, kEncode, kSend };
 inline constexpr std::size_t kStageCount = 9;
 
-// As in the statistics file.
+// As in the statistics file (--stats).
 [[nodiscard]] std::string_view stage_name(Stage stage);
 
 // Processor time by Stage.
@@ -28,24 +28,24 @@ using StageSeconds = std::array<double, kStageCount>;
 
 class StageClock {
  public:
-  // REQUIRES: all calls come from one thread, the one that made the clock.
+  // REQUIRES: all calls come from the thread that made the clock.
   StageClock();
 
   void enter(Stage stage);
 
-  // What was spent since the last call counts as one layer's.
+  // Ends a layer: the time since the last call is that layer's.
   void end_layer();
 
-  // One layer's, measured elsewhere. Returns the sum, in seconds.
+  // Adds a layer's times that were measured elsewhere. Returns their sum, in seconds.
   double add_layer(const StageSeconds& seconds);
 
-  // The stage's total as it is known from elsewhere, more finely than by enter().
+  // Replaces the stage's total by one that was measured elsewhere, more finely than by enter().
   void set_seconds(Stage stage, double seconds) { total_[index(stage)] = seconds; }
 
   [[nodiscard]] double seconds(Stage stage) const { return total_[index(stage)]; }
   [[nodiscard]] double worst_layer_ms(Stage stage) const { return worst_[index(stage)] * 1e3; }
 
-  // Sums and worst cases of both, for two threads that have ended.
+  // Adds another thread's totals and takes the worse layer of both. For threads that have ended.
   void merge(const StageClock& other);
 
  private:
@@ -58,22 +58,22 @@ class StageClock {
   StageSeconds worst_{};
 };
 
-// Processor time of the calling thread, of the whole program; time that never goes back.
+// Processor time of the calling thread and of the whole program; monotonic time.
 [[nodiscard]] double thread_cpu_seconds();
 [[nodiscard]] double process_cpu_seconds();
 [[nodiscard]] double steady_seconds();
 
-// Adds the calling thread's processor time during its own life.
+// Adds the calling thread's processor time over the timer's lifetime to `seconds`.
 class CpuTimer {
  public:
-  explicit CpuTimer(double& seconds) : seconds_(seconds), begin_s_(thread_cpu_seconds()) {}
-  ~CpuTimer() { seconds_ += thread_cpu_seconds() - begin_s_; }
+  explicit CpuTimer(double& seconds) : seconds_(seconds), start_s_(thread_cpu_seconds()) {}
+  ~CpuTimer() { seconds_ += thread_cpu_seconds() - start_s_; }
   CpuTimer(const CpuTimer&) = delete;
   CpuTimer& operator=(const CpuTimer&) = delete;
 
  private:
   double& seconds_;
-  double begin_s_;
+  double start_s_;
 };
 
 }  // namespace host

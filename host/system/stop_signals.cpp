@@ -45,14 +45,14 @@ void set_timer(long milliseconds) {
   (void)::timer_settime(g_timer, 0, &when, nullptr);
 }
 
-// Nobody waits for a reader that does not read.
+// Writes only if the reader is ready: a stalled one must not block the end.
 void say(int descriptor, const Words& words) {
   pollfd ready{descriptor, POLLOUT, 0};
   if (words.size == 0 || ::poll(&ready, 1, 0) != 1 || (ready.revents & POLLOUT) == 0) return;
   (void)!::write(descriptor, words.bytes.data(), words.size);
 }
 
-// In the handler: only what may be done there.
+// Runs in the handler: async-signal-safe calls only.
 void end_program() {
   if (g_at_stake.load()) return g_timer_runs.store(false);
   if (g_shields.load() > 0 && g_has_timer.load()) return set_timer(10);
@@ -94,10 +94,10 @@ void keep(const std::string& text, Words& words) {
 
 void watch_stop_signals() {
   struct sigaction action {};
-  // One handler at a time: none is interrupted by another of them.
+  // Handlers don't interrupt one another.
   sigemptyset(&action.sa_mask);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGALRM}) sigaddset(&action.sa_mask, signal);
-  // Reads and writes of files go on; the link's waits are short by themselves.
+  // Reads and writes of files are restarted; the link's waits are short anyway.
   action.sa_flags = SA_RESTART;
   action.sa_handler = count_timer;
   sigaction(SIGALRM, &action, nullptr);
@@ -111,7 +111,7 @@ void watch_stop_signals() {
   (void)::pthread_sigmask(SIG_UNBLOCK, &alarm, nullptr);
   action.sa_handler = count_stop;
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-    // Whoever started us with a signal ignored (nohup) meant it.
+    // A signal that was ignored at the start (nohup) stays ignored.
     struct sigaction before {};
     sigaction(signal, nullptr, &before);
     if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);

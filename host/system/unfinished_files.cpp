@@ -14,35 +14,35 @@ namespace {
 
 enum State : int { kFree, kBeingSet, kSet };
 
-struct Place {
+struct Slot {
   std::atomic<int> state = kFree;
   std::array<char, PATH_MAX> path{};
 };
 
-std::array<Place, kUnfinishedFilesMax> g_places;
+std::array<Slot, kUnfinishedFilesMax> g_slots;
 static_assert(std::atomic<int>::is_always_lock_free, "a signal handler may not wait for a lock");
 
 }  // namespace
 
 UnfinishedFile::UnfinishedFile(const std::string& path) {
   if (path.size() >= PATH_MAX) return;
-  for (std::size_t i = 0; i < g_places.size(); ++i) {
+  for (std::size_t i = 0; i < g_slots.size(); ++i) {
     int free = kFree;
-    if (!g_places[i].state.compare_exchange_strong(free, kBeingSet)) continue;
-    std::copy_n(path.c_str(), path.size() + 1, g_places[i].path.begin());
-    g_places[i].state.store(kSet);
-    place_ = static_cast<int>(i);
+    if (!g_slots[i].state.compare_exchange_strong(free, kBeingSet)) continue;
+    std::copy_n(path.c_str(), path.size() + 1, g_slots[i].path.begin());
+    g_slots[i].state.store(kSet);
+    slot_ = static_cast<int>(i);
     return;
   }
 }
 
 UnfinishedFile::~UnfinishedFile() {
-  if (place_ >= 0) g_places[static_cast<std::size_t>(place_)].state.store(kFree);
+  if (slot_ >= 0) g_slots[static_cast<std::size_t>(slot_)].state.store(kFree);
 }
 
 void remove_unfinished_files() {
-  for (const Place& place : g_places) {
-    if (place.state.load() == kSet) (void)::unlink(place.path.data());
+  for (const Slot& slot : g_slots) {
+    if (slot.state.load() == kSet) (void)::unlink(slot.path.data());
   }
 }
 

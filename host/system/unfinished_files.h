@@ -1,13 +1,13 @@
-// Temporary names that have to go when the program ends in the middle: a signal's handler may take
-// them away, so they are kept where it can read them.
+// Names of temporary files, kept where a signal handler can read them: it deletes the files if it
+// ends the program.
 #pragma once
 
 #include <string>
 
 namespace host {
 
-// One name, as long as the object lives. With all places taken, or a name that is too long, it is
-// not remembered.
+// Remembers one name while the object exists. A name is not remembered if it is too long or if
+// kUnfinishedFilesMax are remembered already.
 class UnfinishedFile {
  public:
   explicit UnfinishedFile(const std::string& path);
@@ -16,10 +16,10 @@ class UnfinishedFile {
   UnfinishedFile& operator=(const UnfinishedFile&) = delete;
 
  private:
-  int place_ = -1;
+  int slot_ = -1;
 };
 
-// Deletes all that are remembered. Safe in a signal's handler.
+// Deletes all remembered files. Safe in a signal handler.
 void remove_unfinished_files();
 
 }  // namespace host

@@ -1,5 +1,5 @@
-// The program's version. It stands in CMakeLists.txt (project); the commit is added by each build
-// (tools/version.cmake), so that two builds differ: "0.1.0+1a2b3c4".
+// The program's version, "0.1.0+1a2b3c4": the number from CMakeLists.txt (project), and the commit,
+// which each build adds (tools/version.cmake).
 #pragma once
 
 namespace host {

@@ -1,4 +1,4 @@
-// What one thread has to say to people, handed to the thread that talks to them.
+// Passes warnings from one thread to the thread that shows messages.
 #pragma once
 
 #include <mutex>
@@ -12,7 +12,7 @@ namespace host {
 
 class WarningBox {
  public:
-  // What does not fit is counted and told as a number.
+  // Keeps kWarningsHeldMax warnings; further ones are only counted ("and 3 more").
   void put(std::string warning) {
     const std::lock_guard lock(mutex_);
     if (warnings_.size() < kWarningsHeldMax) {
@@ -22,7 +22,7 @@ class WarningBox {
     }
   }
 
-  // All that came since the last call.
+  // All warnings since the last call.
   [[nodiscard]] std::vector<std::string> take() {
     const std::lock_guard lock(mutex_);
     if (left_out_ > 0) warnings_.push_back("and " + std::to_string(left_out_) + " more");

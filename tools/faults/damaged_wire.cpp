@@ -40,7 +40,7 @@ bool DamagedWire::happens(double probability) {
   return true;
 }
 
-void DamagedWire::begin_line(Instant now) {
+void DamagedWire::start_line(Instant now) {
   cutting_ = cut_next_line_ && now == flipped_at_;
   cut_next_line_ = false;
   if (happens(damage_.insert_line)) held_ += kNonsense[random_.below(std::size(kNonsense))];
@@ -53,7 +53,7 @@ void DamagedWire::begin_line(Instant now) {
 }
 
 void DamagedWire::carry_byte(char c, Instant now) {
-  if (line_.empty()) begin_line(now);
+  if (line_.empty()) start_line(now);
   ++since_;
   if (line_.size() < kLineKeptMax) line_.push_back(c);
   if (cutting_) {

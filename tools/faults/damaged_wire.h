@@ -74,7 +74,7 @@ class DamagedWire {
  private:
   [[nodiscard]] bool happens(double probability);
   void carry_byte(char c, Instant now);
-  void begin_line(Instant now);
+  void start_line(Instant now);
 
   WireDamage damage_;
   SplitMix random_;

@@ -64,7 +64,7 @@ Drawn draw_block(const Settings& settings, double width_mm, int layers,
       {core::RoadKind::kSkirt, Length::from_mm(0.4), false, {{-9'000, 0}, {-9'000, 90'000}}}};
   Drawn drawn;
   drawn.shows_roads = picture.shows_roads();
-  drawn.svg = picture.begin();
+  drawn.svg = picture.start();
   const auto draw = [&] {
     while (window.next()) {
       const std::string piece = picture.layer(window);
