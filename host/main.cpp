@@ -1,4 +1,4 @@
-// Arguments in, exit code out; the rest is in commands/.
+// Reads the command line and runs a command (commands/).
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -41,8 +41,8 @@ int run(const host::Options& options, host::Reporter& reporter) {
   return host::kExitUsage;
 }
 
-// A program may be started without standard input, output or error; the first files it opened would
-// take their numbers then, and be written to instead. Nothing can be written to what stands in.
+// Opens standard input, output and error if they are closed: the first files opened would get their
+// numbers otherwise and be written to. The substitutes can't be written to.
 void take_standard_descriptors() {
   int descriptor = -1;
   do {
@@ -91,7 +91,7 @@ int main(int argc, char** argv) {
                    host::kExitBadInput);
     return host::kExitBadInput;
   } catch (const std::exception& error) {
-    // A library's surprise.
+    // An unexpected exception of a library.
     reporter.error(std::string("gave up: ") + error.what(), host::kExitBadInput);
     return host::kExitBadInput;
   }

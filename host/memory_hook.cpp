@@ -1,4 +1,4 @@
-// The program's own operator new and delete: as the library's, and they count (memory_budget.h).
+// The program's own operator new and delete, which count memory (memory_budget.h).
 #include <malloc.h>
 
 #include <cstdlib>

@@ -1,16 +1,16 @@
-// Measures the kernels beside Clipper 6.4.2 and Boost.Polygon on the same slices: offsets at one
-// depth and at three, intersection and difference of neighbouring slices' inner offsets.
+// Measures rind's kernels, Clipper 6.4.2 and Boost.Polygon on the same slices: offsets at one depth
+// and at three, intersection and difference of the inner offsets of neighbouring slices.
 //
-//     bench_kernels                        made-up contours, and slices of vase, lattice and screw
-//     bench_kernels benchy.3mf other.stl   of parts in files as well; --only-files: of them alone
-//     bench_kernels --only lattice         samples whose names say that
-//     bench_kernels --depths 0.2,-0.45     mm; negative ones are outwards, and without booleans
-//     bench_kernels --boost                Boost.Polygon, too, which takes its time
+//     bench_kernels                        synthetic contours; slices of vase, lattice and screw
+//     bench_kernels benchy.3mf other.stl   slices of files, too; --only-files: only these
+//     bench_kernels --only lattice         only samples with this in their names
+//     bench_kernels --depths 0.2,-0.45     mm; negative depths are outwards, without booleans
+//     bench_kernels --boost                Boost.Polygon, too, which is slow
 //
-// Processor time of this thread, medians of --benchmark_repetitions (9) that alternate with those
-// of the others, so that all see the same machine. Ratios say how many times faster ours is:
-// `arcs` leaves arcs as arcs, as the program's perimeters do; `chords` makes polygons of them with
-// Clipper's tolerance, as Clipper does. Other options of Google Benchmark are taken, too.
+// Times are processor times of this thread, medians of --benchmark_repetitions (9). The repetitions
+// of all libraries alternate, so that all run under the same conditions. Ratios say how many times
+// faster rind is. `arcs` keeps arcs, as the program's perimeters do; `chords` makes polygons of
+// them with Clipper's tolerance, as Clipper does. Other options of Google Benchmark work, too.
 #include <benchmark/benchmark.h>
 #include <fmt/core.h>
 
@@ -43,7 +43,7 @@ using samples::SlicePair;
 
 const Length kTolerance = Length::from_units(25);
 
-// What is asked of ours.
+// The offsets of rind that are measured.
 constexpr double kOffsetRatioMin = 5;
 constexpr double kBooleanRatioMin = 3;
 constexpr double kThreeDepthsMax = 2;
@@ -69,7 +69,7 @@ class Medians : public benchmark::BenchmarkReporter {
           run.GetAdjustedCPUTime() / benchmark::GetTimeUnitMultiplier(run.time_unit);
     }
   }
-  // Not a number where a filter left it out.
+  // NaN if a filter excluded it.
   [[nodiscard]] double operator[](const std::string& name) const {
     const auto found = seconds_.find(name);
     return found != seconds_.end() ? found->second : std::nan("");
@@ -111,7 +111,7 @@ void add_offsets(const std::string& name, const Sample& sample, double depth_mm,
       benchmark::DoNotOptimize(out.data());
     }
   });
-  // One for all, as a thread of the program has.
+  // One for all calls, as in a thread of the program.
   static core::PolygonOffsetter offsetter;
   const auto ours = [&sample](const std::vector<Length>& depths, bool chords) {
     static std::vector<OffsetContours> out;
@@ -162,7 +162,7 @@ void add_boolean(const std::string& name, const Sample& inner, ClipperLib::ClipT
   if (reference != nullptr) add(name + "Boost", [=] { each(reference); });
 }
 
-// The sample's inner offsets; nothing where one of a pair is empty.
+// The sample's inner offsets, without pairs of which one is empty.
 Sample inner_offsets(const Sample& sample, double depth_mm) {
   core::PolygonOffsetter offsetter;
   const auto inner = [&](const Region& region) {
@@ -178,7 +178,7 @@ Sample inner_offsets(const Sample& sample, double depth_mm) {
   return result;
 }
 
-// One line of the tables, and what was measured for it.
+// A line of the tables, with its measurements.
 struct Row {
   const Sample* sample;
   double depth_mm;
@@ -199,7 +199,7 @@ void register_row(const Row& row, bool boost) {
               boost ? reference::subtract : nullptr);
 }
 
-// The worst of a ratio, and where.
+// The worst ratio and its sample.
 struct Bound {
   std::string what;
   double limit;
@@ -290,7 +290,7 @@ std::vector<Sample> chosen_samples(const Choices& choices) {
   return all;
 }
 
-// Google Benchmark takes its own options out of these.
+// Google Benchmark removes its own options from these.
 void start_benchmark(int& argc, char** argv) {
   static std::vector<std::string> defaults = {
       "--benchmark_repetitions=9", "--benchmark_min_time=0.02",

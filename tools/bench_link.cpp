@@ -1,10 +1,10 @@
-// How fast a host's lines reach a controller, and whether the planner starves: rind's session and
+// Measures how fast a host's lines reach a controller, and planner underruns: rind's session and
 // Debian's printcore, each over a pseudo-terminal to the same virtual controller, in real time.
 //
 //     tools/bench_link                both, on a wire of 250000 baud with 1 ms latency, and a
 //                                     circle of 0.2 mm segments at 60 mm/s over 115200 baud
 //
-// printcore is Debian's package printrun; without it only rind is measured, and said so.
+// printcore is in Debian's package printrun; without it, only rind is measured, with a message.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
@@ -40,8 +40,7 @@ namespace {
 using namespace firmware_link;
 using namespace std::chrono_literals;
 
-// What an ATmega2560 spends on a short move, so that the wire is what limits
-// (firmware_link/README.md).
+// Time of an ATmega2560 for a short move: less than the wire's (firmware_link/README.md).
 constexpr Duration kCommandCost = 250us;
 constexpr Duration kLatency = 1ms;
 
@@ -218,14 +217,14 @@ Result measure(std::int64_t baud, const std::vector<Command>& commands, std::siz
   return result;
 }
 
-// The way to the begin is not measured.
+// The move to the start point is not measured.
 void add_start(std::vector<Command>& commands) {
   for (const char* line : {"M83", "G0 X130 Y100 F12000", "M400"}) {
     commands.emplace_back(std::get<Verbatim>(verbatim_from(line)));
   }
 }
 
-// Moves too short to become blocks: only the link counts.
+// Moves too short to become blocks, so that only the link is measured.
 std::vector<Command> short_moves(std::size_t count) {
   std::vector<Command> commands;
   add_start(commands);

@@ -22,7 +22,7 @@ void list(std::ostream& out) {
   }
 }
 
-// Into a pipe the first facet goes at once, without the count that stands before it in a file.
+// A pipe gets the first facet at once, so the count before it is 0; a file gets the right count.
 void write(const parts::Part& part, bool ascii, bool pipe, std::ostream& out) {
   if (ascii) {
     parts::write_ascii_stl(part, out);

@@ -7,7 +7,7 @@ build_packages=(
   nlohmann-json3-dev libfast-float-dev libexpat1-dev libzip-dev libtbb-dev
 )
 
-# Clipper and printrun judge our work; qemu, with a kernel that test_uart fetches, has a real UART.
+# Clipper and printrun are compared with rind; qemu runs the kernel of test_uart, with a real UART.
 test_packages=(
   clang doctest-dev libbenchmark-dev libpolyclipping-dev python3 printrun-common
   qemu-system-x86 busybox-static cpio
@@ -37,7 +37,7 @@ install_missing() {
   run_apt_get install -y --no-install-recommends "${missing[@]}"
 }
 
-# The compiler cache finds a file again in another folder, and with a precompiled header.
+# Lets the compiler cache work across folders and with precompiled headers.
 export CCACHE_BASEDIR=${CCACHE_BASEDIR:-$PWD}
 export CCACHE_NOHASHDIR=1
 export CCACHE_SLOPPINESS=pch_defines,time_macros

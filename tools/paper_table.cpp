@@ -1,22 +1,21 @@
-// Builds the two test parts of DETC2000/DAC-14285 (figures 15 and 17) in the paper's three styles
-// and prints time and material beside the paper's own.
+// Plans the two test parts of DETC2000/DAC-14285 (figures 15 and 17) in the paper's three styles,
+// and prints time and material beside the paper's figures.
 //
 //     paper_table [--loose-density SHARE]
 //
-// The paper gives neither dimensions nor settings. What is taken here:
+// The paper gives neither dimensions nor settings. Assumed here:
 //
 //     pyramid   100 × 60 mm, 8 mm high, its right face rises at 5.2°. Chosen because its volume,
-//               16.0 cm³, is what the paper's 252 in of filament hold (15.9 cm³)
+//               16.0 cm³, is that of the paper's 252 in of filament (15.9 cm³)
 //     screw     44 mm across, thread 6 mm, flanks at 25.6°, 48 mm long, without a head. Its volume
-//               is what 872 in hold (55 cm³); how thick it was is not known, and the second table
-//               has slimmer ones of the same volume
-//     machine   an FDM 1650's: layers of 0.254 mm (0.010 in), roads of 0.508 mm (0.020 in),
-//               filament of 1.778 mm (0.070 in); every road at 20 mm/s, which comes near the
-//               paper's rate
+//               is that of 872 in of filament (55 cm³). Its thickness is not known; the second
+//               table has slimmer screws of the same volume
+//     machine   an FDM 1650: layers of 0.254 mm (0.010 in), roads of 0.508 mm (0.020 in), filament
+//               of 1.778 mm (0.070 in); every road at 20 mm/s, which is close to the paper's rate
 //     wall      the paper's cylinder, T layers, one perimeter
 //
 // The density of the paper's loose fill is not known either. The second table shows how the ratios
-// move with the dimensions: dense over thin-walled, the larger the part the more there is to save.
+// of dense to thin-wall depend on the dimensions: larger parts save more.
 #include <fmt/core.h>
 #include <unistd.h>
 
@@ -48,7 +47,7 @@ struct Cost {
   double inches = 0;  // of filament
 };
 
-// What the paper measured; it has no figures for the fast style but "no slices found".
+// The paper's measurements. For the fast style it only says "no slices found".
 struct PaperPart {
   std::string name;
   parts::Part part;
@@ -92,7 +91,7 @@ core::Settings machine(int wall_layers, BuildStyle style, double loose_density) 
   std::exit(1);
 }
 
-// A file for one part, gone with the object.
+// A file for one part, deleted with the object.
 class PartOnDisk {
  public:
   explicit PartOnDisk(const parts::Part& part) {

@@ -1,5 +1,5 @@
-"""The slicers that benches measure rind against, set alike: 60 mm/s, layers of 0.2 mm, roads of
-0.45 mm, three perimeters, an inside of 20 %, no skirt."""
+"""The slicers that benches compare with rind, with the same settings: 60 mm/s, layers of 0.2 mm,
+roads of 0.45 mm, three perimeters, an inside of 20 %, no skirt."""
 import os
 import shutil
 
@@ -32,7 +32,7 @@ def cura_definition():
 
 
 def command(program, build, part, folder, solid_layers=3):
-    """What slices the part into a file of the folder, which is there."""
+    """The command that slices the part into a file in the folder, which must exist."""
     out = folder + '/out.gcode'
     if program == 'rind':
         return [build + '/rind', 'slice', part, '-o', out, '--quiet', '--wall-thickness',

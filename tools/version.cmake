@@ -1,5 +1,5 @@
-# Writes OUT, the program's version as C++, when it is another than what stands there: NUMBER, and the
-# commit where SOURCES is a git checkout, "-changed" where it was edited since.
+# Writes the program's version as C++ into OUT, if it has changed: NUMBER, then the commit if SOURCES
+# is a git checkout, then "-changed" if it was edited since.
 set(text "${NUMBER}")
 find_package(Git QUIET)
 if(GIT_FOUND AND EXISTS ${SOURCES}/.git)

@@ -1,11 +1,11 @@
-// Serves the virtual controller to any host program: on a pseudo-terminal, a unix socket or TCP.
+// Offers the virtual controller to any host program: on a pseudo-terminal, a unix socket or TCP.
 //
 //     tools/virtual_controller --link /tmp/printer &      prints the pseudo-terminal's path
 //     rind print part.stl --port /tmp/printer
-//     tools/virtual_controller --list-scenarios            what can go wrong, by name
+//     tools/virtual_controller --list-scenarios            faults that it can simulate, by name
 //     tools/virtual_controller --scenario lost-ok --seed 7 --listen 127.0.0.1:8888
 //
-// It powers up when a host opens the port, as a board does that DTR resets.
+// It starts when a host opens the port, like a board that DTR resets.
 #include <arpa/inet.h>
 #include <fcntl.h>
 #include <netinet/in.h>
@@ -67,7 +67,7 @@ Instant clock_now() {
   std::exit(1);
 }
 
-// Where hosts come in: a pseudo-terminal is one file for ever, a socket gives one a host.
+// Where hosts connect: a pseudo-terminal is always the same file, a socket gives one for each host.
 class Entrance {
  public:
   explicit Entrance(const Options& options) : options_(options) {
@@ -89,7 +89,7 @@ class Entrance {
   Entrance(const Entrance&) = delete;
   Entrance& operator=(const Entrance&) = delete;
 
-  // Waits for a host and returns the file to talk to it; -1 when asked to stop.
+  // Waits for a host and returns the file to talk to it; -1 after a stop signal.
   int wait_for_host() {
     while (stop_asked == 0) {
       pollfd wait{};
@@ -97,7 +97,7 @@ class Entrance {
       wait.events = terminal_ ? POLLOUT : POLLIN;
       (void)::poll(&wait, 1, 50);
       if (terminal_) {
-        // A pseudo-terminal that nobody holds open reports a hang-up.
+        // A pseudo-terminal that no host has open reports a hang-up.
         if ((wait.revents & POLLHUP) == 0) return file_;
         ::usleep(20'000);
       } else if ((wait.revents & POLLIN) != 0) {
@@ -118,8 +118,8 @@ class Entrance {
     file_ = ::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
     if (file_ < 0 || ::grantpt(file_) != 0 || ::unlockpt(file_) != 0) fail("no pseudo-terminal");
     const std::string path = ::ptsname(file_);
-    // Opened and closed once, raw, so that the hang-up is reported until a host comes and nothing
-    // is echoed to us before it has set the terminal up.
+    // Opened once in raw mode and closed again, so that the hang-up is reported until a host comes,
+    // and so that nothing is echoed before the host has set up the terminal.
     const int slave = ::open(path.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
     if (slave < 0) fail(path);
     termios settings{};
@@ -177,7 +177,7 @@ class Entrance {
   bool terminal_ = false;
 };
 
-// Talks to one host until it hangs up; false when asked to stop.
+// Talks to one host until it hangs up; false after a stop signal.
 class Conversation {
  public:
   Conversation(int host, const Options& options, const Scenario& scenario,
@@ -187,7 +187,7 @@ class Conversation {
         origin_(clock_now()),
         controller_(scenario, options.seed, controller, options.within_lines, simulated_now()) {}
 
-  // Another host comes to the same controller, which has lived on; what it said meanwhile is lost.
+  // The next host finds the same controller, still running; its output in between is lost.
   void talk_to(int host) {
     host_ = host;
     begin_ = end_ = 0;
@@ -197,7 +197,7 @@ class Conversation {
 
   bool run() {
     while (stop_asked == 0) {
-      // A host that is unplugged sees a hang-up; it may come back to a controller that has reset.
+      // An unplugged host sees a hang-up; when it comes back, the controller may have reset.
       if (!controller_.plugged(simulated_now())) return true;
       if (!write_answers() || !read_lines()) return true;
     }
@@ -230,7 +230,7 @@ class Conversation {
     pollfd wait{};
     wait.fd = host_;
     wait.events = POLLIN;
-    // The controller's own events are at hand soon enough at a millisecond.
+    // A millisecond is often enough for the controller's own events.
     const bool busy = controller_.owes_answer() || begin_ != end_;
     if (::poll(&wait, 1, busy ? 1 : 20) <= 0) return true;
     if ((wait.revents & POLLIN) != 0) {
@@ -276,7 +276,7 @@ void list_scenarios() {
   }
 }
 
-// Host after host, until asked to stop.
+// Serves one host after the other, until a stop signal.
 void serve(const Options& options, const Scenario& scenario,
            const VirtualControllerOptions& controller, std::ofstream& log) {
   Entrance entrance(options);

@@ -1,5 +1,5 @@
-// The subcommands, one file each, and what they begin with in common. Each returns the exit code,
-// having told the user all there is to tell.
+// The subcommands, one in each file, and their common start. Each shows its own messages and
+// returns the exit code.
 #pragma once
 
 #include <string>

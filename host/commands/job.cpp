@@ -37,13 +37,13 @@ core::Result<Job> open_job(const Options& options, Reporter& reporter) {
   open.stream_pipes = options.part.sorted == PipeSorted::kYes ||
                       (options.part.sorted == PipeSorted::kAuto && sliced);
   open.order_is_sure = options.part.sorted == PipeSorted::kYes;
-  // What is resumed was asked about when it began.
+  // The height was confirmed when the print was started.
   open.tall = options.part.tall || options.subcommand == Subcommand::kResume;
   OnBadLayer on_bad_layer = options.part.on_bad_layer;
   if (on_bad_layer == OnBadLayer::kPause && !prints) on_bad_layer = OnBadLayer::kStop;
   const bool ends = on_bad_layer == OnBadLayer::kStop;
   if (prints) open.plane_check = ends ? PlaneCheck::kRefuse : PlaneCheck::kWarn;
-  // A print reads the rest with its heaters on already.
+  // A print reads the rest of the part while it heats.
   core::Result<OpenedPart> part = prints
                                       ? open_part(options.part.path, settings.value(), open)
                                       : open_whole_part(options.part.path, settings.value(), open);
@@ -66,7 +66,7 @@ void report_defects(const DefectLog& defects, Reporter& reporter) {
 int save_statistics(const Options& options, const GeometryStatistics& geometry,
                     const LinkStatistics* link, int exit_code, Reporter& reporter) {
   if (options.stats.empty()) return exit_code;
-  // Much may have come to be at that name since the command began.
+  // The file at that name may have changed since the command was started.
   core::Status status = check_output_names(options);
   if (status.ok()) status = write_output(options.stats, statistics_json(geometry, link));
   if (status.ok()) return exit_code;
@@ -94,12 +94,12 @@ int stopped(const Options& options, Reporter& reporter) {
 
 std::string stopped_message(const Options& options) {
   if (options.output.path.empty()) return "stopped";
-  if (options.output.path == "-") return "stopped; what was written is not whole";
+  if (options.output.path == "-") return "stopped; the output is not complete";
   return "stopped; " + options.output.path + " is not written";
 }
 
 int fail(const core::Error& error, Reporter& reporter) {
-  // What fails after a stop signal fails because of it.
+  // An error after a stop signal is caused by it.
   if (stop_signal_count() > 0) {
     reporter.error("stopped", kExitStopped);
     return kExitStopped;

@@ -58,7 +58,7 @@ std::optional<FileIdentity> input_identity(const Named& input) {
   return input.path == "-" ? identity_of(STDIN_FILENO) : identity_of(input.path);
 }
 
-// An output that is a file, or will be one.
+// An output to a file.
 struct Claim {
   std::string what;
   OutputTarget target;
@@ -71,7 +71,7 @@ bool same_file(const OutputTarget& a, const OutputTarget& b) {
   return a.folder_identity == b.folder_identity && a.name == b.name;
 }
 
-// Standard output has been opened by the shell, and may be a file, too.
+// The shell may have redirected standard output to a file.
 Status check_standard_output(const std::vector<Named>& inputs, const std::vector<Claim>& claims) {
   struct stat status {};
   if (::fstat(STDOUT_FILENO, &status) != 0 || !S_ISREG(status.st_mode)) return {};
@@ -89,7 +89,7 @@ Status check_standard_output(const std::vector<Named>& inputs, const std::vector
   return {};
 }
 
-// What a file is that this output may replace; nothing: text only.
+// The kind of file that this output may replace; nullopt: only text.
 std::optional<FileKind> own_kind(const Options& options, const std::string& what) {
   if (what != "--output") return std::nullopt;
   if (options.subcommand == Subcommand::kShow) return FileKind::kSvg;
@@ -110,7 +110,7 @@ std::optional<FileKind> own_kind(const Options& options, const std::string& what
   return std::nullopt;
 }
 
-// ASCII STL is the kind of all text that is no other; this one has its words.
+// Unknown text counts as ASCII STL; true if the text has the words of STL.
 bool starts_like_stl(std::string bytes) {
   for (char& c : bytes) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
   const std::size_t begin = bytes.find_first_not_of(" \t\r\n");
@@ -118,7 +118,7 @@ bool starts_like_stl(std::string bytes) {
          bytes.find("facet") != std::string::npos;
 }
 
-// Whether the name says that this output belongs there.
+// True if the name has this output's ending.
 bool named_so(const Options& options, const Claim& claim) {
   if (claim.what == "--stats") return claim.target.name.ends_with(".json");
   if (claim.what != "--output") return false;
@@ -128,7 +128,8 @@ bool named_so(const Options& options, const Claim& claim) {
   return named == options.output.format || (cli && named == OutputFormat::kCli);
 }
 
-// Of text that is no part: G-code's first word or comment, JSON, a log's first time.
+// True if text that is no part looks like this output: G-code's first word or comment, JSON, a
+// log's first time.
 bool is_alike(const Options& options, const std::string& text, const std::string& what) {
   const std::size_t begin = text.find_first_not_of(" \t\r\n");
   if (begin == std::string::npos) return true;
@@ -154,7 +155,7 @@ Status check_content(const Options& options, const Claim& claim) {
   }
   Result<InputFile> opened = InputFile::open(claim.target.path);
   if (!opened.ok()) {
-    return refused(claim.target.path, "there is a file that can't be looked at, so " + claim.what +
+    return refused(claim.target.path, "there is a file that can't be read, so " + claim.what +
                                           " does not replace it; name another one");
   }
   const Result<std::string_view> looked = opened.value().window(kLookBytesMax);
@@ -167,15 +168,15 @@ Status check_content(const Options& options, const Claim& claim) {
   const bool plain = text && kind.ok() && kind.value() == FileKind::kStl && !starts_like_stl(bytes);
   if (plain && (named_so(options, claim) || is_alike(options, bytes, claim.what))) return {};
   return refused(claim.target.path,
-                 "this file holds something else than what " + claim.what +
-                     " writes, so it is not replaced; name another file, or delete this one first");
+                 "this file is no earlier output of " + claim.what +
+                     ", so it is not replaced; name another file, or delete this one first");
 }
 
 Status check_against_inputs(const Claim& claim, const std::vector<Named>& inputs) {
   if (claim.target.kind == OutputTarget::Kind::kNew) return {};
   for (const Named& input : inputs) {
     const bool same = input_identity(input) == claim.target.file;
-    // The terminal, or /dev/null, may be both.
+    // The terminal and /dev/null may be named twice.
     if (!same ||
         (claim.target.kind == OutputTarget::Kind::kStream && !claim.target.standard_output)) {
       continue;

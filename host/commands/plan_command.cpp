@@ -65,8 +65,7 @@ std::string table(const Options& options, const Job& job, const GeometryStatisti
                    100 * used / total);
   }
   if (statistics.regularised_mm3 > 0) {
-    fmt::format_to(out,
-                   "  of it {:.2f} g in the wall only because the inside was too narrow there\n",
+    fmt::format_to(out, "  of it {:.2f} g solid only because the inside was too narrow there\n",
                    statistics.regularised_mm3 * kDensityGramsMm3);
   }
   fmt::format_to(out, "time       about {}, without heating up ({})\n",
@@ -98,7 +97,7 @@ int plan_command(const Options& options, Reporter& reporter) {
     reporter.progress(report, now);
     return true;
   };
-  // Nothing is done with them, but they are timed and counted.
+  // Motions are only timed and counted.
   outputs.on_motion = [](const auto&, const auto&) { return stop_signal_count() == 0; };
   PipelineSignals signals;
   signals.stop_asked = [] { return stop_signal_count() > 0; };

@@ -24,7 +24,7 @@ std::string json_of(const std::vector<SettingRow>& rows) {
   return json.dump(2) + "\n";
 }
 
-// The output is a profile that says what holds now.
+// The table is a valid profile with the current values.
 std::string table_of(const std::vector<SettingRow>& rows) {
   std::string text = "# rind's settings; this text is itself a profile\n";
   for (const SettingRow& row : rows) {

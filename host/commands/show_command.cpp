@@ -22,7 +22,7 @@
 namespace host {
 namespace {
 
-// The layer's neighbours are waited for: they say why its wall is where it is.
+// Waits for the layer's neighbours, which decide where its wall is.
 int show_layer(const Options& options, Job& job, OutputFile& file, Reporter& reporter) {
   const core::LayerIndex layers = job.part.summary.layers;
   const auto no_such_layer = [&](core::LayerIndex highest) {
@@ -31,7 +31,7 @@ int show_layer(const Options& options, Job& job, OutputFile& file, Reporter& rep
                              options.output.layer, highest)},
                 reporter);
   };
-  // How many there are is not always known before the end.
+  // The number of layers is not always known before the end.
   if (layers > 0 && options.output.layer > layers) return no_such_layer(layers);
   std::string svg;
   std::vector<core::Road> roads_there;
@@ -74,7 +74,7 @@ int show_layer(const Options& options, Job& job, OutputFile& file, Reporter& rep
   return save_statistics(options, statistics, nullptr, kExitDone, reporter);
 }
 
-// The plane that was asked for, on the bed; an error where it misses the part.
+// The requested plane, in bed coordinates; an error if it misses the part.
 core::Result<core::SectionLine> line_through(const SectionPlace& place, const core::Box& box,
                                              const std::string& part) {
   if (box.empty()) {
@@ -94,13 +94,13 @@ core::Result<core::SectionLine> line_through(const SectionPlace& place, const co
                                    "to {:g} mm; {}=50% is its middle",
                                    part, place.axis, mm, size_mm, place.axis)};
   }
-  // The line runs half a unit above `at`, and so stays inside at the far side too.
+  // The line is half a unit above `at`, so it is inside even at the far side.
   const std::int64_t at = std::min(low + core::Length::from_mm(mm).units(), high - 1);
   return core::SectionLine{across_y ? core::SectionLine::Across::kY : core::SectionLine::Across::kX,
                            core::Length::from_units(at)};
 }
 
-// The square that was asked for; an error where it misses the part.
+// The requested square; an error if it misses the part.
 core::Result<SectionPicture::View> view_of(const SectionZoom& zoom, const PartSummary& summary,
                                            const core::SectionLine& line, const std::string& part) {
   const bool across_y = line.across == core::SectionLine::Across::kY;
@@ -145,7 +145,7 @@ SectionPicture::Options picture_options(const Options& options, const Job& job,
   return asked;
 }
 
-// Row by row into the file: what is held does not grow with the part.
+// Writes row by row, so memory does not grow with the part.
 int show_section(const Options& options, Job& job, OutputFile& file, Reporter& reporter) {
   const core::Result<core::SectionLine> line =
       line_through(*options.output.section, job.part.summary.box, options.part.path);

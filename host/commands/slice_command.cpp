@@ -24,7 +24,7 @@
 namespace host {
 namespace {
 
-// Nothing for G-code, which is written motion by motion.
+// Null for G-code, which is written motion by motion.
 std::unique_ptr<LayerWriter> layer_writer(const Options& options, const Job& job) {
   LayerFileHead head;
   head.layers = job.part.summary.layers;
@@ -63,7 +63,7 @@ bool lays_road(const core::Motion& motion) {
          std::holds_alternative<core::ExtrudeArc>(motion);
 }
 
-// The pipeline's outputs as a file, with the first error that writing met.
+// Writes the pipeline's outputs to a file, and keeps the first error.
 class SliceFile {
  public:
   SliceFile(const Job& job, OutputFile file, std::unique_ptr<LayerWriter> layers,

@@ -2,7 +2,7 @@
 //
 //     walls    $$LABEL/1,"solid" the wall, $$LABEL/2,"loose" the inside
 //     slices   $$LABEL/1,"part"
-//     roads    a label for each kind of road, a hatch for each segment: for machines that draw lines
+//     roads    a label for each kind of road, a hatch for each segment: for machines that hatch
 //
 //     $$POLYLINE/label,dir,points,x,y,…   closed; dir 1: outer, counter-clockwise; 0: inner
 //     $$LAYER/                            the layer's top

@@ -6,9 +6,9 @@
 //              file twice, once for each side. The two copies cancel by nesting, so such a file
 //              still describes the part.
 //
-// In DETC2000/DAC-14285 both copies of such a contour have the loose build style, because QuickSlice
-// 6.2 confuses them otherwise. This format has no build styles; the equivalent is to write both
-// copies among the inside's contours (LayerContents::kWallsForQuickSlice).
+// In DETC2000/DAC-14285 both copies of such a contour have the loose build style, because
+// QuickSlice 6.2 confuses them otherwise. This format has no build styles; the equivalent is to
+// write both copies among the inside's contours (LayerContents::kWallsForQuickSlice).
 #pragma once
 
 #include <memory>

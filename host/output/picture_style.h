@@ -41,7 +41,7 @@ inline constexpr std::array<KindStyle, core::kRoadKindCount> kKindStyles = {{
     {core::RoadKind::kOuterPerimeter, "outer perimeter", {"#7d2a17", "#c8502f"}},
     {core::RoadKind::kPerimeter, "perimeter", {"#a3541f", "#e58a45"}},
     {core::RoadKind::kSolid, "solid fill", {"#b27d22", "#f0bd5c"}},
-    {core::RoadKind::kGapFill, "narrow rest", {"#56306f", "#9a6bb8"}},
+    {core::RoadKind::kGapFill, "gap fill", {"#56306f", "#9a6bb8"}},
     {core::RoadKind::kLoose, "loose fill", {"#2c5d72", "#5f9bb3"}},
     {core::RoadKind::kSkirt, "skirt", {"#8d8d8d", "#bdbdbd"}},
 }};

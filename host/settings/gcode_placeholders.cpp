@@ -24,13 +24,13 @@ bool is_name(std::string_view text) {
   return !text.empty() && !is_digit(text.front()) && std::all_of(text.begin(), text.end(), fits);
 }
 
-// "{8000}" stands for itself.
+// "{8000}" is a number.
 bool is_number(std::string_view text) {
   return !text.empty() && is_digit(text.front()) &&
          std::all_of(text.begin(), text.end(), [](char c) { return is_digit(c) || c == '.'; });
 }
 
-// Which of a list's values; rind prints with the first tool.
+// Index into a list of values; rind prints with the first tool.
 std::optional<std::size_t> index_of(std::string_view text) {
   text = trimmed(text);
   if (text == "initial_tool" || text == "initial_extruder" || text == "current_extruder") return 0;
@@ -40,13 +40,13 @@ std::optional<std::size_t> index_of(std::string_view text) {
   return index;
 }
 
-// What a placeholder asks for.
+// A placeholder's name and index.
 struct Asked {
   std::string_view name;
   std::size_t index = 0;
 };
 
-// "name", "name[0]", "name_[initial_tool]": nothing else is plain.
+// "name", "name[0]", "name_[initial_tool]"; nullopt for anything else.
 std::optional<Asked> plain(std::string_view content) {
   content = trimmed(content);
   const std::size_t bracket = content.find('[');
@@ -71,7 +71,7 @@ std::optional<std::string> value_of(const Asked& asked, const PlaceholderValue& 
   return index ? value(asked.name.substr(0, underscore), *index) : std::nullopt;
 }
 
-// Where the bracket or brace at `at` is closed; npos: never.
+// Position where the bracket or brace at `at` is closed; npos if it is not.
 std::size_t closing(std::string_view line, std::size_t at) {
   const char open = line[at], close = open == '[' ? ']' : '}';
   int depth = 0;
@@ -94,7 +94,7 @@ bool is_condition(std::string_view content) {
   return ends && std::find(kWords.begin(), kWords.end(), word) != kWords.end();
 }
 
-// In PrusaSlicer a condition counts in a comment, too.
+// PrusaSlicer evaluates conditions even in comments.
 bool holds_condition(std::string_view text) {
   for (std::size_t at = text.find('{'); at != std::string_view::npos; at = text.find('{', at + 1)) {
     if (is_condition(text.substr(at + 1))) return true;

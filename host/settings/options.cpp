@@ -29,8 +29,8 @@ void add_bad_layer(CLI::App& command, Options& options) {
   command
       .add_option(
           "--on-bad-layer", options.part.on_bad_layer,
-          "where contours stay open, or nothing is there: repair (print what is sound), "
-          "neighbour (the slice below once more), pause (wait for the user before it), stop")
+          "how to treat a layer with open contours, or an empty one: repair (print the closed "
+          "contours), neighbour (print the slice below again), pause (wait for the user), stop")
       ->type_name("WORD")
       ->transform(CLI::CheckedTransformer(kWords).description(""))
       ->each([&options](const std::string&) { options.print.bad_layer_told = true; });
@@ -39,27 +39,26 @@ void add_bad_layer(CLI::App& command, Options& options) {
 void add_memory(CLI::App& command, Options& options) {
   command
       .add_option("--memory", options.part.sort_bytes,
-                  "for sorting a mesh, as 8M or 512k; what it can't hold goes to a file in $TMPDIR")
+                  "memory for sorting a mesh, as 8M or 512k; more goes to a file in $TMPDIR")
       ->type_name("BYTES")
       ->transform(CLI::AsSizeValue(false).description(""))
       ->check(CLI::Range(kSortBytesMin, std::size_t{1} << 40).description(""));
   command
       .add_option("--jobs", options.jobs,
-                  "processors to slice with; each takes the memory of one more layer")
+                  "number of processors to slice with; each needs the memory of one more layer")
       ->type_name("N")
       ->check(CLI::Range(1, kJobsMax))
       ->capture_default_str();
   command
       .add_option("--memory-limit", options.memory_limit_bytes,
-                  "end with an error rather than use more memory than this in all, as 64M")
+                  "memory of the whole program, as 64M; end with an error if more is needed")
       ->type_name("BYTES")
       ->transform(CLI::AsSizeValue(false).description(""));
 }
 
 void add_tall(CLI::App& command, Options& options) {
   command.add_flag("--tall", options.part.tall,
-                   "the part is meant to be as high as it is: what looks like a corner gone astray "
-                   "is not asked about");
+                   "the part is meant to be that high: accept corners that look stray");
 }
 
 void add_part(CLI::App& command, Options& options) {
@@ -77,8 +76,8 @@ void add_sorted(CLI::App& command, Options& options) {
   command
       .add_option(
           "--sorted", options.part.sorted,
-          "whether a mesh from a pipe is in order of height, so that it can be sliced as it "
-          "comes: yes, no, or auto (slice: if it begins so; print: no)")
+          "whether a mesh from a pipe is in order of height and can be sliced as it arrives: "
+          "yes, no, or auto (slice: if its start is in order; print: no)")
       ->type_name("WORD")
       ->transform(CLI::CheckedTransformer(kWords).description(""));
 }
@@ -86,7 +85,7 @@ void add_sorted(CLI::App& command, Options& options) {
 void add_reports(CLI::App& command, Options& options) {
   command.add_option("--stats", options.stats, "write statistics to FILE (JSON)")
       ->type_name("FILE");
-  command.add_option("--log", options.log, "write all messages to FILE too, of bounded size")
+  command.add_option("--log", options.log, "write all messages to FILE, too; its size is bounded")
       ->type_name("FILE");
   command.add_flag("--quiet", options.quiet, "no progress, no notes; errors only");
   command.add_flag("--json", options.json, "events as JSON lines instead of text");
@@ -96,7 +95,7 @@ void add_port(CLI::App& command, Options& options) {
   command
       .add_option("--port", options.link.port,
                   "serial device of the printer, or 'virtual': a controller inside this "
-                  "program, nothing real is printed")
+                  "program, without a printer")
       ->type_name("DEVICE");
   command.add_option("--baud", options.link.baud, "speed of the serial line")
       ->type_name("N")
@@ -105,8 +104,8 @@ void add_port(CLI::App& command, Options& options) {
       ->each([&options](const std::string&) { options.link.baud_told = true; });
   command
       .add_option("--virtual-speed", options.link.virtual_speed,
-                  "how many times faster than real time the virtual controller's clock "
-                  "runs; 0: as fast as it can")
+                  "speed of the virtual controller's clock, as a multiple of real time; "
+                  "0: as fast as possible")
       ->type_name("X")
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
@@ -114,23 +113,24 @@ void add_port(CLI::App& command, Options& options) {
                                                            {"stop", OnLostPort::kStop}};
   command
       .add_option("--on-lost-port", options.link.on_lost_port,
-                  "when the cable or the controller fails in mid-print: wait for it and go on, or "
+                  "if the cable or the controller fails during a print: wait for it and resume, or "
                   "stop")
       ->type_name("WORD")
       ->transform(CLI::CheckedTransformer(kWords).description(""));
   command
-      .add_option("--lost-port-wait", options.link.lost_port_wait_s, "how long to wait, in seconds")
+      .add_option("--lost-port-wait", options.link.lost_port_wait_s,
+                  "seconds to wait for a lost port")
       ->type_name("S")
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
   command
       .add_option("--pause-heat", options.print.pause_heat_s,
-                  "how many seconds of a pause the nozzle stays hot")
+                  "seconds that the nozzle stays hot in a pause")
       ->type_name("S")
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
   command.add_flag("--yes", options.print.yes,
-                   "go on after a reset without asking where the nozzle is: where it was left");
+                   "resume after a reset without asking for the nozzle's height: it has not moved");
 }
 
 CLI::App* add_print(CLI::App& app, Options& options) {
@@ -141,12 +141,12 @@ CLI::App* add_print(CLI::App& app, Options& options) {
   CLI::Option* journal =
       command
           ->add_option("--journal", options.print.journal,
-                       "what `rind resume` needs; else kept in $XDG_STATE_HOME/rind or "
+                       "journal for `rind resume`; default: a file in $XDG_STATE_HOME/rind or "
                        "~/.local/state/rind")
           ->type_name("FILE");
-  command->add_flag("--no-journal", options.print.no_journal, "keep none")->excludes(journal);
+  command->add_flag("--no-journal", options.print.no_journal, "keep no journal")->excludes(journal);
   command->add_flag("--anew", options.print.anew,
-                    "set the journal of a print that was cut aside (.old)");
+                    "set the journal of an interrupted print aside (.old)");
   add_settings(*command, options);
   add_reports(*command, options);
   return command;
@@ -154,16 +154,17 @@ CLI::App* add_print(CLI::App& app, Options& options) {
 
 CLI::App* add_resume(CLI::App& app, Options& options) {
   CLI::App* command =
-      app.add_subcommand("resume", "go on with a print that was cut, behind what was executed");
+      app.add_subcommand("resume", "resume an interrupted print after its last executed line");
   command
-      ->add_option("JOURNAL", options.print.journal, "a journal, or its part; without: lists them")
+      ->add_option("JOURNAL", options.print.journal,
+                   "a journal, or its part; without it, list the journals")
       ->type_name("");
-  command->add_option("--part", options.part.path, "the part's file, when it was moved")
+  command->add_option("--part", options.part.path, "the part's file, if it was moved")
       ->type_name("FILE");
   add_port(*command, options);
   command
       ->add_option("--nozzle-height", options.print.nozzle_height_mm,
-                   "how high above the bed the nozzle is now; with --yes")
+                   "height of the nozzle above the bed now; with --yes")
       ->type_name("MM")
       ->check(CLI::Range(0.0, 1e7));
   add_memory(*command, options);
@@ -183,15 +184,18 @@ CLI::App* add_slice(CLI::App& app, Options& options, std::string& format, std::s
       ->type_name("OUT")
       ->required();
   command
-      ->add_option("--format", format,
-                   "when the name does not say it: gcode, cli, cli-binary, cli-roads (hatches), "
-                   "lsif, ssl (Slice V0), svg")
+      ->add_option(
+          "--format", format,
+          "format, if the name does not tell: gcode, cli, cli-binary, cli-roads (hatches), "
+          "lsif, ssl (Slice V0), svg")
       ->type_name("FORMAT")
       ->check(CLI::IsMember(output_format_names()));
   command
-      ->add_option("--contents", contents,
-                   "what a layer file holds: walls (wall and inside apart; cli, lsif), slices (the "
-                   "part; ssl, svg), or quickslice: walls, shared contours twice with the inside's")
+      ->add_option(
+          "--contents", contents,
+          "content of a layer file: walls (wall and inside; default for cli, lsif), slices "
+          "(the part; default for ssl, svg), quickslice (walls; both copies of a shared "
+          "contour among the inside's)")
       ->type_name("WHAT")
       ->check(CLI::IsMember({"walls", "slices", "quickslice"}));
   add_settings(*command, options);
@@ -199,7 +203,7 @@ CLI::App* add_slice(CLI::App& app, Options& options, std::string& format, std::s
   return command;
 }
 
-// Words that are more than a number; `error` is what is wrong with them.
+// The value, or a usage error of that option.
 template <typename Value>
 Value taken(const char* option, core::Result<Value> read) {
   if (!read.ok()) throw CLI::ValidationError(option, read.error().message);
@@ -212,7 +216,7 @@ CLI::App* add_show(CLI::App& app, Options& options) {
   add_part(*command, options);
   // One of the two, and not both.
   CLI::Option_group* which = command->add_option_group("what to show");
-  which->add_option("--layer", options.output.layer, "which layer; the lowest is 1")
+  which->add_option("--layer", options.output.layer, "number of the layer; the lowest is 1")
       ->type_name("N")
       ->check(CLI::Range(std::int64_t{1}, INT64_MAX));
   which
@@ -221,7 +225,7 @@ CLI::App* add_show(CLI::App& app, Options& options) {
           [&options](const std::string& text) {
             options.output.section = taken("--section", section_place(text));
           },
-          "cut across all layers, in mm from the part's front (Y) or left side (X), or in per cent")
+          "a cut through all layers, in mm or percent from the part's front (Y) or left side (X)")
       ->type_name("Y=MM|X=MM")
       ->trigger_on_parse();
   which->require_option(1);
@@ -231,8 +235,8 @@ CLI::App* add_show(CLI::App& app, Options& options) {
           [&options](const std::string& text) {
             options.output.zoom = taken("--zoom", section_zoom(text));
           },
-          "only a square of the section: the middle's mm from the part's edge, mm above the bed, "
-          "and its side in mm")
+          "only a square of the section: its middle's distance from the part's edge and height "
+          "above the bed, and its side, in mm")
       ->type_name("ALONG,HEIGHT,SIZE")
       ->needs("--section")
       ->trigger_on_parse();
@@ -245,7 +249,8 @@ CLI::App* add_show(CLI::App& app, Options& options) {
 }
 
 CLI::App* add_formats(CLI::App& app, Options& options) {
-  CLI::App* command = app.add_subcommand("formats", "list the kinds of file, read and written");
+  CLI::App* command =
+      app.add_subcommand("formats", "list the file formats that are read and written");
   command->add_flag("--json", options.json, "as JSON");
   return command;
 }
@@ -253,16 +258,15 @@ CLI::App* add_formats(CLI::App& app, Options& options) {
 std::string unknown_format(const Options& options) {
   std::string known;
   for (const std::string& name : output_format_names()) known += " " + name;
-  return "what '" + options.output.path +
-         "' is to be can't be told from its name; add --format, one of" + known;
+  return "the name '" + options.output.path + "' does not tell the format; add --format, one of" +
+         known;
 }
 
 std::string no_picture(const Options& options) {
-  return "a picture is SVG, and '" + options.output.path +
-         "' is the name of something else; name it .svg";
+  return "a picture is SVG, but '" + options.output.path + "' has another ending; use .svg";
 }
 
-// CLI11 says only that a command is missing when it met a word that is none.
+// For a first word that is no command, CLI11 only says that a command is missing.
 std::string explain(const CLI::App& app, const CLI::ParseError& error, int argc,
                     const char* const* argv) {
   if (argc < 2 || argv[1][0] == '-' || !app.get_subcommands().empty()) return error.what();
@@ -285,7 +289,7 @@ std::variant<Options, OptionsExit> parse_options(int argc, const char* const* ar
   CLI::App app(kAbout, "rind");
   app.set_version_flag("--version", std::string("rind ") + kVersion);
   app.require_subcommand(1);
-  app.footer("rind COMMAND --help tells a command's options.");
+  app.footer("rind COMMAND --help lists a command's options.");
 
   const CLI::App* print = add_print(app, options);
   const CLI::App* resume = add_resume(app, options);

@@ -1,5 +1,4 @@
-// What the user asked for: the command line, read and checked for form. What the settings mean is
-// checked where they are known (settings_table.h).
+// Reads the command line and checks its form. Values of settings are checked in settings_table.h.
 #pragma once
 
 #include <cstddef>
@@ -20,21 +19,21 @@ namespace host {
 
 enum class Subcommand { kPrint, kResume, kSlice, kPlan, kShow, kPorts, kSettings, kFormats };
 
-// When the port vanishes, or the controller resets, in mid-print.
+// What to do if the port vanishes or the controller resets during a print.
 enum class OnLostPort { kWait, kStop };
 
-// Whether a mesh that comes through a pipe is taken to be in order of height, so that it can be
-// sliced as it comes. A wrong yes ends in mid-part, a needless no costs time and disk.
+// Whether a mesh from a pipe is taken to be in order of height, so that it can be sliced as it
+// arrives. A wrong yes ends in the middle of the part; a needless no costs time and disk.
 enum class PipeSorted {
-  kAuto,  // slice: yes when it begins so; print: no
-  kYes,   // when it begins so
+  kAuto,  // slice: yes if its start is in order; print: no
+  kYes,   // if its start is in order
   kNo,
 };
 
-// As many as there are processors, and at most kJobsDefaultMax.
+// The number of processors, at most kJobsDefaultMax.
 [[nodiscard]] int jobs_by_default();
 
-// Where the part comes from, and how it is read.
+// The part's file, and how it is read.
 struct PartOptions {
   std::string path;  // "-": standard input
   std::size_t sort_bytes = kSortBytesDefault;
@@ -58,14 +57,14 @@ struct PrintCommandOptions {
   // print: empty: the default folder. resume: a journal or a part's name; empty: list all journals.
   std::string journal;
   bool no_journal = false;
-  bool anew = false;  // the journal of a print of this part that was cut may be set aside
+  bool anew = false;  // the journal of an interrupted print of this part may be set aside
   double pause_heat_s = kPausedHot_s;  // how long a paused nozzle stays hot
   bool yes = false;                    // nobody can answer questions
   std::optional<double> nozzle_height_mm;
   bool bad_layer_told = false;
 };
 
-// slice, show: what is written.
+// slice, show: the output.
 struct OutputOptions {
   std::string path;  // "-": standard output
   OutputFormat format = OutputFormat::kGcode;
@@ -91,7 +90,7 @@ struct Options {
   bool json = false;
 };
 
-// Nothing to run: help, the version, or words that can't be understood.
+// There is no command to run: help, the version, or a usage error.
 struct OptionsExit {
   int exit_code = 0;
   std::string text;  // for standard output when exit_code is 0, else for standard error

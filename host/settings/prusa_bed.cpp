@@ -16,7 +16,7 @@ struct Corner {
   double y = 0;
 };
 
-// None where it is not written so.
+// Empty if the text has another form.
 std::vector<Corner> corners_of(std::string_view text) {
   std::vector<Corner> corners;
   while (!text.empty()) {
@@ -53,7 +53,7 @@ BedRectangle box_of(const std::vector<Corner>& corners) {
   return {low.x, low.y, high.x - low.x, high.y - low.y};
 }
 
-// Left of every edge, for an outline that goes round to the left.
+// True if the point is left of every edge. REQUIRES: the outline is counter-clockwise.
 bool within(const std::vector<Corner>& outline, Corner point) {
   for (std::size_t i = 0; i < outline.size(); ++i) {
     if (doubled_area(outline[i], outline[(i + 1) % outline.size()], point) < 0) return false;
@@ -66,7 +66,7 @@ bool within(const std::vector<Corner>& outline, Corner point) {
 std::optional<BedRectangle> rectangular_bed(std::string_view text) {
   const std::vector<Corner> corners = corners_of(text);
   if (corners.size() < 4) return std::nullopt;
-  // What fills its own box is that box.
+  // A shape that fills its bounding box is a rectangle.
   const BedRectangle box = box_of(corners);
   const double whole = box.width * box.depth;
   if (!(whole > 0) || std::abs(std::abs(area_of(corners)) / whole - 1) > 1e-6) return std::nullopt;

@@ -13,12 +13,12 @@ struct BedRectangle {
   double depth = 0;
 };
 
-// A rectangle along the axes, anywhere, however its outline is written. Nothing for any other
-// shape.
+// The bed if it is a rectangle along the axes, at any position, however its outline is written;
+// nullopt for other shapes.
 [[nodiscard]] std::optional<BedRectangle> rectangular_bed(std::string_view text);
 
-// The largest rectangle of the outline's proportions that lies in its middle and within it. Nothing
-// where the outline is not convex, or can't be read. Half a hundredth of a mm is given away.
+// The largest rectangle within the outline that has its centre and its proportions, up to half a
+// hundredth of a mm. Nullopt if the outline is not convex or can't be read.
 [[nodiscard]] std::optional<BedRectangle> rectangle_within_bed(std::string_view text);
 
 }  // namespace host

@@ -11,16 +11,16 @@
 namespace host {
 namespace {
 
-// When a value asks for something.
+// Which values mean that a setting is in use.
 enum class When {
   kOn,         // a number or share that is not 0, a word that is neither "0" nor "none"
   kAboveOne,   // a number above 1
   kText,       // anything
   kGcode,      // a command that does something
   kUnlike,     // another value than that of `other`
-  kUnlikeOn,   // likewise, but for 0, which is automatic
+  kUnlikeOn,   // likewise, except 0, which is automatic
   kNotALine,   // a pattern of fill other than lines
-  kNotMarlin,  // a firmware that other words are for
+  kNotMarlin,  // a firmware with other commands
 };
 
 struct LeftOut {
@@ -43,7 +43,7 @@ constexpr std::array kLeftOut = {
     LeftOut{"brim_width", When::kOn, "no brim is laid"},
     LeftOut{"draft_shield", When::kOn, "no draft shield is laid"},
     LeftOut{"skirt_height", When::kAboveOne, "the skirt is one layer high"},
-    LeftOut{"min_skirt_length", When::kOn, "the skirt has as many loops as skirts says"},
+    LeftOut{"min_skirt_length", When::kOn, "only the setting skirts decides the number of loops"},
     LeftOut{"first_layer_height", When::kUnlike, "the first layer is as high as the others",
             "layer_height"},
     LeftOut{"first_layer_bed_temperature", When::kUnlike,
@@ -93,7 +93,7 @@ constexpr std::array kLeftOut = {
     LeftOut{"end_filament_gcode", When::kGcode, kNotSent},
     LeftOut{"before_layer_gcode", When::kGcode, kNotSent},
     LeftOut{"layer_gcode", When::kGcode, kNotSent},
-    LeftOut{"post_process", When::kText, "no program of a profile's is ever run"},
+    LeftOut{"post_process", When::kText, "no program in a profile is ever run"},
     LeftOut{"gcode_flavor", When::kNotMarlin, "the commands are those of Marlin and Klipper"},
 };
 
@@ -104,7 +104,7 @@ bool is_one_of(std::string_view word, std::initializer_list<std::string_view> wo
 bool does_something(std::string_view gcode) {
   for (const std::string& line : unescaped_lines(gcode)) {
     const std::string text = firmware_link::without_comments(line);
-    // Every layer of ours begins at filament 0 anyway.
+    // rind starts every layer at filament 0 anyway.
     if (text.empty() || text == "\"" || text == "\"\"" || text.starts_with("G92 E0")) continue;
     return true;
   }
@@ -133,7 +133,7 @@ bool asks(const LeftOut& row, std::string_view value, const ProfileValues& profi
     case When::kGcode:
       return does_something(value);
     case When::kUnlike:
-      // All the same where it is a share of the other that makes the whole.
+      // 100 % of the other is the same value.
       return unlike && first != "100%";
     case When::kUnlikeOn:
       return !off && unlike;
@@ -145,7 +145,7 @@ bool asks(const LeftOut& row, std::string_view value, const ProfileValues& profi
   return false;
 }
 
-// Long G-code is told by its begin.
+// Long G-code is shortened to its start.
 std::string shortened_value(std::string_view value) {
   constexpr std::size_t kShown = 40;
   std::string text(trimmed(value.substr(0, kShown)));
@@ -173,7 +173,7 @@ std::vector<std::string> left_out_of(const ProfileValues& profile) {
                             shortened_value(value->second));
       }
     }
-    // What has the same consequence is told in one sentence.
+    // Settings with the same consequence share a message.
     const bool more = i + 1 < kLeftOut.size() && kLeftOut[i + 1].instead == row.instead;
     if (more || keys.empty()) continue;
     sentences.push_back(fmt::format("{}: {}", keys, row.instead));

@@ -9,7 +9,7 @@
 namespace host {
 namespace {
 
-// Sides of the square that show --zoom draws; the bed is no larger.
+// Bounds of the side of the square that show --zoom draws; no bed is larger.
 constexpr double kZoomMinMm = 0.1;
 constexpr double kZoomMaxMm = 100'000;
 
@@ -27,9 +27,10 @@ core::Result<SectionPlace> section_place(const std::string& text) {
   if (place.percent) number.pop_back();
   const core::Result<double> read = read_number(number, "mm");
   if (!known || !read.ok()) {
-    return unknown("'" + text +
-                   "' is no place to cut; write Y=12.5 for 12.5 mm behind the part's front, X=50% "
-                   "for the middle between its left and right side");
+    return unknown(
+        "'" + text +
+        "' is no position for a cut; write Y=12.5 for 12.5 mm behind the part's front, X=50% "
+        "for the middle between its left and right side");
   }
   place.value = read.value();
   return place;
@@ -46,7 +47,7 @@ core::Result<SectionZoom> section_zoom(const std::string& text) {
   const bool three = std::count(text.begin(), text.end(), ',') == 2 && numbers.size() == 3;
   if (!three || numbers[2] < kZoomMinMm || numbers[2] > kZoomMaxMm) {
     return unknown("'" + text +
-                   "' is no square; write 4,10,6 for 6 mm around the place 4 mm from the part's "
+                   "' is no square; write 4,10,6 for 6 mm around the point 4 mm from the part's "
                    "edge and 10 mm above the bed");
   }
   return SectionZoom{numbers[0], numbers[1], numbers[2]};

@@ -1,4 +1,4 @@
-// What `show` is told of the cut that it draws.
+// Reads the words of `rind show` for the cut that it draws.
 #pragma once
 
 #include <string>
@@ -15,15 +15,15 @@ struct SectionPlace {
   bool percent = false;  // otherwise mm
 };
 
-// The square of the section that `show --zoom` draws, in mm: its middle, from the part's edge and
-// above the bed, and its side.
+// The square of the section that `show --zoom` draws, in mm: its middle (from the part's edge, and
+// above the bed) and its side.
 struct SectionZoom {
   double along = 0;
   double height = 0;
   double size = 0;
 };
 
-// Of "X=50%" and "4,10,6". Errors say how it is written.
+// Read "X=50%" and "4,10,6". Errors say how to write it.
 [[nodiscard]] core::Result<SectionPlace> section_place(const std::string& text);
 [[nodiscard]] core::Result<SectionZoom> section_zoom(const std::string& text);
 

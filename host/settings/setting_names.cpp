@@ -22,7 +22,7 @@ struct Synonym {
   std::string_view key;
 };
 
-// What other programs and people call it.
+// Names in other programs and in everyday use.
 constexpr std::array kSynonyms = {
     Synonym{"walls", "perimeters"},
     Synonym{"wall_loops", "perimeters"},
@@ -59,8 +59,8 @@ constexpr std::array kSynonyms = {
     Synonym{"center", "centre"},
 };
 
-// How many letters must be put in, left out or exchanged to make one word of the other
-// (Levenshtein 1966).
+// Number of letters to insert, delete or replace to turn one word into the other (Levenshtein
+// 1966).
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -75,7 +75,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
-// Of two names that are written so differently, nobody mistook one for the other.
+// Names that differ by more than this are not confused.
 std::size_t farthest(std::string_view key) { return std::min<std::size_t>(3, key.size() / 3); }
 
 struct Nearest {
@@ -95,7 +95,7 @@ void look_at(std::string_view candidate, std::string_view key, Nearest& nearest)
 std::string unknown_setting(std::string_view typed, std::string_view key) {
   constexpr const char* kAll = "rind settings lists them all";
   if (is_left_out(key)) {
-    return fmt::format("\"{}\" is a setting of PrusaSlicer's that rind does not have", typed);
+    return fmt::format("\"{}\" is a setting of PrusaSlicer that rind does not have", typed);
   }
   const auto* synonym = std::find_if(kSynonyms.begin(), kSynonyms.end(),
                                      [&](const Synonym& one) { return one.word == key; });
@@ -103,7 +103,7 @@ std::string unknown_setting(std::string_view typed, std::string_view key) {
     return fmt::format("there is no setting \"{}\"; here it is called \"{}\" ({})", typed,
                        synonym->key, kAll);
   }
-  // Ours first: they win where another is as near.
+  // Our names first: they win if another is equally similar.
   Nearest nearest;
   for (const Setting& setting : kSettings) look_at(setting.key, key, nearest);
   for (const std::string_view theirs : prusa_keys()) look_at(theirs, key, nearest);

@@ -1,4 +1,4 @@
-// What a user who typed a setting's name wrong may have meant.
+// Suggests a name for a setting that was typed wrong.
 #pragma once
 
 #include <string>
@@ -6,8 +6,8 @@
 
 namespace host {
 
-// A sentence that says that there is no such setting, and the nearest one, what it is called here,
-// or that PrusaSlicer has it and rind does not. `typed`: as it was; `key`: with '_' for '-'.
+// A message: there is no such setting; then the most similar name, or its name in rind, or that
+// only PrusaSlicer has it. `typed`: as typed; `key`: with '_' for '-'.
 [[nodiscard]] std::string unknown_setting(std::string_view typed, std::string_view key);
 
 }  // namespace host

@@ -7,7 +7,7 @@
 namespace host {
 namespace {
 
-// Adds `--flag VALUE` as a short way to type `--set key=VALUE`.
+// Adds `--flag VALUE` as a shortcut for `--set key=VALUE`.
 void add_shortcut(CLI::App& command, Options& options, const std::string& flag,
                   const std::string& key, const std::string& value_name, const std::string& help) {
   command
@@ -36,9 +36,9 @@ void add_settings(CLI::App& command, Options& options) {
       .add_option("--profile", options.settings.profile, "settings file (INI); see 'rind settings'")
       ->type_name("FILE");
   command.add_flag("--profile-lax", options.settings.lax,
-                   "print without what of the profile's bed and G-code can't be read");
+                   "leave out the profile's bed and G-code if they can't be read");
   add_shortcut(command, options, "--allow-gcode", "allow_gcode", "CODES",
-               "send these though they are refused otherwise, as M500,M501");
+               "send these commands, which are refused otherwise, as M500,M501");
   command
       .add_option_function<std::vector<std::string>>(
           "--set",
@@ -51,7 +51,7 @@ void add_settings(CLI::App& command, Options& options) {
       ->trigger_on_parse();
   add_shortcut(command, options, "--layer-height", "layer_height", "MM", "thickness of a layer");
   add_shortcut(command, options, "--wall-thickness", "wall_thickness", "MM",
-               "how deep below the surface everything is dense");
+               "depth below the surface to which the part is dense");
   add_shortcut(command, options, "--wall", "wall_shape", "SHAPE",
                "shape of the wall: ball or cylinder");
   add_shortcut(command, options, "--wall-layers", "wall_layers", "N",

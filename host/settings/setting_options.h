@@ -1,5 +1,4 @@
-// The options that every command with settings has: --profile, --set, and the short ways to set
-// one.
+// The options of every command with settings: --profile, --set, and shortcuts for single settings.
 #pragma once
 
 #include "host/settings/options.h"  // Options
@@ -10,7 +9,7 @@ class App;
 
 namespace host {
 
-// `options` outlives the command.
+// REQUIRES: `options` outlives the command.
 void add_settings(CLI::App& command, Options& options);
 
 }  // namespace host

@@ -34,7 +34,7 @@ struct Line {
   std::string value;
 };
 
-// What inih reads from and hands lines to.
+// The text that inih reads, and the lines that it returns.
 struct Reader {
   std::string_view rest;
   int line_number = 0;
@@ -42,8 +42,8 @@ struct Reader {
   std::vector<Line> lines;
 };
 
-// As fgets does: up to `size` - 1 characters, to the end of the line at most. inih's own count of
-// lines is not passed to its handler, so they are counted here.
+// Like fgets: reads up to `size` - 1 characters, at most to the end of the line. Also counts lines,
+// because inih does not pass its own count to the handler.
 char* read_piece(char* into, int size, void* stream) {
   Reader& reader = *static_cast<Reader*>(stream);
   if (reader.rest.empty() || size <= 1) return nullptr;
@@ -73,7 +73,7 @@ Result<std::vector<Line>> read_lines_of(std::string_view text, const std::string
     return Error{ErrorCode::kBadSetting,
                  fmt::format("{}: holds a zero byte: not a settings file (a part?)", name)};
   }
-  // As delivered, inih cuts lines at 200 bytes without a word, and values at " ;".
+  // By default, inih silently cuts lines at 200 bytes, and values at " ;".
   ini_use_stack = false;
   ini_allow_realloc = true;
   ini_max_line = static_cast<int>(kSettingsBytesMax) + 3;
@@ -81,7 +81,7 @@ Result<std::vector<Line>> read_lines_of(std::string_view text, const std::string
   ini_allow_multiline = false;
   ini_stop_on_first_error = true;
   Reader reader{.rest = text, .line_number = 0, .at_line_start = true, .lines = {}};
-  // Handler and reader get the same pointer, as inih passes it on untouched.
+  // Handler and reader get the same pointer; inih only passes it on.
   const int bad_line = ini_parse_stream(read_piece, &reader, take_line, &reader);
   if (bad_line < 0) return error_at(name, reader.line_number, "out of memory");
   if (bad_line > 0) {
@@ -103,7 +103,7 @@ bool is_prusa_file(std::string_view text, const std::vector<Line>& lines) {
          }) >= kHallmarksOfPrusa;
 }
 
-// Without " ; …" or " # …", but for G-code, whose comments are its own.
+// The value without " ; …" or " # …", except for G-code, which has comments of its own.
 std::string_view without_comment(const Line& line) {
   const std::string_view value = line.value;
   if (is_gcode_setting(line.key)) return value;
@@ -120,14 +120,13 @@ core::Status apply_ours(const Line& line, LoadedSettings& loaded) {
   const std::string_view value = without_comment(line);
   if (line.key == "allow_gcode" && !value.empty()) {
     return Error{ErrorCode::kBadSetting,
-                 "allow_gcode has no place in a file, which would allow itself what it likes; use "
-                 "--allow-gcode"};
+                 "allow_gcode is not permitted in a file; use --allow-gcode on the command line"};
   }
   ++loaded.set_count;
   return set_setting(loaded.settings, line.key, value);
 }
 
-// A value that has no counterpart: what holds instead.
+// Notes a value without a counterpart, and what holds instead.
 void leave_out(const Line& line, const std::string& place, LoadedSettings& loaded) {
   loaded.ignored.push_back(fmt::format("{} = {}", line.key, line.value));
   if (line.key == "bed_shape") {
@@ -138,7 +137,7 @@ void leave_out(const Line& line, const std::string& place, LoadedSettings& loade
          rectangle_of_bed(line.value)});
     return;
   }
-  loaded.left_out.push_back(fmt::format("{} = {}: rind's own value holds", line.key, line.value));
+  loaded.left_out.push_back(fmt::format("{} = {}: rind's own value is used", line.key, line.value));
 }
 
 core::Status apply_prusa(const Line& line, const std::string& name, LoadedSettings& loaded) {
@@ -166,7 +165,7 @@ core::Status apply_prusa(const Line& line, const std::string& name, LoadedSettin
   return {};
 }
 
-// PrusaSlicer's own values where a profile is silent, and `cooling` before what it rests on.
+// Adds PrusaSlicer's defaults for missing keys, and moves `cooling` before the keys that need it.
 core::Status start_prusa(std::vector<Line>& lines, LoadedSettings& loaded) {
   const auto cools = [](const Line& line) { return is_prusa_cooling(line.key); };
   if (std::none_of(lines.begin(), lines.end(), cools)) return {};
@@ -179,7 +178,7 @@ core::Status start_prusa(std::vector<Line>& lines, LoadedSettings& loaded) {
   return {};
 }
 
-// What only shows when all has been read.
+// Checks that need the whole file.
 core::Status end_prusa(const std::string& name, LoadedSettings& loaded) {
   const std::vector<std::string> more = left_out_of(loaded.values);
   loaded.left_out.insert(loaded.left_out.end(), more.begin(), more.end());

@@ -16,14 +16,14 @@ namespace {
 using Translated = std::vector<SettingText>;
 
 enum class Kind {
-  kNumber,       // as it is; percentages (of another setting) have no counterpart
+  kNumber,       // unchanged; percentages (of another setting) have no counterpart
   kWidth,        // a number, but 0 means "automatic"
   kSpeed,        // likewise
   kSlowest,      // a speed, 0 for none
-  kHeight,       // a number, 0 means the same with us
+  kHeight,       // a number; 0 means the same here
   kShare,        // with "%"
   kPercent,      // a whole number of percent, without "%"
-  kLayersAfter,  // how many layers go before the first one
+  kLayersAfter,  // number of layers before the first one with the effect
   kGcode,
   kBed,
   kCooling,
@@ -90,7 +90,7 @@ constexpr std::array<std::string_view, 14> kHallmarks = {"top_solid_layers",
                                                          "avoid_crossing_perimeters",
                                                          "external_perimeter_extrusion_width"};
 
-// The slowest that a setting can be.
+// The lowest speed that a setting can have.
 constexpr const char* kSlowestSpeed = "0.1";
 
 Translated bed_settings(const std::optional<BedRectangle>& bed) {
@@ -111,7 +111,7 @@ Translated translate(const Alias& alias, std::string_view text) {
   if (alias.kind == Kind::kShare) return {{ours, std::string(first)}};
   if (first.ends_with('%')) return {};
   const core::Result<double> number = read_number(first, "");
-  // What is no number at all is left to the setting itself, which says so.
+  // Text that is no number is passed on: the setting reports the error.
   if (!number.ok()) return {{ours, std::string(first)}};
   switch (alias.kind) {
     case Kind::kWidth:
@@ -122,7 +122,7 @@ Translated translate(const Alias& alias, std::string_view text) {
       if (number.value() == 0) return {{ours, kSlowestSpeed}};
       break;
     case Kind::kCooling:
-      // Without it PrusaSlicer's fan is off, unless fan_always_on says otherwise.
+      // If 0, PrusaSlicer's fan is off unless fan_always_on is set.
       if (number.value() == 0) return {{ours, "0"}, {"fan_always_on", "0"}};
       break;
     case Kind::kPercent:

@@ -1,4 +1,4 @@
-// PrusaSlicer's keys that mean the same as ours, so that its profiles load.
+// Translates PrusaSlicer's settings into ours, if they mean the same.
 #pragma once
 
 #include <optional>
@@ -14,29 +14,29 @@ struct SettingText {
   std::string text;
 };
 
-// Ours for one of theirs. An empty list: the key is known, but this value has no counterpart here
-// (an automatic width or speed, a percentage of another setting, a bed that is no rectangle along
-// the axes). Nothing: the key has none. G-code is as it is, with its placeholders. Of lists with a
-// value for each extruder, the first is taken.
+// Our settings for one of theirs. An empty list: the key is known, but this value has no
+// counterpart (an automatic width or speed, a percentage of another setting, a bed that is no
+// rectangle along the axes). Nullopt: the key has no counterpart. G-code keeps its placeholders.
+// From a list with a value for each extruder, the first is used.
 [[nodiscard]] std::optional<std::vector<SettingText>> from_prusa(std::string_view key,
                                                                  std::string_view text);
 
-// For a bed_shape that from_prusa() has nothing for: the bed as a rectangle within it. An empty
-// list: there is none that is sure to be.
+// For a bed_shape without a counterpart: settings for a rectangle within the bed. Empty if none is
+// certain.
 [[nodiscard]] std::vector<SettingText> rectangle_of_bed(std::string_view text);
 
-// Their keys that from_prusa() knows.
+// PrusaSlicer's keys that from_prusa() knows.
 [[nodiscard]] std::vector<std::string_view> prusa_keys();
 
-// Ours for one of theirs that is the same number.
+// Our key for one of theirs with the same numeric value.
 [[nodiscard]] std::optional<std::string_view> ours_for(std::string_view key);
 
-// How PrusaSlicer cools where a profile does not say it, and whether a key says something of that.
+// PrusaSlicer's defaults for cooling, and whether a key is about cooling.
 [[nodiscard]] std::vector<SettingText> prusa_cooling();
 [[nodiscard]] bool is_prusa_cooling(std::string_view key);
 
-// True for a few keys that every PrusaSlicer or Slic3r profile holds and that we have no use for:
-// a file with several of them is one of theirs.
+// True for a few keys that every PrusaSlicer or Slic3r profile has and that rind does not use: a
+// file with several of them is such a profile.
 [[nodiscard]] bool is_prusa_hallmark(std::string_view key);
 
 }  // namespace host

@@ -1,6 +1,6 @@
-// The rows of the table of settings; what is done with them is in settings_table.cpp.
+// The rows of the table of settings; settings_table.cpp has the functions that use them.
 //
-// Help texts are noun phrases: what the setting is, then what a value of it means.
+// Help texts are noun phrases: first the setting's meaning, then special values.
 #pragma once
 
 #include <array>
@@ -26,7 +26,7 @@ using SettingLines = std::vector<std::string>;
 struct Choice {
   std::size_t (*get)(const PrintSettings& settings);
   void (*set)(PrintSettings& settings, std::size_t value);
-  std::array<std::string_view, 4> names;  // "" behind the last
+  std::array<std::string_view, 4> names;  // "" after the last
 };
 
 template <auto kMember, typename... Names>
@@ -41,18 +41,18 @@ constexpr Choice choice(Names... names) {
           {names...}};
 }
 
-// Which field, and with it how its values are written.
+// The setting's field. Its type decides how values are written.
 using SettingMember =
     std::variant<core::Length PrintSettings::*, double PrintSettings::*, int PrintSettings::*,
                  bool PrintSettings::*, std::string PrintSettings::*, SettingLines PrintSettings::*,
                  Choice>;
 
-// A word that stands for a number that is not meant as one.
+// A word for a number with a special meaning.
 struct NumberWord {
   std::string_view word;
   double number = 0;
 };
-using NumberWords = std::array<NumberWord, 2>;  // "" behind the last
+using NumberWords = std::array<NumberWord, 2>;  // "" after the last
 
 inline constexpr NumberWords kAutoIsZero = {NumberWord{"auto", 0}};
 inline constexpr NumberWords kOffIsZero = {NumberWord{"off", 0}};
@@ -61,8 +61,8 @@ inline constexpr NumberWords kAutoOrOff = {NumberWord{"auto", 0}, NumberWord{"of
 struct Setting {
   std::string_view key;
   SettingMember member;
-  std::string_view unit;  // "%": a share, which may also be given in percent
-  double min = 0;         // both ends belong to the range; a word's number may lie outside
+  std::string_view unit;  // "%": a fraction, which may also be given in percent
+  double min = 0;         // the range includes both ends; a word's number may lie outside
   double max = 0;
   std::string_view help;
   NumberWords words{};
@@ -71,7 +71,7 @@ struct Setting {
   [[nodiscard]] std::optional<std::string_view> word_for(double number) const;
 };
 
-// The part lies within.
+// Largest bed: coordinates of the part must fit.
 inline constexpr double kBedMaxMm = core::kCoordinateMax / core::kUnitsPerMm / 2;
 
 inline constexpr std::array kSettings = {
@@ -79,17 +79,17 @@ inline constexpr std::array kSettings = {
     Setting{"wall_thickness", &PrintSettings::wall_thickness, "mm", 0.05, 100,
             "thickness of the dense wall, sideways, up and down"},
     Setting{"wall_shape", choice<&PrintSettings::wall_shape>("ball", "cylinder"), "", 0, 0,
-            "shape of the wall's inner side: ball, as thick on any slope; cylinder, one depth for "
-            "all layers"},
+            "shape by which the wall is offset from the surface: ball, the same thickness on any "
+            "slope; cylinder, one depth for all layers"},
     Setting{"wall_layers", &PrintSettings::wall_layers, "", 0, 64,
-            "number of layers that a cylinder-shaped wall reaches up and down; auto: as many as it "
-            "is thick",
+            "number of layers that a cylinder-shaped wall reaches up and down; auto: "
+            "wall_thickness in layers",
             kAutoIsZero},
     Setting{"style", choice<&PrintSettings::style>("thin-wall", "regular", "fast"), "", 0, 0,
-            "way of building the inside: thin-wall; to compare with: regular, dense everywhere; "
-            "fast, loose in hidden layers"},
+            "way of building the inside: thin-wall, dense wall and loose inside; for comparison: "
+            "regular, dense everywhere; fast, loose in hidden layers"},
     Setting{"loose_width_min", &PrintSettings::loose_width_min, "mm", 0, 20,
-            "least width of the loose inside; narrower parts of it are made solid"},
+            "least width of the loose inside; narrower places are made solid"},
     Setting{"loose_area_min_mm2", &PrintSettings::loose_area_min_mm2, "mm²", 0, 10'000,
             "least area of an island of the loose inside; smaller ones are made solid"},
     Setting{"nozzle_diameter", &PrintSettings::nozzle_diameter, "mm", 0.05, 5,
@@ -97,51 +97,51 @@ inline constexpr std::array kSettings = {
     Setting{"filament_diameter", &PrintSettings::filament_diameter, "mm", 0.5, 10,
             "diameter of the filament as bought"},
     Setting{"extrusion_multiplier", &PrintSettings::extrusion_multiplier, "×", 0.1, 10,
-            "factor of the filament that every road takes"},
+            "factor for the filament of every road"},
     Setting{"road_width", &PrintSettings::road_width, "mm", 0.05, 10,
-            "width of every road that fits whole"},
+            "width of a road where there is room for its full width"},
     Setting{"road_width_min", &PrintSettings::road_width_min, "mm", 0.01, 10,
-            "width of the narrowest road in a rest; narrower rests are left out"},
+            "width of the narrowest road of gap fill; narrower gaps are left empty"},
     Setting{"perimeters", &PrintSettings::perimeters, "", 0, 50,
             "number of closed roads along every contour"},
     Setting{"road_overlap", &PrintSettings::road_overlap, "%", 0, 1,
             "overlap of neighbouring roads; 1: the layer has no voids, 0: roads just touch"},
     Setting{"loose_density", &PrintSettings::loose_density, "%", 0, 1,
-            "share of the inside that is filled; 0: empty, 1: dense"},
+            "fraction of the inside that is filled; 0: empty, 1: dense"},
     Setting{"fill_angle_degrees", &PrintSettings::fill_angle_degrees, "°", -360, 360,
-            "direction of fill on even layers; odd ones are turned by 90°"},
+            "direction of fill on even layers; turned by 90° on odd layers"},
     Setting{"loose_anchor", &PrintSettings::loose_anchor, "mm", 0, 20,
-            "reach of loose roads into the wall"},
+            "overlap of the inside's roads into the wall"},
     Setting{"skirt_loops", &PrintSettings::skirt_loops, "", 0, 50,
             "number of loops around the first layer; 0: none"},
     Setting{"skirt_distance", &PrintSettings::skirt_distance, "mm", 0, 200,
             "distance from the part to the skirt"},
     Setting{"simplify_tolerance", &PrintSettings::simplify_tolerance, "mm", 0, 0.5,
-            "farthest that a slice's contours are moved to save points"},
+            "largest distance that a slice's contours are moved to save points"},
     Setting{"arc_tolerance", &PrintSettings::arc_tolerance, "mm", 0.0005, 0.5,
-            "farthest that chords stay off the arcs of an offset"},
+            "largest distance between the arcs of an offset and their chords"},
     Setting{
         "chain_gap_max", &PrintSettings::chain_gap_max, "mm", 0, 100,
-        "width of gaps of a broken mesh that are closed; wider ones only where one way is left"},
+        "largest gap of a broken mesh that is closed; wider ones only if there is only one way"},
     Setting{"arcs", choice<&PrintSettings::arcs>("auto", "on", "off"), "", 0, 0,
-            "use of arcs (G2, G3) for round roads; auto: where the controller says that it draws "
-            "them, and in files"},
+            "use of arcs (G2, G3) for round roads; auto: in files, and if the controller says that "
+            "it draws them"},
     Setting{"arc_fit_tolerance", &PrintSettings::arc_fit_tolerance, "mm", 0, 0.5,
-            "farthest that an arc is off the road that it stands for; off: no arcs", kOffIsZero},
-    Setting{
-        "segment_time_min_ms", &PrintSettings::segment_time_min_ms, "ms", 0, 1'000,
-        "least time of a segment; shorter ones are merged, else laid slower; auto: by the port's "
-        "baud rate, off in files; off: no least time",
-        kAutoOrOff},
+            "largest distance between an arc and the road that it replaces; off: no arcs",
+            kOffIsZero},
+    Setting{"segment_time_min_ms", &PrintSettings::segment_time_min_ms, "ms", 0, 1'000,
+            "minimum time of a segment; shorter ones are merged or printed slower; auto: from the "
+            "port's baud rate, off in files; off: no minimum",
+            kAutoOrOff},
     Setting{"segment_tolerance", &PrintSettings::segment_tolerance, "mm", 0, 0.5,
-            "farthest that a merged segment is off the road"},
+            "largest distance between a merged segment and the road"},
     Setting{"meatpack", choice<&PrintSettings::meatpack>("auto", "off"), "", 0, 0,
-            "packing of lines; auto: where the controller offers MeatPack; only for a port that "
-            "loses nothing"},
+            "packing of lines; auto: if the controller offers MeatPack; only for a port that loses "
+            "no bytes"},
     Setting{
         "wait_limit_s", &PrintSettings::wait_limit_s, "s", 0, 604'800,
-        "least time that the controller may be silent over a command; auto: by the command, from "
-        "seconds to hours",
+        "minimum time to wait for the answer to a command; auto: by the command, from seconds to "
+        "hours",
         kAutoIsZero},
     Setting{"perimeter_speed_mm_s", &PrintSettings::perimeter_speed_mm_s, "mm/s", 0.1, 2'000,
             "speed of inner perimeters"},
@@ -152,32 +152,31 @@ inline constexpr std::array kSettings = {
     Setting{"loose_speed_mm_s", &PrintSettings::loose_speed_mm_s, "mm/s", 0.1, 2'000,
             "speed of the inside's fill"},
     Setting{"rest_speed_mm_s", &PrintSettings::rest_speed_mm_s, "mm/s", 0.1, 2'000,
-            "speed of roads in narrow rests, which have a width of their own"},
+            "speed of gap fill: roads in narrow gaps, with widths of their own"},
     Setting{"first_layer_speed_mm_s", &PrintSettings::first_layer_speed_mm_s, "mm/s", 0.1, 2'000,
             "speed of the fastest road of the first layer"},
     Setting{"travel_speed_mm_s", &PrintSettings::travel_speed_mm_s, "mm/s", 0.1, 5'000,
-            "speed of travel without material"},
+            "speed of travel moves"},
     Setting{"lift_speed_mm_s", &PrintSettings::lift_speed_mm_s, "mm/s", 0.1, 1'000,
             "speed of the nozzle up and down"},
     Setting{"layer_time_min_s", &PrintSettings::layer_time_min_s, "s", 0, 3'600,
-            "least time of a layer; one that would be done sooner is slowed down, where "
-            "cool_short_layers is set"},
+            "minimum time of a layer; with cool_short_layers, a faster layer is slowed down"},
     Setting{"slowed_speed_min_mm_s", &PrintSettings::slowed_speed_min_mm_s, "mm/s", 0.1, 2'000,
-            "slowest speed that a layer is slowed down to"},
+            "lowest speed to which a layer is slowed down"},
     Setting{"acceleration_mm_s2", &PrintSettings::acceleration_mm_s2, "mm/s2", 1, 100'000,
             "acceleration of the machine, for the estimate of time only"},
     Setting{"filament_acceleration_mm_s2", &PrintSettings::filament_acceleration_mm_s2, "mm/s2", 1,
             100'000, "acceleration of retractions, for the estimate of time only"},
     Setting{"junction_deviation_mm", &PrintSettings::junction_deviation_mm, "mm", 0, 1,
-            "deviation that the machine allows itself at corners, for the estimate of time only"},
+            "junction deviation of the machine at corners, for the estimate of time only"},
     Setting{"retraction_mm", &PrintSettings::retraction_mm, "mm", 0, 100,
-            "length of filament that is drawn back before travel"},
+            "length of filament that is retracted before travel"},
     Setting{"retraction_speed_mm_s", &PrintSettings::retraction_speed_mm_s, "mm/s", 0.1, 500,
-            "speed of the filament when it is drawn back and returned"},
+            "speed of the filament when it is retracted and returned"},
     Setting{"retraction_travel_min", &PrintSettings::retraction_travel_min, "mm", 0, 1'000,
-            "length of the shortest travel inside the part that has a retraction"},
+            "length of the shortest travel within the part with retraction"},
     Setting{"retraction_lift", &PrintSettings::retraction_lift, "mm", 0, 50,
-            "height of the nozzle over the layer in travel with retraction"},
+            "lift of the nozzle above the layer during travel with retraction"},
     Setting{"bed_x", &PrintSettings::bed_x, "mm", 1, kBedMaxMm, "width of the bed"},
     Setting{"bed_y", &PrintSettings::bed_y, "mm", 1, kBedMaxMm, "depth of the bed"},
     Setting{"bed_origin_x", &PrintSettings::bed_origin_x, "mm", -kBedMaxMm, kBedMaxMm,
@@ -185,9 +184,9 @@ inline constexpr std::array kSettings = {
     Setting{"bed_origin_y", &PrintSettings::bed_origin_y, "mm", -kBedMaxMm, kBedMaxMm,
             "printer's y of the bed's front left corner"},
     Setting{"axis_z", &PrintSettings::axis_z, "mm", 0, 1e9,
-            "height of the highest place that the nozzle can reach; off: not limited", kOffIsZero},
+            "largest height that the nozzle can reach; off: not limited", kOffIsZero},
     Setting{"centre", &PrintSettings::centre, "", 0, 1,
-            "whether the part lies in the middle of the bed; 0: at part_x, part_y"},
+            "whether the part is centred on the bed; 0: at part_x, part_y"},
     Setting{"part_x", &PrintSettings::part_x, "mm", 0, kBedMaxMm,
             "distance of the part's left side from the bed's"},
     Setting{"part_y", &PrintSettings::part_y, "mm", 0, kBedMaxMm,
@@ -199,29 +198,29 @@ inline constexpr std::array kSettings = {
     Setting{"bed_celsius", &PrintSettings::bed_celsius, "°C", 0, 200,
             "temperature of the bed; 0: not heated"},
     Setting{"cool_short_layers", &PrintSettings::cool_short_layers, "", 0, 1,
-            "whether layers that take little time are slowed down and get more of the fan"},
+            "whether short layers are slowed down and get more of the fan"},
     Setting{"fan_share", &PrintSettings::fan_share, "%", 0, 1,
-            "speed of the part's fan on layers that take less than layer_time_min_s"},
+            "speed of the part's fan on layers shorter than layer_time_min_s"},
     Setting{"fan_share_min", &PrintSettings::fan_share_min, "%", 0, 1,
-            "speed of the part's fan on layers that take fan_below_layer_time_s or more, if it is "
-            "not above fan_share"},
+            "speed of the part's fan on layers of fan_below_layer_time_s or longer; at most "
+            "fan_share"},
     Setting{"fan_always_on", &PrintSettings::fan_always_on, "", 0, 1,
-            "whether the fan runs on layers that take long, too"},
+            "whether the fan also runs on long layers"},
     Setting{"fan_below_layer_time_s", &PrintSettings::fan_below_layer_time_s, "s", 0, 3'600,
-            "time of a layer below which the fan is more than fan_share_min"},
+            "time of a layer below which the fan is faster than fan_share_min"},
     Setting{"fan_from_layer", &PrintSettings::fan_from_layer, "", 1, 1e6,
             "number of the first layer with the fan on, counted from 1"},
     Setting{"fan_full_layer", &PrintSettings::fan_full_layer, "", 0, 1e6,
-            "number of the layer up to which the fan's speed grows; 0: at once"},
+            "number of the layer up to which the fan's speed rises; 0: at once"},
     Setting{"start_gcode", &PrintSettings::start_gcode, "", 0, kVerbatimLinesMax,
             "lines of G-code that are sent first, with \\n between them; ';' starts a comment"},
     Setting{"end_gcode", &PrintSettings::end_gcode, "", 0, kVerbatimLinesMax,
             "lines of G-code that are sent last"},
     Setting{"allow_gcode", &PrintSettings::allow_gcode, "", 0, 0,
-            "commands that start_gcode and end_gcode may hold though they are refused otherwise, "
-            "as M500,M501; on the command line only"},
+            "commands that are allowed in start_gcode and end_gcode, although they are refused "
+            "otherwise, as M500,M501; only on the command line"},
     Setting{"park_lift", &PrintSettings::park_lift, "mm", 0, 1'000,
-            "height that the nozzle goes up by at the end and at a stop"},
+            "lift of the nozzle at the end and at a stop"},
 };
 
 }  // namespace host

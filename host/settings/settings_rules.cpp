@@ -1,4 +1,4 @@
-// validate_settings(): what settings ask of one another.
+// validate_settings(): rules between settings.
 #include <fmt/format.h>
 
 #include <string>
@@ -13,12 +13,12 @@ namespace {
 
 using core::Status;
 
-// Wider roads than this don't stick: the nozzle's flat face ends about there.
+// Wider roads don't stick: the flat face of the nozzle ends about there.
 constexpr double kRoadPerNozzleMax = 2.5;
 
 core::Error bad(std::string message) { return {core::ErrorCode::kBadSetting, std::move(message)}; }
 
-// Whoever filled in the struct by hand gets the same answers as who typed.
+// Settings from code are checked like those that a user typed.
 Status every_value_in_range(const PrintSettings& settings) {
   PrintSettings copy = settings;
   for (const SettingRow& row : describe_settings(settings)) {

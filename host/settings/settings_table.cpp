@@ -44,7 +44,7 @@ const Setting* find(std::string_view key) {
   return found == kSettings.end() ? nullptr : found;
 }
 
-// As far as they are named.
+// The names up to the first empty one.
 std::span<const std::string_view> names_of(const Choice& choice) {
   const auto* end = std::find(choice.names.begin(), choice.names.end(), std::string_view());
   return {choice.names.begin(), end};
@@ -76,7 +76,7 @@ std::string range_text(const Setting& setting) {
 }
 
 Status in_range(const Setting& setting, double value) {
-  // Written so that NaN, which compares false, is out of range too.
+  // Written so that NaN, which compares as false, is out of range, too.
   if ((value >= setting.min && value <= setting.max) || setting.word_for(value)) return {};
   if (setting.unit == "%" && value > 1 && value <= 100) {
     return bad(fmt::format("{0} = {1} is out of range: {2}; for {1} per cent write {1}%",
@@ -86,7 +86,7 @@ Status in_range(const Setting& setting, double value) {
                          range_text(setting)));
 }
 
-// `read` with the setting's name in front of an error and the range behind it.
+// The error with the setting's name before it and the range after it.
 core::Error explain(const Setting& setting, const core::Error& error) {
   return bad(fmt::format("{}: {}; expected {}", setting.key, error.message, range_text(setting)));
 }
@@ -200,7 +200,7 @@ Status set_setting(PrintSettings& settings, std::string_view key, std::string_vi
     const Setting* setting = find(ours.key);
     RIND_CHECK(setting != nullptr);
     Status status = assign(changed, *setting, ours.text);
-    // The user typed another name than the one that the error begins with.
+    // The error starts with our name, but the user typed another one.
     if (!status.ok() && ours.key != name) return bad(name + ": " + status.error().message);
     if (!status.ok()) return status;
   }

@@ -1,9 +1,8 @@
-// The one table of what a user can set: key, unit, default, range, help.
+// The table of all settings: key, unit, default, range, help.
 //
-// Keys are the names in PrintSettings. `rind settings` prints the table; --set, profiles and the
-// command line's own options all go through set_setting(), so that every value has been checked
-// once, by the same rule, before it is used. PrusaSlicer's keys of the same meaning are understood
-// too (settings_prusa.h).
+// Keys are the names in PrintSettings. `rind settings` prints the table. --set, profiles and the
+// command line's shortcuts all use set_setting(), so every value is checked by the same rule before
+// it is used. PrusaSlicer's keys with the same meaning are understood, too (settings_prusa.h).
 #pragma once
 
 #include <string>
@@ -19,8 +18,8 @@ namespace host {
 struct SettingRow {
   std::string key;
   std::string value;        // ENSURES: set_setting() reads it back to the same setting
-  std::string plain_value;  // the same, a number where the value has a word for it ("auto": "0")
-  std::string unit;         // "" where there is none
+  std::string plain_value;  // the same, with a number instead of a word ("auto": "0")
+  std::string unit;         // may be empty
   std::string default_value;
   std::string range;
   std::string help;
@@ -28,19 +27,19 @@ struct SettingRow {
 
 // Sets one setting from what a user typed. '-' in a key is read as '_'.
 //
-// An error names the key, what was read, the range and the unit; for an unknown key, the nearest
-// known one. ENSURES: after an error `settings` is as it was.
+// An error names the key, the text, the range and the unit; for an unknown key, the most similar
+// known one. ENSURES: after an error, `settings` is unchanged.
 core::Status set_setting(PrintSettings& settings, std::string_view key, std::string_view text);
 
-// In the order of PrintSettings.
+// All rows, in the order of PrintSettings.
 [[nodiscard]] std::vector<SettingRow> describe_settings(const PrintSettings& settings);
 
-// True for start and end G-code, in which ';' belongs to the value.
+// True for start and end G-code, where ';' is part of the value.
 [[nodiscard]] bool is_gcode_setting(std::string_view key);
 
-// Whether every setting is in its range and all of them fit together: the wall and the window, the
-// road and the nozzle, the part's place and the bed. To be called once, before anything is made of
-// them: REQUIRES of core's stages rest on it.
+// Checks that every setting is in its range and that all of them fit together: wall and window,
+// road and nozzle, the part's position and the bed. Call it once before the settings are used:
+// core's stages REQUIRE it.
 core::Status validate_settings(const PrintSettings& settings);
 
 }  // namespace host

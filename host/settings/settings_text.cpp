@@ -50,9 +50,8 @@ core::Result<double> read_number(std::string_view text, std::string_view unit) {
   const std::string_view rest = trimmed(whole.substr(length));
   const bool percent = unit == "%" && rest == "%";
   if (!rest.empty() && rest != unit) {
-    return bad(fmt::format("read \"{}\" as a number and could not go on at \"{}\"{}",
-                           whole.substr(0, length), rest,
-                           rest.starts_with(',') ? " (decimals follow a point)" : ""));
+    return bad(fmt::format("read \"{}\" as a number, but \"{}\" follows{}", whole.substr(0, length),
+                           rest, rest.starts_with(',') ? " (decimals follow a point)" : ""));
   }
   if (!std::isfinite(value)) return bad(fmt::format("\"{}\" is not a finite number", whole));
   return percent ? value / 100 : value;
@@ -83,7 +82,7 @@ core::Result<bool> read_switch(std::string_view text) {
   return bad(fmt::format("\"{}\" is neither 1 nor 0 (nor true/false, yes/no, on/off)", word));
 }
 
-// "\n" and "\r" end a line; what else stands behind a backslash stands for itself.
+// "\n" and "\r" end a line; any other character after a backslash is that character.
 std::vector<std::string> unescaped_lines(std::string_view text) {
   std::vector<std::string> lines(1);
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -128,7 +127,7 @@ core::Result<std::vector<std::string>> read_lines(std::string_view text) {
 }
 
 std::string write_number(double number) {
-  // Users don't think in powers of ten; only numbers of more than 16 digits are written so.
+  // No powers of ten for users, except for numbers with more than 16 digits.
   const double size = std::abs(number);
   const bool plain = size == 0 || (size >= 1e-6 && size < 1e16);
   std::array<char, 40> buffer{};

@@ -23,14 +23,14 @@ using core::Result;
 using core::Status;
 using Lines = std::vector<std::string>;
 
-constexpr const char* kLax = "; --profile-lax does without it";
+constexpr const char* kLax = "; --profile-lax leaves it out";
 
 std::string with_underscores(std::string key) {
   std::replace(key.begin(), key.end(), '-', '_');
   return key;
 }
 
-// Names that stand for something that is neither in the profile nor a setting.
+// Placeholders whose values are neither in the profile nor settings.
 std::optional<std::string> known_besides(std::string_view name, std::size_t index,
                                          const PrintSettings& settings) {
   const double x = settings.bed_origin_x.mm(), y = settings.bed_origin_y.mm();
@@ -56,8 +56,8 @@ std::optional<std::string> known_besides(std::string_view name, std::size_t inde
   return std::nullopt;
 }
 
-// The index-th of a profile's values, "215,210" or "PLA;PETG"; the first where there are fewer, as
-// PrusaSlicer has it.
+// The index-th of a profile's values, "215,210" or "PLA;PETG"; the first if there are fewer, as in
+// PrusaSlicer.
 std::optional<std::string> element(std::string_view list, std::size_t index) {
   const char between = list.find(';') != std::string_view::npos ? ';' : ',';
   std::string_view rest = list;
@@ -71,8 +71,7 @@ std::optional<std::string> element(std::string_view list, std::size_t index) {
   return std::string(one);
 }
 
-// What a placeholder stands for: what holds, then what the profile says, then what is known
-// besides.
+// Values of placeholders: from the settings, then from the profile, then others.
 class Known {
  public:
   Known(const PrintSettings& settings, const ProfileValues& values)
@@ -81,7 +80,7 @@ class Known {
   }
 
   [[nodiscard]] std::optional<std::string> value(std::string_view name, std::size_t index) const {
-    // Text may hold anything, placeholders too.
+    // G-code may hold placeholders itself.
     if (is_gcode_setting(name)) return std::nullopt;
     if (index == 0) {
       if (const auto row = rows_.find(ours_for(name).value_or(name)); row != rows_.end()) {
@@ -145,7 +144,7 @@ class Assembly {
         if (!set.ok()) return set;
         instead += fmt::format("{}{} = {}", instead.empty() ? "" : ", ", setting.key, setting.text);
       }
-      if (instead.empty()) instead = "rind's own holds";
+      if (instead.empty()) instead = "rind's own is used";
       whole_.notes.push_back(fmt::format("{}; it is left out: {}", one.what, instead));
     }
     return {};

@@ -1,8 +1,9 @@
-// All settings of a run: the profile, what was typed after it, and the user's G-code filled in.
+// Combines all settings of a run: the profile, then the settings typed after it, then the
+// placeholders in the user's G-code.
 //
-// What a profile asks for and rind does not do is named. What a print can't do without and that
-// could not be read, the bed and the start and end G-code, is an error, unless the user takes what
-// is left (`lax`) or has set it otherwise.
+// Settings of a profile that rind does not support are named. If the bed or the start and end
+// G-code could not be read, that is an error, unless the user does without them (`lax`) or sets
+// them.
 #pragma once
 
 #include <string>
@@ -22,7 +23,7 @@ struct SettingsRequest {
 
 struct WholeSettings {
   PrintSettings settings;          // ENSURES: validate_settings() is fine
-  std::vector<std::string> notes;  // what the profile's print has and this one has not
+  std::vector<std::string> notes;  // what the profile's print would have and this one has not
 };
 
 [[nodiscard]] core::Result<WholeSettings> whole_settings(const SettingsRequest& request);

@@ -1,5 +1,5 @@
-// Files as programs and people make them, with what is right for each: the volume and the layers of
-// 0.2 mm that come of it, or a refusal, and words that have to be said.
+// Files as programs and people make them, each with the expected result: its volume and number of
+// layers of 0.2 mm, or a refusal, and words that the messages must contain.
 #pragma once
 
 #include <string>
@@ -19,7 +19,7 @@ struct FileCase {
 
 // 20 × 20 × 10 mm: 4000 mm³ in 50 layers.
 [[nodiscard]] parts::Part case_box();
-// A convex polygon, or one that can be seen as a whole from its first corner, counter-clockwise.
+// A counter-clockwise polygon that is convex, or visible as a whole from its first corner.
 [[nodiscard]] parts::Part prism(const std::vector<parts::Corner>& polygon, double height);
 // The same with every facet seen from behind.
 [[nodiscard]] parts::Part inside_out(parts::Part part);

@@ -1,4 +1,4 @@
-// What the fuzzers of the file formats have in common.
+// The common part of the file formats' fuzzers.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +8,8 @@
 
 namespace test {
 
-// Reads these bytes as a file of that kind, to its end or to the first error; slices have to be
-// clean and stand on one another. Aborts where they do not.
+// Reads these bytes as a file of that kind, to its end or to the first error. Aborts if slices are
+// not clean or don't lie on one another.
 void read_as(host::FileKind kind, const std::uint8_t* data, std::size_t size);
 
 }  // namespace test

@@ -1,4 +1,4 @@
-// Small files of every kind, and how tests read files out of memory.
+// Small files of every kind, and functions that read files from memory.
 #pragma once
 
 #include <string>
@@ -16,22 +16,22 @@ struct FormatSample {
   std::string bytes;
 };
 
-// One valid file of each kind that is read, a few layers or facets each: seeds for fuzzers, and
-// what is cut and damaged in tests.
+// One valid file of each kind that is read, each with a few layers or facets: seeds for fuzzers,
+// and for tests that cut and damage files.
 const std::vector<FormatSample>& format_samples();
 const std::string& format_sample(const std::string& name);
 
-// Whatever it is: detected, read to its end, as far as it goes.
+// Recognises the kind and reads the file to its end, or to the first error.
 struct ReadFile {
   std::string format;
   std::vector<core::Slice> slices;        // of a layer file
   std::vector<core::Triangle> triangles;  // of a mesh
   std::vector<std::string> warnings;
 };
-// At most `most` slices or triangles; more are an error of the test's own.
+// Reads at most `most` slices or triangles; more are an error.
 core::Result<ReadFile> read_bytes(const std::string& bytes, std::size_t most = 100'000);
 
-// The message; empty where the file is fine.
+// The error message; empty if the file is fine.
 std::string error_of(const std::string& bytes);
 
 // Binary files, number by number.

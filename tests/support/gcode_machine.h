@@ -1,5 +1,5 @@
-// Reads G-code as a controller does that was just switched on, with all its modes, and keeps what
-// it lays and where.
+// Reads G-code like a controller that was just switched on, with all modes, and records what is
+// laid and where.
 #pragma once
 
 #include <cmath>
@@ -20,7 +20,7 @@ class GcodeMachine {
   int fan_most = 0;
   double nozzle_celsius = 0, bed_celsius = 0;
 
-  // What comes from now on is the print.
+  // The print starts here.
   void mark() {
     filament_mm = 0;
     x_min = y_min = 1e9;
@@ -105,7 +105,7 @@ class GcodeMachine {
   int plane_ = 17;
   std::map<char, double> words_;
   std::map<char, double> at_ = {{'X', 0}, {'Y', 0}, {'Z', 0}, {'E', 0}};
-  std::map<char, double> zero_;  // where the machine is when it is told 0
+  std::map<char, double> zero_;  // machine position of coordinate 0
   double unit_mm_ = 1;
   bool relative_ = false, relative_e_ = false, volumetric_ = false;
 };

@@ -1,5 +1,5 @@
-// Small clean regions full of coincidences: corners on a grid of at most 17 x 17 points, so that
-// edges line up, contours touch, walls are parallel, and many points are equally near to many.
+// Small clean regions with many coincidences: corners are on a grid of at most 17 x 17 points, so
+// that edges line up, contours touch, walls are parallel, and distances are often equal.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
-// What a list of executed commands lays: each piece of road, straight or an arc, by its ends, its
-// centre, height, filament and feed. Travels, retractions and primes leave no trace, as long as
-// they lay nothing.
+// The roads that a list of executed commands lays: each piece, straight or an arc, with its ends,
+// centre, height, filament and feed. Travels, retractions and primes are left out unless they lay
+// material.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@ struct LaidPiece {
 
 class RoadTracer {
  public:
-  // REQUIRES: moves spelled out; absolute positions, relative filament.
+  // REQUIRES: unpacked moves; absolute positions, relative filament.
   void execute(const std::string& text) {
     const std::string word = text.substr(0, text.find(' '));
     if (word == "G92") {
@@ -39,7 +39,7 @@ class RoadTracer {
 
   [[nodiscard]] const std::vector<LaidPiece>& laid() const { return laid_; }
   [[nodiscard]] double height() const { return height_; }
-  // Filament pushed or drawn back while x and y stood still.
+  // Filament extruded or retracted while x and y did not move.
   [[nodiscard]] double primed_mm() const { return primed_mm_; }
 
  private:

@@ -1,4 +1,4 @@
-// Parts as stacks of layers, with the inner offsets that the window asks for.
+// Parts as stacks of layers, with the inner offsets that the window needs.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ struct LayerStack {
   std::vector<core::Region> inners;  // inners[n] within slices[n]
 };
 
-// As the window takes it, `layer_height` 0.2 mm.
+// As input of the window; `layer_height` is 0.2 mm.
 core::Layer layer_of(const LayerStack& stack, std::size_t n);
 
 LayerStack upside_down(LayerStack stack);
@@ -28,7 +28,7 @@ LayerStack prefix(LayerStack stack, std::size_t layers);
 // cylinder, cone, sphere, hourglass, tube that leans, stairs.
 std::vector<LayerStack> round_stacks(int layers, double wall_mm);
 
-// A random region on every layer, with no likeness from one to the next: nothing is worse.
+// An independent random region on every layer: the worst case.
 LayerStack unlike_stack(int layers, std::uint64_t seed);
 
 // Islands with holes that wander and waver from layer to layer, as a part's slices do; the inner

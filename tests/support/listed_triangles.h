@@ -1,4 +1,4 @@
-// Triangles from a list, as a file or a pipe would give them.
+// A source of triangles from a list, like a file or a pipe.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ namespace test {
 
 class ListedTriangles : public host::TriangleSource {
  public:
-  // `taken` counts along.
+  // `taken` counts the triangles read.
   ListedTriangles(std::shared_ptr<const std::vector<core::Triangle>> triangles,
                   std::shared_ptr<std::int64_t> taken)
       : triangles_(std::move(triangles)), taken_(std::move(taken)) {}

@@ -1,5 +1,5 @@
-// The project's own parts in every mesh format, for tests: all with the same corners, those that a
-// binary STL can hold.
+// The project's own parts in every mesh format, for tests. All files have the same corners, which a
+// binary STL can hold exactly.
 #pragma once
 
 #include <string>
@@ -20,8 +20,8 @@ std::string old_sif_file(const parts::Part& part);
 std::string threemf_model(const parts::Part& part);
 std::string threemf_file(const std::string& model);
 
-// A package with two boxes in a mesh, and what a slicer says of them; and that it says: the second
-// is cut out of the first.
+// A package with two boxes in a mesh and the roles that a slicer gives them; and roles by which the
+// second is cut out of the first.
 std::string two_volume_threemf_file(const std::string& roles);
 std::string negative_volume_roles();
 

@@ -1,4 +1,4 @@
-// What comments name has to exist: files, functions, constants.
+// Checks that files, functions and constants named in comments exist.
 #pragma once
 
 #include <vector>
@@ -7,11 +7,11 @@
 
 namespace test {
 
-// Of each comment in C++ code:
+// In each comment in C++ code:
 //     a header or source         a file whose path ends so
 //     a name before "()"         an identifier somewhere in the code
 //     a constant, k and capital  the same
-// COSTS: all text twice.
+// COSTS: reads all text twice.
 Complaints check_named_in_comments(const std::vector<Source>& sources);
 
 }  // namespace test

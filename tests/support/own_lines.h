@@ -1,4 +1,4 @@
-// What a session sends of its own accord, beside the commands that it was given.
+// Lines that a session sends by itself, besides the commands that it was given.
 #pragma once
 
 #include <string>

@@ -1,10 +1,10 @@
-// The solid region of layer n, word for word as the paper has it (DETC2000/DAC-14285, after
-// figure 10). The oracle for core/walls/wall_splitter.h, which computes it another way.
+// The solid region of layer n by the paper's own formula (DETC2000/DAC-14285, after figure 10): the
+// oracle for core/walls/wall_splitter.h, which computes it in another way.
 //
 //     Offset(S_n) ∪ S_n ∩ ⋃_{i=1..T} [(S_{n+i-1} − S_{n+i}) ∪ (S_{n-i+1} − S_{n-i})
 //                                      ∪ Offset(S_{n+i}) ∪ Offset(S_{n-i})],   Offset(S) = S − I(S)
 //
-// Set is a region, or anything else that has these three operations.
+// Set is a region, or another type with these three operations.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// A folder of its own for a test, with parts in it as files; gone at the end.
+// A folder for one test, with parts as files in it; deleted at the end.
 #pragma once
 
 #include <unistd.h>

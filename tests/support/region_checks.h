@@ -1,4 +1,4 @@
-// How tests look at regions.
+// Checks and measures of regions for tests.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace test {
 
-// Brute force, exact: every promise in region.h. COSTS: O(points²).
+// Checks every promise in region.h exactly, by brute force. COSTS: O(points²).
 bool is_clean(const core::Region& region);
 
 // Sum of the rings' winding numbers at (x, y), in units; the point should lie on no edge.
@@ -23,8 +23,8 @@ double distance_to_segment(core::Point point, const core::Segment& segment);
 // Positive inside.
 double signed_distance(const core::Region& region, double x, double y);
 
-// Width in units (2 · area / perimeter) of the widest piece in which the two differ: results of
-// booleans are equal only up to slivers, so compare with a bound, never with ==.
+// Width in units (2 · area / perimeter) of the widest piece of the two regions' difference. Results
+// of booleans are equal only up to slivers, so compare this with a bound, never use ==.
 double widest_difference(const core::Region& a, const core::Region& b);
 
 // Largest distance in units from a vertex of one boundary to the other boundary, both ways.

@@ -16,7 +16,7 @@ std::vector<core::Ring> rings_from_text(std::string_view text);
 // REQUIRES: the rings are clean; it is checked.
 core::Region region_from_text(std::string_view text);
 
-// The other way, for messages.
+// Region to text, for messages.
 std::string to_text(const core::Region& region);
 
 core::Ring rectangle(double x0_mm, double y0_mm, double x1_mm, double y1_mm);

@@ -1,4 +1,4 @@
-// How tests look at roads: by sampling, with no part of what makes them.
+// Checks roads by sampling, independent of the code that plans them.
 #pragma once
 
 #include <vector>
@@ -10,11 +10,11 @@
 
 namespace test {
 
-// Share of random points of the region that lie within half a road's width of its centre line.
+// Fraction of the region's random points within half a road's width of its centre line.
 double covered_share(const core::Region& region, const std::vector<core::Road>& roads, int points,
                      Random& random);
 
-// How far in mm the beads stick out of the region, at worst.
+// Largest distance in mm that the beads stick out of the region.
 double sticks_out_mm(const core::Region& region, const std::vector<core::Road>& roads);
 
 // Least distance in mm of any centre line's points from the region's contour; negative outside.

@@ -1,4 +1,4 @@
-// Distances between ways that are made of straight lines and arcs, by brute force.
+// Distances between paths of straight lines and arcs, by brute force.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace test {
 using PathPoint = std::array<double, 2>;
 using Path = std::vector<PathPoint>;
 
-// Points along an arc at most `step` apart, the begin left out, the end as it is.
+// Points along an arc, at most `step` apart, without the start, with the exact end.
 inline void add_arc(PathPoint from, PathPoint to, PathPoint centre, bool clockwise, double step,
                     Path& path) {
   const double begin = std::atan2(from[1] - centre[1], from[0] - centre[0]);
@@ -37,7 +37,7 @@ inline double distance_to_segment(PathPoint p, PathPoint a, PathPoint b) {
   return std::hypot(p[0] - a[0] - t * dx, p[1] - a[1] - t * dy);
 }
 
-// How far the points of one path are off the other's lines, at most. Both are cut up to `step`.
+// Largest distance of one path's points from the other's lines, both divided into steps of `step`.
 inline double farthest_off(const Path& path, const Path& other, double step) {
   double farthest = 0;
   for (std::size_t i = 1; i < path.size(); ++i) {

@@ -1,4 +1,4 @@
-// Runs a command through the shell, rind above all, and keeps what it said.
+// Runs a command through the shell, usually rind, and keeps its output.
 #pragma once
 
 #include <sys/wait.h>
@@ -12,7 +12,7 @@
 namespace test {
 
 struct ProgramRun {
-  int exit_code = -1;  // 128 + signal when it was killed, as shells count
+  int exit_code = -1;  // 128 + signal if it was killed, as in shells
   std::string output;  // standard output and standard error together
 };
 

@@ -1,4 +1,4 @@
-// A program that runs beside the test: it is told signals, and what it says is read.
+// A program that runs beside the test, to send it signals and read its output.
 #pragma once
 
 #include <fcntl.h>
@@ -22,7 +22,7 @@ namespace test {
 
 class RunningProgram {
  public:
-  // The first word is its path. Its standard input is a pipe that says nothing, and does not end.
+  // The first word is its path. Its standard input is an open pipe without data.
   explicit RunningProgram(const std::vector<std::string>& words) {
     std::array<int, 2> in{}, out{};
     RIND_CHECK(::pipe2(in.data(), O_CLOEXEC) == 0 && ::pipe2(out.data(), O_CLOEXEC) == 0);
@@ -53,7 +53,7 @@ class RunningProgram {
   RunningProgram(const RunningProgram&) = delete;
   RunningProgram& operator=(const RunningProgram&) = delete;
 
-  // Until that was said; false: it ended before, or the time is over.
+  // Waits until it has written that; false if it ended before, or the time is over.
   [[nodiscard]] bool wait_for(const std::string& words, double limit_s) {
     const double until_s = now_s() + limit_s;
     while (said_.find(words) == std::string::npos) {
@@ -64,7 +64,7 @@ class RunningProgram {
 
   void tell(int signal) const { ::kill(process_, signal); }
 
-  // Its exit code, 128 + signal when it was killed; nothing: it still runs when the time is over.
+  // Its exit code, 128 + signal if it was killed; nullopt if it still runs when the time is over.
   [[nodiscard]] std::optional<int> end(double limit_s) {
     const double until_s = now_s() + limit_s;
     while (now_s() < until_s) {

@@ -28,11 +28,11 @@ bool is_code(const std::string& path) { return is_header(path) || path.ends_with
 bool within(const std::string& path, std::string_view place) { return path.starts_with(place); }
 
 struct Library {
-  std::string_view header;                    // or the beginning of its name
-  std::array<std::string_view, 3> allowed{};  // sources, or the beginnings of their names
+  std::string_view header;                    // or the start of its name
+  std::array<std::string_view, 3> allowed{};  // sources, or the starts of their names
 };
 
-// A library's name occurs in one source, or in few; never in a header. Tests may use any.
+// A library's header is included in one source, or a few; never in a header. Tests may use any.
 constexpr std::array kLibraries = {
     Library{"boost/polygon/polygon.hpp", {"tools/oracles/"}},
     Library{"boost/polygon/voronoi", {"core/offsets/voronoi_diagram.cpp"}},
@@ -53,12 +53,12 @@ constexpr std::array kLibraries = {
     Library{"polyclipping/", {"tests/", "tools/bench_"}},
 };
 
-// What the inner rooms do without: the outermost one knows threads, clocks and files.
+// Headers that core and firmware_link must not include: only host knows threads, clocks and files.
 constexpr std::array<std::string_view, 11> kOutermost = {
     "thread",   "mutex",   "condition_variable", "future", "ctime", "fstream",
     "iostream", "ostream", "filesystem",         "random", "atomic"};
 
-// check.cpp writes one line before the program ends; the ports touch the operating system.
+// check.cpp writes a line before the program ends; the ports use the operating system.
 bool may_touch_system(const std::string& path) {
   const bool pure = within(path, "core/") || within(path, "firmware_link/");
   return !pure || path.ends_with("/check.cpp") ||
@@ -66,7 +66,7 @@ bool may_touch_system(const std::string& path) {
           (path.ends_with("_port.cpp") || path.ends_with("/ports.cpp")));
 }
 
-// Whether it stands in the line as a whole word: mkdtemp's row of six X is none of ours.
+// True if the line contains it as a whole word: mkdtemp's six X in a row don't count.
 bool says(const std::string& line, const std::string& word) {
   const auto letter = [&](std::size_t i) {
     return i < line.size() && std::isalpha(static_cast<unsigned char>(line[i])) != 0;
@@ -78,7 +78,7 @@ bool says(const std::string& line, const std::string& word) {
   return false;
 }
 
-// Which rooms a room may include from.
+// Whether a room may include from another one.
 bool arrow_exists(const std::string& path, std::string_view included) {
   const auto from = [&](std::string_view room) { return included.starts_with(room); };
   if (within(path, "core/")) return from("core/");

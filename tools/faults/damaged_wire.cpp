@@ -9,7 +9,7 @@
 namespace firmware_link {
 namespace {
 
-// What has been seen on real wires, and what looks like an answer.
+// Lines seen on real wires, and lines that look like answers.
 constexpr std::string_view kNonsense[] = {
     "Resend: 34497\n", "Resend: \n",  "Resend: -3\n",  "Resend: 0\n",    "rs 99999999\n",
     "okay\n",          "o\n",         "k\n",           "\xff\xfe\x80\n", "echo:\n",
@@ -27,7 +27,7 @@ std::uint64_t SplitMix::next() {
 }
 
 std::size_t DamagedWire::room() const {
-  // Doubling and nonsense need more than what comes in.
+  // Doubled and inserted lines need more room than the input.
   const std::size_t used = 2 * held_.size();
   return used >= kHeldBytesMax ? 0 : (kHeldBytesMax - used) / 8;
 }

@@ -1,5 +1,5 @@
-// One direction of a wire that damages what it carries: bytes, whole lines, their time. Seeded, so
-// that each run of a seed is the same.
+// One direction of a wire that damages bytes and lines and delays them. Each run with the same seed
+// is the same.
 //
 //     carry(bytes) ──lose, flip, double, insert──> held while late ──> take()
 #pragma once
@@ -14,8 +14,8 @@
 
 namespace firmware_link {
 
-// Probabilities for each byte or line. After a damage so many bytes pass unharmed: Marlin's
-// checksum, an exclusive or, does not see two flips of the same bit in one line.
+// Probabilities for each byte or line. After a fault, some bytes pass undamaged: Marlin's checksum,
+// an exclusive or, does not detect two flips of the same bit in one line.
 struct WireDamage {
   double lose_byte = 0;
   double flip_byte = 0;
@@ -24,7 +24,7 @@ struct WireDamage {
   double lose_line = 0;
   double double_line = 0;
   double insert_line = 0;  // a line of `nonsense` before a line
-  double delay_line = 0;   // by up to delay_max; what is behind it waits too
+  double delay_line = 0;   // by up to delay_max; lines behind it wait, too
   Duration delay_max{0};
   // A flipped byte, and then all to the end of the next line's number is gone, as if the
   // controller's flush had cut exactly there: the tail is a whole command without a number. Only of
@@ -33,8 +33,7 @@ struct WireDamage {
   std::size_t distance = 100;
 };
 
-// As good as need be for choosing damages (Steele, Lea, Flood, "Fast splittable pseudorandom number
-// generators", 2014).
+// SplitMix64 (Steele, Lea, Flood, "Fast splittable pseudorandom number generators", 2014).
 class SplitMix {
  public:
   explicit SplitMix(std::uint64_t seed) : state_(seed) {}
@@ -51,7 +50,7 @@ class SplitMix {
 
 class DamagedWire {
  public:
-  // Bytes that wait, at most: a carrier asks for room() first.
+  // Most bytes that can wait; check room() first.
   static constexpr std::size_t kHeldBytesMax = 16384;
 
   DamagedWire(const WireDamage& damage, std::uint64_t seed) : damage_(damage), random_(seed) {}
@@ -60,13 +59,13 @@ class DamagedWire {
   void carry(std::span<const std::byte> bytes, Instant now);
   [[nodiscard]] std::size_t room() const;
 
-  // Takes what has arrived; returns how many bytes.
+  // Takes the bytes that have arrived; returns their number.
   [[nodiscard]] std::size_t take(std::span<std::byte> into, Instant now);
-  // What has arrived, to be looked at without taking it.
+  // The bytes that have arrived, without taking them.
   [[nodiscard]] std::string_view arrived(Instant now) const;
   void drop(std::size_t count);
 
-  // When what is late arrives; `now` or earlier when nothing is.
+  // When the delayed bytes arrive; `now` or earlier if there are none.
   [[nodiscard]] Instant held_until() const { return held_until_; }
   [[nodiscard]] bool empty() const { return held_.empty(); }
   [[nodiscard]] std::int64_t damages() const { return damages_; }
@@ -79,7 +78,7 @@ class DamagedWire {
   WireDamage damage_;
   SplitMix random_;
   std::string held_;
-  std::string line_;  // the one at hand, for doubling
+  std::string line_;  // the current line, for doubling
   Instant held_until_{};
   std::size_t since_ = 10'000;
   std::int64_t damages_ = 0;

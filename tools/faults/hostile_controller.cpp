@@ -31,7 +31,7 @@ VirtualControllerOptions adapted(const Scenario& scenario, std::uint64_t seed,
   return options;
 }
 
-// A controller's own thermal protection, in the words of several firmwares.
+// Messages of thermal protection in several firmwares.
 constexpr std::string_view kRunaways[] = {"Error:Thermal Runaway, system stopped! Heater_ID: 0\n",
                                           "error:THERMAL RUNAWAY on T0\n",
                                           "Error:Thermal runaway, system stopped! Heater_ID: bed\n",
@@ -155,7 +155,7 @@ void HostileController::happen(Instant now) {
   }
 }
 
-// What it says of it is lost.
+// Its report of that is lost.
 void HostileController::reset_unheard(Instant now) {
   controller_.reset(now);
   std::array<std::byte, 256> banner;
@@ -163,7 +163,7 @@ void HostileController::reset_unheard(Instant now) {
   }
 }
 
-// What comes for an `ok`: nothing, or what is left of it.
+// What arrives instead of an `ok`: nothing, or the rest of it.
 std::string_view HostileController::instead() {
   constexpr std::string_view kLeft[] = {"", "o\n", "k\n", "\xefk\n", "ok"};
   return kLeft[random_.below(std::size(kLeft))];
@@ -203,7 +203,7 @@ std::size_t HostileController::output(std::span<std::byte> into, Instant now) {
   }
   const bool chats = scenario_.mishap == Mishap::kChatter || scenario_.mishap == Mishap::kNoise;
   if (chats) chatter(now);
-  // What it said while nobody was there is gone.
+  // Its output while no host was connected is lost.
   if (!plugged(now) || mute_) {
     up_.drop(up_.arrived(now).size());
     return 0;

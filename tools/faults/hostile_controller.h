@@ -1,5 +1,5 @@
-// A virtual controller at the other end of a scenario: the same calls, but wires that damage and a
-// mishap that waits for its line.
+// A virtual controller within a scenario: it has the same functions, wires that damage bytes, and a
+// mishap that happens at a certain line.
 #pragma once
 
 #include <cstddef>
@@ -15,12 +15,12 @@ namespace firmware_link {
 
 class HostileController {
  public:
-  // The mishap comes with one of the within_lines lines behind the first mishap_after that a host
-  // sends. REQUIRES: the scenario outlives it; within_lines > 0.
+  // The mishap happens at one of `within_lines` lines after the host's first mishap_after lines.
+  // REQUIRES: the scenario outlives this; within_lines > 0.
   HostileController(const Scenario& scenario, std::uint64_t seed,
                     const VirtualControllerOptions& options, std::size_t within_lines, Instant now);
 
-  // As VirtualController's. A host that is unplugged gets nothing through.
+  // As in VirtualController. An unplugged host can't send or receive.
   [[nodiscard]] std::size_t input(std::span<const std::byte> bytes, Instant now);
   void advance(Instant now);
   [[nodiscard]] std::size_t output(std::span<std::byte> into, Instant now);
@@ -52,7 +52,7 @@ class HostileController {
   std::optional<Instant> unplugged_until_;
   bool happened_ = false;
   bool mute_ = false;
-  bool mute_controller_ = false;  // from the beginning: the device is none
+  bool mute_controller_ = false;  // from the start: the device is no controller
   Instant chatter_next_{};
 };
 

@@ -21,7 +21,7 @@ Scenario noise(std::string_view name, std::string_view what, const WireDamage& d
   scenario.down = down;
   scenario.up = up;
   scenario.faults = kNoise;
-  // Several losses may meet.
+  // Several losses may coincide.
   scenario.stood_max = std::chrono::seconds(12);
   return scenario;
 }

@@ -10,8 +10,8 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::minutes;
 
-// A question waits behind a command that takes long. A lost end of line takes its answer along, and
-// then another is asked.
+// A question waits behind a long command. If a line end is lost, its answer is lost, too, and the
+// question is repeated.
 constexpr Duration kBehindWork = milliseconds(6'000);
 
 struct Lost {
@@ -56,7 +56,7 @@ Scenario klipper_noise(std::string_view name, std::string_view what) {
   scenario.dialect = VirtualDialect::kKlipper;
   scenario.may_finish = true;
   scenario.every_move_extrudes = true;
-  scenario.stood_max = milliseconds(6'000);  // several losses may meet
+  scenario.stood_max = milliseconds(6'000);  // several losses may coincide
   return scenario;
 }
 

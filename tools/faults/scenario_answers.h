@@ -1,4 +1,4 @@
-// Scenarios of answers that are missing, late by nature, or beside the point.
+// Scenarios with answers that are missing, late, or unrelated.
 #pragma once
 
 #include <vector>

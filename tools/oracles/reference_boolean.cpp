@@ -17,8 +17,7 @@ using Operation = polygon::arbitrary_boolean_op<int>;
 
 enum class Direction { kAsIs, kReversed };
 
-// Boost re-orients whole polygons on insertion; edges with their own sign keep the winding numbers
-// that the rings really have.
+// Boost re-orients whole polygons on insertion; signed edges keep the rings' real winding numbers.
 void add_edges(const std::vector<Ring>& rings, Direction direction, Edges& edges) {
   for (const Ring& ring : rings) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -96,8 +95,8 @@ Region clean(const std::vector<Ring>& rings, FillRule rule) {
   }
   if (surely_clean(rings)) return Region::from_clean_rings(rings);
   const Edges edges = directed_edges_of(rings);
-  // Boost counts a point as covered where its winding number is above 0: where it is below, the
-  // same rings turned round cover it.
+  // For Boost, a point is covered if its winding number is above 0. If it is below 0, the reversed
+  // rings cover it.
   const Edges turned =
       rule == FillRule::kNonZero ? directed_edges_of(rings, Direction::kReversed) : Edges();
   return combine(edges, turned, Operation::BOOLEAN_OR);

@@ -1,5 +1,5 @@
-// The operations of boolean.h by Boost.Polygon: another algorithm by other people, several times
-// slower. Tests and benches compare with it; the program does not call it.
+// The operations of boolean.h by Boost.Polygon: another, independent algorithm, several times
+// slower. Tests and benches compare with it; the program does not use it.
 #pragma once
 
 #include <vector>

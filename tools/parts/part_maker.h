@@ -1,9 +1,8 @@
-// Parts for tries, tests and benches, made facet by facet: memory does not grow with the part.
+// Makes parts for trials, tests and benches, facet by facet: memory does not grow with the part.
 //
-// A part is a function that hands its facets, counter-clockwise seen from outside, to a sink; it
-// may be run any number of times and gives the same facets each time. Lengths are in mm. Sound
-// parts are closed, stand on z = 0 and have positive x and y; the faulty ones say in their
-// description what is wrong with them.
+// A part is a function that passes its facets, counter-clockwise seen from outside, to a sink. It
+// gives the same facets each time it is run. Lengths are in mm. Sound parts are closed, stand on
+// z = 0 and have positive x and y. The description of a faulty part says what is wrong with it.
 #pragma once
 
 #include <array>
@@ -29,7 +28,7 @@ using Part = std::function<void(const FacetSink&)>;
 // the four sides from y outwards, counter-clockwise.
 [[nodiscard]] Part box(Corner at, double width, double depth, double height);
 
-// Very short and lopsided: its right face rises at 6.5° when it is 10 mm high.
+// Low and asymmetric: its right face rises at 6.5° if it is 10 mm high.
 [[nodiscard]] Part pyramid(double height);
 
 // Hemisphere on its flat side.
@@ -66,10 +65,10 @@ struct TowerSize {
 // Hose fitting, 25 mm tall: a hexagon flange, a slope, two barbs that overhang, and a bore.
 [[nodiscard]] Part demo();
 
-// The facets of all, one part after the other.
+// The facets of all parts, one part after the other.
 [[nodiscard]] Part together(std::vector<Part> all);
 
-// The facets of `part` as `edit` returns them: none, one or more for each, numbered from 0.
+// The facets of `part`, each replaced by the result of `edit`: none, one or more. Numbered from 0.
 using FacetEdit = std::function<std::vector<Facet>(const Facet&, std::int64_t number)>;
 [[nodiscard]] Part edited(Part part, FacetEdit edit);
 
@@ -93,8 +92,8 @@ struct PartSizes {
 
 [[nodiscard]] std::int64_t count_facets(const Part& part);
 
-// Runs the part twice, to write the number of facets first: `out` need not be seekable. Not
-// counted, the part is run once, and the number is 0, as it is for more than the format can count.
+// Runs the part twice, to write the number of facets first: `out` need not be seekable. Uncounted,
+// it runs the part once, and the number is 0; so it is for more facets than the format can count.
 void write_binary_stl(const Part& part, std::ostream& out, bool counted = true);
 void write_ascii_stl(const Part& part, std::ostream& out);
 

@@ -1,4 +1,4 @@
-// What curved parts are put together from: rings of corners, and the bands between them.
+// Pieces of curved parts: rings of corners, and the bands between them.
 #pragma once
 
 #include <functional>

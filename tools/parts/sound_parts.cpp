@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kLayerHeight = 0.2;
 
-// Hexagon with `corners` corners (a multiple of 6), equally many on each flat.
+// Hexagon with `corners` corners (a multiple of 6), the same number on each side.
 CornerRing hexagon(int corners, double across_flats, Corner centre) {
   const double radius = across_flats / std::sqrt(3.0);
   const int per_flat = corners / 6;
@@ -32,8 +32,8 @@ struct Thread {
 
   [[nodiscard]] int rings() const { return turns * segments; }
 
-  // Of ring `k`, which is k pitch/segments above the head, at corner `i`: the thread's edges run
-  // along the mesh's.
+  // Radius of ring `k`, which is k pitch/segments above the head, at corner `i`: the thread's edges
+  // follow the mesh's.
   [[nodiscard]] double radius(int i, int k) const {
     const double flank = (1 - crest - root) / 2;
     const double place = static_cast<double>(((k - i) % segments + segments) % segments) / segments;

@@ -24,7 +24,7 @@ using core::Region;
 using core::Ring;
 
 constexpr double kTurn = 2 * std::numbers::pi;
-// A printer's bed bounds nothing here.
+// No bed limits the parts here.
 constexpr double kBedMm = 10'000;
 
 core::Point point_mm(double x, double y) {
@@ -160,7 +160,7 @@ core::Result<Sample> of_file(const std::string& path, double layer_height_mm, in
   if (!read.ok()) return read.error();
   Sample sample{std::filesystem::path(path).stem().string(), {}};
   std::int64_t layer = 0, taken = 0;
-  bool wanted = false;  // the last slice begins a pair
+  bool wanted = false;  // the last slice is the first of a pair
   Region last;
   read = for_slices(path, layer_height_mm, [&](const Region& slice) {
     if (wanted && !last.empty() && !slice.empty()) sample.pairs.push_back({last, slice});

@@ -1,4 +1,4 @@
-// Slices to try kernels on: made up, or cut from parts as the program cuts them.
+// Slices for benches and tests of kernels: synthetic, or cut from parts as in the program.
 #pragma once
 
 #include <functional>
@@ -29,17 +29,17 @@ struct Sample {
 // a blob, a lobed tube, a circle, 441 islands, a star without a smooth stretch, one with a dent.
 [[nodiscard]] std::vector<Sample> made_up();
 
-// Every slice of the part in this file, from the bed upwards; an error of the file is returned.
-// The part is cut with the settings' defaults and this layer height.
+// Every slice of the part in this file, from the bed up, with default settings and this layer
+// height. Returns an error of the file.
 [[nodiscard]] core::Status for_slices(const std::string& path, double layer_height_mm,
                                       const std::function<void(const core::Region&)>& visit);
 
-// `count` pairs evenly spread over the part's height, fewer where it has fewer; empty slices are
+// `count` pairs spread evenly over the part's height, or fewer if it has fewer; empty slices are
 // left out. COSTS: reads the part twice.
 [[nodiscard]] core::Result<Sample> of_file(const std::string& path, double layer_height_mm,
                                            int count);
 
-// The same of one of the project's own parts, by way of a temporary file.
+// The same for one of the project's own parts, through a temporary file.
 [[nodiscard]] core::Result<Sample> of_part(const parts::NamedPart& part, double layer_height_mm,
                                            int count);
 

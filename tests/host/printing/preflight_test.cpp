@@ -215,7 +215,7 @@ TEST_CASE("a bad layer is told with its height and treated as asked for") {
     CHECK_EQ(layers.count(), 2);
     const std::vector<std::string> told = warnings.take();
     REQUIRE_EQ(told.size(), 2);
-    CHECK_NE(told[1].find("layer 3 at 0.6 mm: it holds nothing"), std::string::npos);
+    CHECK_NE(told[1].find("layer 3 at 0.6 mm: it is empty"), std::string::npos);
     CHECK(warnings.take().empty());
   }
 }

@@ -329,7 +329,7 @@ TEST_CASE("profile: refused commands are refused there, too, and can't allow the
   const std::string own = asked.folder.add_text("own.ini", "allow_gcode = M500\n");
   const auto allowing = host::whole_settings({own, false, {}});
   REQUIRE_FALSE(allowing.ok());
-  CHECK(contains(allowing.error().message, "own.ini:1: allow_gcode has no place in a file"));
+  CHECK(contains(allowing.error().message, "own.ini:1: allow_gcode is not permitted in a file"));
   const auto named = host::whole_settings({"", false, {{"allow_gcode", "M500"}}});
   REQUIRE(named.ok());
   CHECK_EQ(named.value().settings.allow_gcode, "M500");

@@ -126,7 +126,7 @@ TEST_CASE("what can't be understood is refused with exit code 2 and the reason")
       {{"show", "p.stl", "-o", "a.svg"}, "--layer"},
       {{"show", "p.stl", "-o", "a.svg", "--layer", "0"}, "--layer"},
       {{"show", "p.stl", "-o", "a.svg", "--layer", "3", "--section", "Y=1"}, "--section"},
-      {{"show", "p.stl", "-o", "a.svg", "--section", "Z=1"}, "'Z=1' is no place to cut"},
+      {{"show", "p.stl", "-o", "a.svg", "--section", "Z=1"}, "'Z=1' is no position for a cut"},
       {{"show", "p.stl", "-o", "a.svg", "--section", "Y="}, "Y=12.5"},
       {{"show", "p.stl", "-o", "a.svg", "--section", "Y=1inch"}, "Y=12.5"},
       {{"show", "p.stl", "-o", "a.svg", "--section", "X=nan"}, "X=50%"},

@@ -132,8 +132,8 @@ TEST_CASE("PrusaSlicer's files load, known by their first line or by their keys"
     CHECK_EQ(result.gcode[1].text, "M109 S[first_layer_temperature]\\nG28");
     CHECK_EQ(result.set_count, 7);
     // Neither automatic widths nor percentages have a counterpart: they are named.
-    CHECK(lists(result.left_out, "extrusion_width = 0: rind's own value holds"));
-    CHECK(lists(result.left_out, "first_layer_speed = 50%: rind's own value holds"));
+    CHECK(lists(result.left_out, "extrusion_width = 0: rind's own value is used"));
+    CHECK(lists(result.left_out, "first_layer_speed = 50%: rind's own value is used"));
     CHECK(lists(result.left_out, "top_solid_layers = 3: the top is as thick as wall_thickness"));
     CHECK(lists(result.left_out,
                 "nozzle_diameter = 0.4,0.4: one tool prints, with the first "

@@ -198,7 +198,7 @@ TEST_CASE("numbers as users write them") {
 }
 
 TEST_CASE("an error says what was read") {
-  CHECK(contains(error_of("layer_height", "0,2"), "could not go on at \",2\""));
+  CHECK(contains(error_of("layer_height", "0,2"), "but \",2\" follows"));
   CHECK(contains(error_of("layer_height", "0.2 inch"), "\"inch\""));
   CHECK(contains(error_of("layer_height", "thin"), "\"thin\" is not a number"));
   CHECK(contains(error_of("layer_height", ""), "missing"));
