@@ -76,7 +76,7 @@ TEST_CASE("the form of the output follows its name, or --format") {
   const Options roads = parse_good({"slice", "p.stl", "-o", "a.cli", "--format", "cli-roads"});
   CHECK_EQ(roads.output.format, OutputFormat::kCliRoads);
 
-  CHECK(says(parse_bad({"slice", "p.stl", "-o", "a.stl"}), "what 'a.stl' is to be"));
+  CHECK(says(parse_bad({"slice", "p.stl", "-o", "a.stl"}), "the name 'a.stl' does not tell"));
   CHECK(says(parse_bad({"slice", "p.stl", "-o", "a"}), "--format"));
 }
 
