@@ -32,7 +32,8 @@ PortError open_error(const std::string& path, int system_error) {
       return {cause, "is the printer plugged in and switched on? `rind ports` lists the ports"};
     case EACCES:
     case EPERM:
-      return {cause, "join the group that owns it: `sudo adduser $USER dialout`, then log in anew"};
+      return {cause,
+              "join the group that owns it: `sudo adduser $USER dialout`, then log in again"};
     case EBUSY:
       return {cause, "another program holds it: close that one (OctoPrint, a serial monitor …)"};
     default:

@@ -80,12 +80,12 @@ std::variant<Verbatim, std::string> verbatim_from(std::string_view line) {
     return "it has " + std::to_string(text.size()) + " characters, more than the " +
            std::to_string(kTextBytesMax) + " that a controller's line can hold";
   }
-  if (!is_letter(text.front())) return std::string("it does not begin with a command word");
+  if (!is_letter(text.front())) return std::string("it does not start with a command word");
   if (numbers_itself(text)) {
     return std::string("it has a line number of its own; the link numbers lines");
   }
   if (text.find('*') != std::string::npos) {
-    return std::string("it holds a *, which begins a checksum");
+    return std::string("it holds a *, which starts a checksum");
   }
   if (std::string why = refusal(text); !why.empty()) return why;
   Verbatim verbatim;

@@ -82,7 +82,7 @@ class ScenarioRun {
   Instant now{};
   std::unique_ptr<HostileController> controller;
   std::unique_ptr<Session> session;
-  std::vector<std::string> printed;  // the print's own commands, as they were begun
+  std::vector<std::string> printed;  // the print's own commands, as they were started
   std::vector<std::string> strays;   // known ones that came without a number
   int turns = 0;
 

@@ -144,7 +144,7 @@ TEST_CASE("damage both ways, at a rate where a line seldom gets through, ends wi
   (void)check_damage(bad, bad, real());
 }
 
-TEST_CASE("numbering that starts anew survives damage") {
+TEST_CASE("numbering that starts again survives damage") {
   SessionOptions options;
   options.line_number_max = 20;
   Damage down;
