@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/class_rules.h"
 #include "tests/support/name_rules.h"
 #include "tests/support/source_rules.h"
 #include "tests/support/source_text.h"
@@ -121,6 +122,27 @@ TEST_CASE("functions of 70 lines") {
   CHECK_EQ(found("class A {\n" + repeated("  int b = 0;\n", 100) + "};\n"), 0);
   CHECK_EQ(found(repeated(function("void g()", 30), 5)), 0);
   hold_everywhere(test::check_functions);
+}
+
+TEST_CASE("classes of 25 data members") {
+  const auto found = [](const std::string& text) {
+    return complaints(test::check_members, "core/a.h", text);
+  };
+  CHECK_EQ(found("struct A {\n" + repeated("  int a = 0;\n", 25) + "};\n"), 0);
+  CHECK_EQ(found("struct A {\n" + repeated("  int a = 0;\n", 26) + "};\n"), 1);
+  CHECK_EQ(found("class A {\n private:\n" + repeated("  std::map<int, int> a_{};\n", 26) + "};\n"),
+           1);
+  CHECK_EQ(found("struct A {\n" + repeated("  int a = 0, b = 0;\n", 13) + "};\n"), 1);
+  CHECK_EQ(found("struct A {\n" + repeated("  std::function<int(int)> f;\n", 26) + "};\n"), 1);
+  // Functions, types and what is nested are none of its members.
+  CHECK_EQ(found("struct A {\n" + repeated("  int f() const { return a; }\n", 30) + "};\n"), 0);
+  CHECK_EQ(found("struct A {\n" + repeated("  void f(int a);\n", 30) + "};\n"), 0);
+  CHECK_EQ(found("struct A {\n" + repeated("  static constexpr int kA = 1;\n", 30) + "};\n"), 0);
+  CHECK_EQ(found("struct A {\n  struct B {\n" + repeated("    int a;\n", 20) + "  };\n" +
+                 repeated("  int a;\n", 20) + "};\n"),
+           0);
+  CHECK_EQ(found("enum class A {\n" + repeated("  kA,\n", 30) + "};\n"), 0);
+  hold_everywhere(test::check_members);
 }
 
 TEST_CASE("functions are seen where they are") {

@@ -39,6 +39,15 @@ struct ExecutedCommand {
 // Whose words it speaks, and by whose rules it takes lines (README.md, dialects/).
 enum class VirtualDialect { kMarlin, kKlipper, kRepRap, kPrusa };
 
+// What only Klipper has. Not homed, as after a restart, it refuses every move of an axis.
+struct KlipperOptions {
+  bool homed = false;                  // at power-up
+  bool force_move = false;             // [force_move] enable_force_move: True
+  Duration ready_after{0};             // until its microcontrollers are found
+  Duration idle_timeout{600'000'000};  // [idle_timeout]: heaters and motors off
+  std::string_view config_error;       // never ready, for this reason; empty: none
+};
+
 struct VirtualControllerOptions {
   // DEFAULT: kMarlin.
   VirtualDialect dialect = VirtualDialect::kMarlin;
@@ -75,12 +84,7 @@ struct VirtualControllerOptions {
   double bed_heating_celsius_s = 2;
   double extrude_celsius_min = 170;
 
-  // Klipper's. Not homed, as after a restart, it refuses every move of an axis.
-  bool homed = false;                  // at power-up
-  bool force_move = false;             // [force_move] enable_force_move: True
-  Duration ready_after{0};             // until its microcontrollers are found
-  Duration idle_timeout{600'000'000};  // [idle_timeout]: heaters and motors off
-  std::string_view config_error;       // never ready, for this reason; empty: none
+  KlipperOptions klipper;
 
   Duration homing_time{0};  // more than its ways take: probing
   bool busy_lines = true;   // of those that have them

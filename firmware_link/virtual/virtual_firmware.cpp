@@ -28,7 +28,7 @@ VirtualController::Firmware::Firmware(const VirtualControllerOptions& options, I
   if (numbers_lines(options_.dialect) && options_.busy_lines) reports_.busy_interval_s = 2;
   planner_.moved = options_.moved;
   print(banner_of(options_.dialect));
-  if (speaks(VirtualDialect::kKlipper)) start_klipper(options_.ready_after);
+  if (speaks(VirtualDialect::kKlipper)) start_klipper(options_.klipper.ready_after);
 }
 
 std::size_t VirtualController::Firmware::input(std::span<const std::byte> bytes, Instant now) {
@@ -157,7 +157,7 @@ void VirtualController::Firmware::reset(Instant now) {
   advance(now);
   forget_all();
   print(banner_of(options_.dialect));
-  if (speaks(VirtualDialect::kKlipper)) start_klipper(options_.ready_after);
+  if (speaks(VirtualDialect::kKlipper)) start_klipper(options_.klipper.ready_after);
 }
 
 void VirtualController::Firmware::forget_all() {

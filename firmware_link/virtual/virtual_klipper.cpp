@@ -24,8 +24,8 @@ std::optional<std::int64_t> parameter_um(std::string_view text, char axis) {
 }  // namespace
 
 void VirtualController::Firmware::start_klipper(Duration ready_after) {
-  klipper_.start(options_.config_error, ready_after, now_);
-  position_.set_homed(options_.homed);
+  klipper_.start(options_.klipper.config_error, ready_after, now_);
+  position_.set_homed(options_.klipper.homed);
 }
 
 // What comes by the clock.
@@ -36,7 +36,7 @@ bool VirtualController::Firmware::klipper_turn() {
     return true;
   }
   const bool busy = !planner_.empty() || handler_.runs;
-  if (!klipper_.falls_idle(busy, options_.idle_timeout, now_)) return false;
+  if (!klipper_.falls_idle(busy, options_.klipper.idle_timeout, now_)) return false;
   heaters_.off();
   position_.set_homed(false);
   return true;
@@ -44,7 +44,7 @@ bool VirtualController::Firmware::klipper_turn() {
 
 std::optional<Instant> VirtualController::Firmware::klipper_next() const {
   if (!speaks(VirtualDialect::kKlipper)) return std::nullopt;
-  return klipper_.next(!planner_.empty() || handler_.runs, options_.idle_timeout);
+  return klipper_.next(!planner_.empty() || handler_.runs, options_.klipper.idle_timeout);
 }
 
 // All lines as notes, where there are several, and the first as the error.
@@ -103,7 +103,7 @@ bool VirtualController::Firmware::klipper_answers(std::string_view text) {
     print("// Klipper state: Ready\n");
   } else if (command == "HELP") {
     klipper_help();
-  } else if (command == "SET_KINEMATIC_POSITION" && options_.force_move) {
+  } else if (command == "SET_KINEMATIC_POSITION" && options_.klipper.force_move) {
     klipper_set_position(text);
   } else {
     return false;
@@ -120,7 +120,7 @@ void VirtualController::Firmware::klipper_help() {
       "reload config\n// HELP      : Report the list of available extended G-Code commands\n");
   if (!klipper_.ready()) return;
   print("// SET_IDLE_TIMEOUT: Set the idle timeout in seconds\n");
-  if (options_.force_move) {
+  if (options_.klipper.force_move) {
     print("// SET_KINEMATIC_POSITION: Force a low-level kinematic position\n");
   }
 }

@@ -20,7 +20,8 @@ bool comes_first(Mishap mishap) {
 VirtualControllerOptions adapted(const Scenario& scenario, std::uint64_t seed,
                                  VirtualControllerOptions options) {
   SplitMix random(~seed);
-  if (scenario.mishap == Mishap::kNotReady) options.ready_after = seconds(90 * random.share());
+  if (scenario.mishap == Mishap::kNotReady)
+    options.klipper.ready_after = seconds(90 * random.share());
   if (scenario.mishap == Mishap::kStopHoming) {
     options.homing_time = seconds(30 + 270 * random.share());
     options.busy_lines = seed % 2 == 0;

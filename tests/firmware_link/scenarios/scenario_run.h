@@ -25,7 +25,7 @@ class ScenarioRun {
               VirtualControllerOptions options = {})
       : scenario_(scenario) {
     options.extrude_celsius_min = 0;
-    options.homed = true;
+    options.klipper.homed = true;
     options.executed = [this](const ExecutedCommand& command) { note(command); };
     controller = std::make_unique<HostileController>(scenario, seed, options, within_lines, now);
     SessionOptions wanted;

@@ -36,7 +36,7 @@ constexpr double kBanner_s = 0.05;
 firmware_link::VirtualControllerOptions klipper(bool force_move) {
   firmware_link::VirtualControllerOptions options;
   options.dialect = firmware_link::VirtualDialect::kKlipper;
-  options.force_move = force_move;
+  options.klipper.force_move = force_move;
   return options;
 }
 
