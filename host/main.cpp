@@ -69,7 +69,7 @@ int main(int argc, char** argv) {
   const auto parsed = host::parse_options(argc, argv);
   if (const auto* exit = std::get_if<host::OptionsExit>(&parsed)) return tell_instead(*exit);
   const auto& options = std::get<host::Options>(parsed);
-  host::share_heaps(options.jobs);
+  host::share_heaps(options.threads);
   host::watch_stop_signals();
   host::Reporter reporter(
       {options.quiet, options.json,

@@ -63,7 +63,7 @@ std::string printed(const Golden& golden) {
   const std::string path = folder.add(golden.name + ".stl", golden.part);
   core::Result<host::OpenedPart> part = host::open_whole_part(path, golden.settings);
   if (!part.ok()) FAIL(part.error().message);
-  host::Job job{golden.settings, std::move(part).value(), golden.name};
+  host::PrintPlan print_plan{golden.settings, std::move(part).value(), golden.name};
   std::string text;
   host::GcodeWriter writer;
   host::PipelineOutputs outputs;
@@ -74,7 +74,7 @@ std::string printed(const Golden& golden) {
   };
   host::PipelineSignals signals;
   host::GeometryStatistics statistics;
-  REQUIRE(host::run_pipeline(job, outputs, signals, statistics).ok());
+  REQUIRE(host::run_pipeline(print_plan, outputs, signals, statistics).ok());
   return text;
 }
 

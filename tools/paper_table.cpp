@@ -120,12 +120,12 @@ Cost build(const PartOnDisk& part, const core::Settings& settings) {
   }
   core::Result<host::OpenedPart> opened = host::open_part(part.path(), settings);
   if (!opened.ok()) give_up(opened.error().message);
-  host::Job job{settings, std::move(opened).value(), part.path()};
+  host::PrintPlan plan{settings, std::move(opened).value(), part.path()};
   host::PipelineOutputs outputs;
   outputs.on_motion = [](const auto&, const auto&) { return true; };
   host::PipelineSignals signals;
   host::GeometryStatistics statistics;
-  const auto end = host::run_pipeline(job, outputs, signals, statistics);
+  const auto end = host::run_pipeline(plan, outputs, signals, statistics);
   if (!end.ok()) give_up(end.error().message);
   return {statistics.time_s / 60, host::total_mm(statistics.filament_mm) / kMmPerInch};
 }

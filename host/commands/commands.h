@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/result.h"                   // Result
-#include "host/pipeline/pipeline.h"        // Job
+#include "host/pipeline/pipeline.h"        // PrintPlan
 #include "host/pipeline/print_settings.h"  // PrintSettings
 #include "host/pipeline/statistics.h"
 #include "host/printing/progress.h"  // Reporter
@@ -28,7 +28,7 @@ int formats_command(const Options& options, Reporter& reporter);
 
 // Settings and part, both checked; but a print may have the rest of its part still to read
 // (OpenedPart::read_rest).
-[[nodiscard]] core::Result<Job> open_job(const Options& options, Reporter& reporter);
+[[nodiscard]] core::Result<PrintPlan> open_print_plan(const Options& options, Reporter& reporter);
 
 // What the pipeline warned of.
 void report_warnings(PipelineSignals& signals, Reporter& reporter);

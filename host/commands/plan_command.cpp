@@ -31,37 +31,39 @@ std::string motion_model(const core::Settings& settings) {
                      core::kLookAheadMoves);
 }
 
-std::string table(const Options& options, const Job& job, const GeometryStatistics& statistics) {
+std::string table(const Options& options, const PrintPlan& print_plan,
+                  const GeometryStatistics& statistics) {
   std::string text;
   const auto out = std::back_inserter(text);
-  const core::Box& box = job.part.summary.box;
+  const core::Box& box = print_plan.part.summary.box;
   const auto mm = [](std::int64_t units) { return core::Length::from_units(units).mm(); };
-  const std::int64_t facets = job.part.summary.facets;
+  const std::int64_t facets = print_plan.part.summary.facets;
   fmt::format_to(out, "part       {} ({}{})\n", part_title(options.part.path),
-                 job.part.summary.format, facets > 0 ? fmt::format(", {} facets", facets) : "");
+                 print_plan.part.summary.format,
+                 facets > 0 ? fmt::format(", {} facets", facets) : "");
   if (!box.empty()) {
     fmt::format_to(out, "size       {:.2f} x {:.2f} x {:.2f} mm\n", mm(box.max.x - box.min.x),
-                   mm(box.max.y - box.min.y), job.part.summary.height.mm());
+                   mm(box.max.y - box.min.y), print_plan.part.summary.height.mm());
   }
   if (facets > 0) {
     fmt::format_to(out, "layers     {} of {:g} mm, wall {:g} mm = {} layers\n", statistics.layers,
-                   job.settings.layer_height.mm(), job.settings.wall_thickness.mm(),
-                   core::wall_layers(job.settings));
+                   print_plan.settings.layer_height.mm(), print_plan.settings.wall_thickness.mm(),
+                   core::wall_layers(print_plan.settings));
   } else {
     fmt::format_to(out, "layers     {} of the file's own heights, wall {:g} mm\n",
-                   statistics.layers, job.settings.wall_thickness.mm());
+                   statistics.layers, print_plan.settings.wall_thickness.mm());
   }
   const double volume = statistics.solid_mm3 + statistics.loose_mm3;
   fmt::format_to(out, "volume     {:.2f} cm3, of it wall {:.1f} %\n", volume / 1'000,
                  volume > 0 ? 100 * statistics.solid_mm3 / volume : 0);
   const double total = total_mm(statistics.filament_mm);
   fmt::format_to(out, "filament   {:9.1f} mm {:8.2f} g (at {:g} g/cm3)\n", total,
-                 grams(total, job.settings), kDensityGramsMm3 * 1e3);
+                 grams(total, print_plan.settings), kDensityGramsMm3 * 1e3);
   for (std::size_t i = 0; i < statistics.filament_mm.size(); ++i) {
     const double used = statistics.filament_mm[i];
     if (used == 0) continue;
     fmt::format_to(out, "  {:<16} {:9.1f} mm {:8.2f} g {:5.1f} %\n",
-                   spaced(static_cast<core::RoadKind>(i)), used, grams(used, job.settings),
+                   spaced(static_cast<core::RoadKind>(i)), used, grams(used, print_plan.settings),
                    100 * used / total);
   }
   if (statistics.regularised_mm3 > 0) {
@@ -69,7 +71,7 @@ std::string table(const Options& options, const Job& job, const GeometryStatisti
                    statistics.regularised_mm3 * kDensityGramsMm3);
   }
   fmt::format_to(out, "time       about {}, without heating up ({})\n",
-                 duration_text(statistics.time_s), motion_model(job.settings));
+                 duration_text(statistics.time_s), motion_model(print_plan.settings));
   fmt::format_to(out, "defects    {}\n",
                  statistics.defects.layers() == 0 ? "none" : statistics.defects.summary());
   fmt::format_to(out, "held       at most {} layers, {} partial intersections, {} triangles\n",
@@ -81,9 +83,9 @@ std::string table(const Options& options, const Job& job, const GeometryStatisti
 }  // namespace
 
 int plan_command(const Options& options, Reporter& reporter) {
-  core::Result<Job> opened = open_job(options, reporter);
+  core::Result<PrintPlan> opened = open_print_plan(options, reporter);
   if (!opened.ok()) return fail(opened.error(), reporter);
-  Job& job = opened.value();
+  PrintPlan& print_plan = opened.value();
 
   const double started_s = steady_seconds();
   PipelineOutputs outputs;
@@ -91,7 +93,7 @@ int plan_command(const Options& options, Reporter& reporter) {
     const double now = steady_seconds();
     ProgressReport report;
     report.layer = layer.slice.index + 1;
-    report.layers = job.part.summary.layers;
+    report.layers = print_plan.part.summary.layers;
     report.height = layer.slice.top();
     report.elapsed_s = now - started_s;
     reporter.progress(report, now);
@@ -103,12 +105,12 @@ int plan_command(const Options& options, Reporter& reporter) {
   signals.stop_asked = [] { return stop_signal_count() > 0; };
   signals.on_slow_layer = [&reporter](const SlowLayer& slow) { tell_slow_layer(slow, reporter); };
   GeometryStatistics statistics;
-  const core::Result<PipelineEnd> end = run_pipeline(job, outputs, signals, statistics);
+  const core::Result<PipelineEnd> end = run_pipeline(print_plan, outputs, signals, statistics);
   report_warnings(signals, reporter);
   if (!end.ok()) return fail(end.error(), reporter);
   if (end.value() == PipelineEnd::kStopped) return stopped(options, reporter);
   const int shown = show_result(
-      options.json ? statistics_json(statistics, nullptr) : table(options, job, statistics),
+      options.json ? statistics_json(statistics, nullptr) : table(options, print_plan, statistics),
       reporter);
   return save_statistics(options, statistics, nullptr, shown, reporter);
 }

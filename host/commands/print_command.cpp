@@ -33,16 +33,16 @@ std::string no_port_message() {
   return message + "\n  --port virtual  a controller inside this program; nothing real is printed";
 }
 
-JournalHead head_of(const Options& options, const Job& job, const std::string& usb) {
+JournalHead head_of(const Options& options, const PrintPlan& print_plan, const std::string& usb) {
   JournalHead head;
   head.version = kVersion;
   std::error_code error;
   head.part = std::filesystem::absolute(options.part.path, error).string();
-  head.part_title = job.part_path;
-  for (const SettingRow& row : describe_settings(job.settings)) {
+  head.part_title = print_plan.part_path;
+  for (const SettingRow& row : describe_settings(print_plan.settings)) {
     head.settings.emplace_back(row.key, row.value);
   }
-  head.on_bad_layer = bad_layer_word(job.on_bad_layer);
+  head.on_bad_layer = bad_layer_word(print_plan.on_bad_layer);
   head.port = options.link.port;
   head.usb = usb;
   head.baud = options.link.baud;
@@ -54,18 +54,19 @@ JournalHead head_of(const Options& options, const Job& job, const std::string& u
 }
 
 // Has the part's content hashed before the rest of it is read.
-void hash_part(const Options& options, Job& job, JournalKeeper& keeper) {
+void hash_part(const Options& options, PrintPlan& print_plan, JournalKeeper& keeper) {
   const auto hash = [path = options.part.path, &keeper]() -> core::Status {
     const core::Result<FileContent> content = content_of(path);
     if (!content.ok()) return content.error();
     keeper.part_known(content.value());
     return {};
   };
-  if (!job.part.read_rest) {
+  if (!print_plan.part.read_rest) {
     (void)hash();  // a small one; if it can't be read again, there is no journal
     return;
   }
-  job.part.read_rest = [hash, rest = job.part.read_rest]() -> core::Result<PartSummary> {
+  print_plan.part.read_rest = [hash,
+                               rest = print_plan.part.read_rest]() -> core::Result<PartSummary> {
     if (const core::Status hashed = hash(); !hashed.ok()) return hashed.error();
     return rest();
   };
@@ -148,18 +149,18 @@ InterruptedAnswer ask_about(const Options& options, const FoundJournal& journal,
 
 // Nothing is written before the controller has answered.
 void plan_journal(const Options& options, const JournalChoice& choice, const std::string& usb,
-                  Job& job, JournalKeeper& keeper) {
+                  PrintPlan& print_plan, JournalKeeper& keeper) {
   if (choice.path.empty() && choice.interrupted.empty()) return;
   JournalPlan plan;
   plan.path = choice.interrupted.empty() ? choice.path : choice.interrupted.front().path;
   for (const FoundJournal& found : choice.interrupted) {
     if (found.path != plan.path) plan.set_aside.push_back(found.path);
   }
-  plan.head = head_of(options, job, usb);
+  plan.head = head_of(options, print_plan, usb);
   plan.named = !options.print.journal.empty();
   plan.sets_aside = !choice.interrupted.empty();
   keeper.plan(std::move(plan));
-  hash_part(options, job, keeper);
+  hash_part(options, print_plan, keeper);
 }
 
 }  // namespace
@@ -170,10 +171,10 @@ int print_command(const Options& options, Reporter& reporter) {
     reporter.error(no_port_message(), kExitUsage);
     return kExitUsage;
   }
-  core::Result<Job> opened = open_job(options, reporter);
+  core::Result<PrintPlan> opened = open_print_plan(options, reporter);
   if (!opened.ok()) return fail(opened.error(), reporter);
-  Job& job = opened.value();
-  double& segment_time_min_ms = job.settings.segment_time_min_ms;
+  PrintPlan& print_plan = opened.value();
+  double& segment_time_min_ms = print_plan.settings.segment_time_min_ms;
   if (segment_time_min_ms == 0)
     segment_time_min_ms = line_time_ms(options.link.port, options.link.baud);
   const std::string usb = options.link.port == "virtual" ? "" : usb_of(options.link.port);
@@ -190,9 +191,9 @@ int print_command(const Options& options, Reporter& reporter) {
     }
   }
   JournalKeeper keeper;
-  plan_journal(options, choice.value(), usb, job, keeper);
-  return run_print(options, job, keeper, {usb, space_in(job.settings, options), {}}, started_s,
-                   reporter);
+  plan_journal(options, choice.value(), usb, print_plan, keeper);
+  return run_print(options, print_plan, keeper, {usb, space_in(print_plan.settings, options), {}},
+                   started_s, reporter);
 }
 
 }  // namespace host

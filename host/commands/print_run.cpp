@@ -14,7 +14,7 @@
 #include "host/commands/commands.h"
 #include "host/commands/program_control.h"
 #include "host/printing/port_clock.h"
-#include "host/printing/print_job.h"
+#include "host/printing/print_part.h"
 #include "host/system/exit_codes.h"
 #include "host/system/limits.h"
 #include "host/system/stop_signals.h"
@@ -106,11 +106,11 @@ MachineSpace space_in(const core::Settings& settings, const Options& options) {
   return space;
 }
 
-int run_print(const Options& options, Job& job, JournalKeeper& keeper, RunExtras extras,
-              double started_s, Reporter& reporter) {
+int run_print(const Options& options, PrintPlan& print_plan, JournalKeeper& keeper,
+              RunExtras extras, double started_s, Reporter& reporter) {
   std::unique_ptr<BytePort> port;
   if (is_virtual(options)) {
-    port = open_virtual_port(options, job.settings);
+    port = open_virtual_port(options, print_plan.settings);
     reporter.note(
         "virtual",
         "printing to the virtual controller inside this program: nothing real is printed");
@@ -130,7 +130,7 @@ int run_print(const Options& options, Job& job, JournalKeeper& keeper, RunExtras
   {
     Controls controls(options.part.path != "-");
     ProgramControl control({options, controls, keeper, port, reporter}, extras.usb);
-    PrintRequest request{job, *port, control, reporter};
+    PrintRequest request{print_plan, *port, control, reporter};
     request.started_s = started_s;
     request.geometry_grace_s = kGeometryGrace_s;
     request.options.hot_s = options.print.pause_heat_s;

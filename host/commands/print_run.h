@@ -1,15 +1,15 @@
-// What `print` and `resume` have in common, once the job is known: port, journal, keys, the print
-// itself, and its end.
+// What `print` and `resume` have in common, once the plan is known: port, journal, keys, the
+// print itself, and its end.
 #pragma once
 
 #include <optional>
 #include <string>
 
 #include "host/commands/journal_keeper.h"  // JournalKeeper
-#include "host/pipeline/pipeline.h"        // Job
+#include "host/pipeline/pipeline.h"        // PrintPlan
 #include "host/printing/machine_space.h"   // MachineSpace
+#include "host/printing/print_recovery.h"  // Resumption
 #include "host/printing/progress.h"        // Reporter
-#include "host/printing/recovery.h"        // Resumption
 #include "host/settings/options.h"         // Options
 
 namespace host {
@@ -32,7 +32,7 @@ struct RunExtras {
   MachineSpace space;
   std::optional<Resumption> resumption;
 };
-[[nodiscard]] int run_print(const Options& options, Job& job, JournalKeeper& keeper,
+[[nodiscard]] int run_print(const Options& options, PrintPlan& print_plan, JournalKeeper& keeper,
                             RunExtras extras, double started_s, Reporter& reporter);
 
 }  // namespace host

@@ -118,8 +118,8 @@ Result<std::int64_t> nozzle_height(const Options& options, const JournalRecord& 
                "look at the printer and say --yes, with --nozzle-height MM if it was moved"};
 }
 
-// The job as it was, checked against the journal.
-Result<Job> job_of(Options& options, const JournalHead& head, Reporter& reporter) {
+// The plan as it was, checked against the journal.
+Result<PrintPlan> plan_of(Options& options, const JournalHead& head, Reporter& reporter) {
   if (head.version != kVersion) {
     return Error{ErrorCode::kBadSetting, "the print was started by rind " + head.version +
                                              ", this is " + kVersion +
@@ -132,7 +132,7 @@ Result<Job> job_of(Options& options, const JournalHead& head, Reporter& reporter
   options.settings.profile.clear();
   options.settings.assignments = head.settings;
   if (!options.print.bad_layer_told) options.part.on_bad_layer = bad_layer_of(head.on_bad_layer);
-  return open_job(options, reporter);
+  return open_print_plan(options, reporter);
 }
 
 }  // namespace
@@ -160,9 +160,9 @@ int resume_command(const Options& told, Reporter& reporter) {
   const Result<PrintSettings> named = settings_with(options, head);
   if (!named.ok()) return fail(named.error(), reporter);
   const MachineSpace space = space_in(named.value(), options);
-  Result<Job> job = job_of(options, head, reporter);
-  if (!job.ok()) return fail(job.error(), reporter);
-  if (Status fits = check_space(space, job.value().part.summary); !fits.ok()) {
+  Result<PrintPlan> print_plan = plan_of(options, head, reporter);
+  if (!print_plan.ok()) return fail(print_plan.error(), reporter);
+  if (Status fits = check_space(space, print_plan.value().part.summary); !fits.ok()) {
     return fail(fits.error(), reporter);
   }
   reporter.note(
@@ -179,8 +179,8 @@ int resume_command(const Options& told, Reporter& reporter) {
   keeper.take_up(std::move(journal).value());
   Resumption resumption{record, boot_name() == head.boot, z_um.value()};
   const std::string usb = options.link.port == "virtual" ? "" : usb_of(options.link.port);
-  return run_print(options, job.value(), keeper, {usb, space, std::move(resumption)}, started_s,
-                   reporter);
+  return run_print(options, print_plan.value(), keeper, {usb, space, std::move(resumption)},
+                   started_s, reporter);
 }
 
 }  // namespace host

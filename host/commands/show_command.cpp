@@ -23,8 +23,9 @@ namespace host {
 namespace {
 
 // Waits for the layer's neighbours, which decide where its wall is.
-int show_layer(const Options& options, Job& job, OutputFile& file, Reporter& reporter) {
-  const core::LayerIndex layers = job.part.summary.layers;
+int show_layer(const Options& options, PrintPlan& print_plan, OutputFile& file,
+               Reporter& reporter) {
+  const core::LayerIndex layers = print_plan.part.summary.layers;
   const auto no_such_layer = [&](core::LayerIndex highest) {
     return fail({core::ErrorCode::kOutOfBounds,
                  fmt::format("{}: there is no layer {}; the highest is {}", options.part.path,
@@ -35,7 +36,7 @@ int show_layer(const Options& options, Job& job, OutputFile& file, Reporter& rep
   if (layers > 0 && options.output.layer > layers) return no_such_layer(layers);
   std::string svg;
   std::vector<core::Road> roads_there;
-  core::LayerWindow window(core::with_style(job.settings));
+  core::LayerWindow window(core::with_style(print_plan.settings));
   const auto draw = [&] {
     while (svg.empty() && window.next()) {
       if (window.layer().slice.index + 1 != options.output.layer) continue;
@@ -53,7 +54,7 @@ int show_layer(const Options& options, Job& job, OutputFile& file, Reporter& rep
   signals.stop_asked = [] { return stop_signal_count() > 0; };
   signals.on_slow_layer = [&reporter](const SlowLayer& slow) { tell_slow_layer(slow, reporter); };
   GeometryStatistics statistics;
-  const core::Result<PipelineEnd> end = run_pipeline(job, outputs, signals, statistics);
+  const core::Result<PipelineEnd> end = run_pipeline(print_plan, outputs, signals, statistics);
   report_warnings(signals, reporter);
   if (!end.ok()) return fail(end.error(), reporter);
   if (svg.empty() && end.value() == PipelineEnd::kDone) {
@@ -125,9 +126,9 @@ core::Result<SectionPicture::View> view_of(const SectionZoom& zoom, const PartSu
       core::Length::from_mm(zoom.height + half_mm)};
 }
 
-SectionPicture::Options picture_options(const Options& options, const Job& job,
+SectionPicture::Options picture_options(const Options& options, const PrintPlan& print_plan,
                                         const core::SectionLine& line) {
-  const PartSummary& summary = job.part.summary;
+  const PartSummary& summary = print_plan.part.summary;
   const bool across_y = line.across == core::SectionLine::Across::kY;
   const std::int64_t low = across_y ? summary.box.min.y : summary.box.min.x;
   const double mm = core::Length::from_units(line.at.units() - low).mm();
@@ -136,29 +137,31 @@ SectionPicture::Options picture_options(const Options& options, const Job& job,
                                 : fmt::format("{:.4g} mm from its left, seen from the right", mm);
   SectionPicture::Options asked;
   asked.title = part_title(options.part.path);
-  asked.subtitle = fmt::format("cut {}; {} layers of {:g} mm; {}", where, summary.layers,
-                               job.settings.layer_height.mm(), wall_words(job.settings));
+  asked.subtitle =
+      fmt::format("cut {}; {} layers of {:g} mm; {}", where, summary.layers,
+                  print_plan.settings.layer_height.mm(), wall_words(print_plan.settings));
   asked.line = line;
   asked.box = summary.box;
   asked.height = summary.height;
-  asked.settings = core::with_style(job.settings);
+  asked.settings = core::with_style(print_plan.settings);
   return asked;
 }
 
 // Writes row by row, so memory does not grow with the part.
-int show_section(const Options& options, Job& job, OutputFile& file, Reporter& reporter) {
+int show_section(const Options& options, PrintPlan& print_plan, OutputFile& file,
+                 Reporter& reporter) {
   const core::Result<core::SectionLine> line =
-      line_through(*options.output.section, job.part.summary.box, options.part.path);
+      line_through(*options.output.section, print_plan.part.summary.box, options.part.path);
   if (!line.ok()) return fail(line.error(), reporter);
-  SectionPicture::Options asked = picture_options(options, job, line.value());
+  SectionPicture::Options asked = picture_options(options, print_plan, line.value());
   if (options.output.zoom) {
     const core::Result<SectionPicture::View> view =
-        view_of(*options.output.zoom, job.part.summary, line.value(), options.part.path);
+        view_of(*options.output.zoom, print_plan.part.summary, line.value(), options.part.path);
     if (!view.ok()) return fail(view.error(), reporter);
     asked.view = view.value();
   }
   SectionPicture picture(std::move(asked));
-  core::LayerWindow window(core::with_style(job.settings));
+  core::LayerWindow window(core::with_style(print_plan.settings));
   core::Status written = file.write(picture.start());
   const auto write = [&](const std::string& svg) {
     if (written.ok() && !svg.empty()) written = file.write(svg);
@@ -184,7 +187,7 @@ int show_section(const Options& options, Job& job, OutputFile& file, Reporter& r
   signals.stop_asked = [] { return stop_signal_count() > 0; };
   signals.on_slow_layer = [&reporter](const SlowLayer& slow) { tell_slow_layer(slow, reporter); };
   GeometryStatistics statistics;
-  const core::Result<PipelineEnd> end = run_pipeline(job, outputs, signals, statistics);
+  const core::Result<PipelineEnd> end = run_pipeline(print_plan, outputs, signals, statistics);
   if (!end.ok()) return fail(end.error(), reporter);
   if (!written.ok()) return fail(written.error(), reporter);
   if (end.value() == PipelineEnd::kStopped) return stopped(options, reporter);
@@ -204,7 +207,7 @@ int show_section(const Options& options, Job& job, OutputFile& file, Reporter& r
 int show_command(const Options& options, Reporter& reporter) {
   core::Result<OutputFile> file = OutputFile::open(options.output.path);
   if (!file.ok()) return fail(file.error(), reporter);
-  core::Result<Job> opened = open_job(options, reporter);
+  core::Result<PrintPlan> opened = open_print_plan(options, reporter);
   if (!opened.ok()) return fail(opened.error(), reporter);
   return options.output.section ? show_section(options, opened.value(), file.value(), reporter)
                                 : show_layer(options, opened.value(), file.value(), reporter);

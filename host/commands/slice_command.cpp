@@ -25,12 +25,12 @@ namespace host {
 namespace {
 
 // Null for G-code, which is written motion by motion.
-std::unique_ptr<LayerWriter> layer_writer(const Options& options, const Job& job) {
+std::unique_ptr<LayerWriter> layer_writer(const Options& options, const PrintPlan& print_plan) {
   LayerFileHead head;
-  head.layers = job.part.summary.layers;
-  head.layer_height = job.settings.layer_height;
-  head.bed_x = job.settings.bed_x;
-  head.bed_y = job.settings.bed_y;
+  head.layers = print_plan.part.summary.layers;
+  head.layer_height = print_plan.settings.layer_height;
+  head.bed_x = print_plan.settings.bed_x;
+  head.bed_y = print_plan.settings.bed_y;
   head.contents = options.output.contents;
   switch (options.output.format) {
     case OutputFormat::kGcode:
@@ -51,11 +51,11 @@ std::unique_ptr<LayerWriter> layer_writer(const Options& options, const Job& job
   return nullptr;
 }
 
-std::string gcode_title(const Job& job) {
-  const core::LayerIndex layers = job.part.summary.layers;
+std::string gcode_title(const PrintPlan& print_plan) {
+  const core::LayerIndex layers = print_plan.part.summary.layers;
   return fmt::format("; sliced by rind, {}{:g} mm roads, {:g} mm wall\n",
                      layers > 0 ? fmt::format("{} layers, ", layers) : "",
-                     job.settings.road_width.mm(), job.settings.wall_thickness.mm());
+                     print_plan.settings.road_width.mm(), print_plan.settings.wall_thickness.mm());
 }
 
 bool lays_road(const core::Motion& motion) {
@@ -66,9 +66,9 @@ bool lays_road(const core::Motion& motion) {
 // Writes the pipeline's outputs to a file, and keeps the first error.
 class SliceFile {
  public:
-  SliceFile(const Job& job, OutputFile file, std::unique_ptr<LayerWriter> layers,
+  SliceFile(const PrintPlan& print_plan, OutputFile file, std::unique_ptr<LayerWriter> layers,
             GeometryStatistics& statistics, double started_s, Reporter& reporter)
-      : job_(job),
+      : plan_(print_plan),
         file_(std::move(file)),
         layers_(std::move(layers)),
         statistics_(statistics),
@@ -77,7 +77,7 @@ class SliceFile {
     if (layers_) {
       layers_->begin(text_);
     } else {
-      text_ = gcode_title(job);
+      text_ = gcode_title(print_plan);
     }
   }
 
@@ -128,7 +128,7 @@ class SliceFile {
     const double now = steady_seconds();
     ProgressReport report;
     report.layer = slice.index + 1;
-    report.layers = job_.part.summary.layers;
+    report.layers = plan_.part.summary.layers;
     report.height = slice.top();
     report.elapsed_s = now - started_s_;
     reporter_.progress(report, now);
@@ -140,7 +140,7 @@ class SliceFile {
     return status_.ok() && stop_signal_count() == 0;
   }
 
-  const Job& job_;
+  const PrintPlan& plan_;
   OutputFile file_;
   std::unique_ptr<LayerWriter> layers_;
   GeometryStatistics& statistics_;
@@ -176,17 +176,18 @@ int slice_command(const Options& options, Reporter& reporter) {
   const double started_s = steady_seconds();
   core::Result<OutputFile> output = OutputFile::open(options.output.path);
   if (!output.ok()) return fail(output.error(), reporter);
-  core::Result<Job> opened = open_job(options, reporter);
+  core::Result<PrintPlan> opened = open_print_plan(options, reporter);
   if (!opened.ok()) return fail(opened.error(), reporter);
-  Job& job = opened.value();
+  PrintPlan& print_plan = opened.value();
 
   GeometryStatistics statistics;
-  SliceFile file(job, std::move(output).value(), layer_writer(options, job), statistics, started_s,
-                 reporter);
+  SliceFile file(print_plan, std::move(output).value(), layer_writer(options, print_plan),
+                 statistics, started_s, reporter);
   PipelineSignals signals;
   signals.stop_asked = [] { return stop_signal_count() > 0; };
   signals.on_slow_layer = [&reporter](const SlowLayer& slow) { tell_slow_layer(slow, reporter); };
-  const core::Result<PipelineEnd> end = run_pipeline(job, file.outputs(), signals, statistics);
+  const core::Result<PipelineEnd> end =
+      run_pipeline(print_plan, file.outputs(), signals, statistics);
   report_warnings(signals, reporter);
 
   int exit_code = kExitDone;

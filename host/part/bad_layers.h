@@ -4,7 +4,7 @@
 //     repair      the closed contours are printed, the open ones are missing (segment_chains.h)
 //     neighbour   the slice below is printed again instead
 //     pause       the print pauses before that layer, off the part; the user resumes it (as
-//                 repair) or stops it. Without a print, pause is stop (job.cpp)
+//                 repair) or stops it. Without a print, pause is stop (print_plan.cpp)
 //     stop        the print ends: nozzle lifted off the part, heaters off
 //
 // Each bad layer is reported with its number and height.

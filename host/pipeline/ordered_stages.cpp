@@ -30,19 +30,19 @@ auto stage(tbb::filter_mode mode, const std::function<void(LayerBatch&)>& work) 
   });
 }
 
-void run_at_once(const OrderedStages& stages, int jobs) {
+void run_at_once(const OrderedStages& stages, int threads) {
   const auto take = [&stages](tbb::flow_control& control) -> Shared {
     Shared batch = stages.take();
     if (!batch) control.stop();
     return batch;
   };
   const auto give = [&stages](const Shared& batch) { stages.give(*batch); };
-  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
-                                    static_cast<std::size_t>(jobs));
-  tbb::task_arena arena(jobs);
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                  static_cast<std::size_t>(threads));
+  tbb::task_arena arena(threads);
   arena.execute([&] {
     tbb::parallel_pipeline(
-        static_cast<std::size_t>(batches_max(jobs)),
+        static_cast<std::size_t>(batches_max(threads)),
         tbb::make_filter<void, Shared>(tbb::filter_mode::serial_in_order, take) &
             stage(tbb::filter_mode::parallel, stages.cut) &
             stage(tbb::filter_mode::serial_in_order, stages.split) &
@@ -53,12 +53,12 @@ void run_at_once(const OrderedStages& stages, int jobs) {
 
 }  // namespace
 
-void run_stages(const OrderedStages& stages, int jobs) {
-  RIND_CHECK(jobs >= 1);
-  if (jobs == 1) {
+void run_stages(const OrderedStages& stages, int threads) {
+  RIND_CHECK(threads >= 1);
+  if (threads == 1) {
     run_in_turn(stages);
   } else {
-    run_at_once(stages, jobs);
+    run_at_once(stages, threads);
   }
 }
 

@@ -3,8 +3,8 @@
 //     take ──> cut ══> split ──> plan ══> give       ──> in order, one at a time
 //                                                    ══> any number at once
 //
-// The results and their order are the same for any number of jobs. It uses oneTBB's
-// parallel_pipeline; with one job, a plain loop.
+// The results and their order are the same for any number of threads. It uses oneTBB's
+// parallel_pipeline; with one thread, a plain loop.
 #pragma once
 
 #include <functional>
@@ -24,10 +24,12 @@ struct OrderedStages {
 };
 
 // Largest number of batches between take and give.
-[[nodiscard]] constexpr int batches_max(int jobs) { return jobs == 1 ? 1 : jobs + kBatchesAhead; }
+[[nodiscard]] constexpr int batches_max(int threads) {
+  return threads == 1 ? 1 : threads + kBatchesAhead;
+}
 
 // Returns when the last batch has been given. Rethrows an exception of any stage after all stages
-// have stopped. REQUIRES: jobs >= 1.
-void run_stages(const OrderedStages& stages, int jobs);
+// have stopped. REQUIRES: threads >= 1.
+void run_stages(const OrderedStages& stages, int threads);
 
 }  // namespace host

@@ -31,14 +31,14 @@ double volume_mm3(const core::Region& region, core::Length height) {
 
 class Pipeline {
  public:
-  Pipeline(Job& job, const PipelineOutputs& outputs, PipelineSignals& signals,
+  Pipeline(PrintPlan& print_plan, const PipelineOutputs& outputs, PipelineSignals& signals,
            GeometryStatistics& statistics)
-      : job_(job),
-        settings_(core::with_style(job.settings)),
+      : plan_(print_plan),
+        settings_(core::with_style(print_plan.settings)),
         outputs_(outputs),
         signals_(signals),
         statistics_(statistics),
-        bad_layers_(job.on_bad_layer, job.part_path, signals.warnings),
+        bad_layers_(print_plan.on_bad_layer, print_plan.part_path, signals.warnings),
         watch_(signals.on_slow_layer, signals.slow_layer_s),
         cutter_(settings_),
         splitter_(settings_),
@@ -48,11 +48,11 @@ class Pipeline {
                        settings_.junction_deviation_mm}),
         encoder_(settings_),
         sink_([this](const core::Motion& motion) { send(motion); }) {
-    if (!job.start) return;
-    builder_.resume_from(job.start->motions);
-    encoder_.resume_from(job.start->encoder);
-    commands_ = job.start->commands;
-    filament_before_mm_ = job.start->filament_mm;
+    if (!print_plan.start) return;
+    builder_.resume_from(print_plan.start->motions);
+    encoder_.resume_from(print_plan.start->encoder);
+    commands_ = print_plan.start->commands;
+    filament_before_mm_ = print_plan.start->filament_mm;
   }
 
   core::Result<PipelineEnd> run() {
@@ -70,25 +70,25 @@ class Pipeline {
                   .split = [this](LayerBatch& batch) { split(batch); },
                   .plan = [this](LayerBatch& batch) { plan(batch); },
                   .give = [this](LayerBatch& batch) { give(batch); }},
-                 job_.jobs);
+                 plan_.threads);
       return finish();
     } catch (const std::bad_alloc&) {
       return core::Error{core::ErrorCode::kNoMemory,
                          fmt::format("{}, layer {}: {}; allow more, or simplify the mesh",
-                                     job_.part_path, statistics_.layers + 1, memory_refusal())};
+                                     plan_.part_path, statistics_.layers + 1, memory_refusal())};
     }
   }
 
   core::Status read_rest() {
-    if (job_.part.read_rest) {
-      if (outputs_.on_motion && !job_.start) builder_.preheat(sink_);
-      core::Result<PartSummary> summary = job_.part.read_rest();
+    if (plan_.part.read_rest) {
+      if (outputs_.on_motion && !plan_.start) builder_.preheat(sink_);
+      core::Result<PartSummary> summary = plan_.part.read_rest();
       if (!summary.ok()) return summary.error();
-      job_.part.summary = std::move(summary).value();
-      job_.part.read_rest = nullptr;
-      for (const std::string& warning : job_.part.summary.warnings) signals_.warnings.put(warning);
+      plan_.part.summary = std::move(summary).value();
+      plan_.part.read_rest = nullptr;
+      for (const std::string& warning : plan_.part.summary.warnings) signals_.warnings.put(warning);
     }
-    signals_.layers.store(job_.part.summary.layers);
+    signals_.layers.store(plan_.part.summary.layers);
     return {};
   }
 
@@ -106,13 +106,13 @@ class Pipeline {
   core::Status take_slice(LayerBatch& batch) {
     std::optional<core::Slice> found;
     do {
-      core::Result<std::optional<core::Slice>> next = job_.part.layers->next();
+      core::Result<std::optional<core::Slice>> next = plan_.part.layers->next();
       if (!next.ok()) return next.error();
       found = std::move(next).value();
       if (!found || stopped()) return {};
-      core::Status fine = check_layer_height(job_.part_path, *found, settings_);
+      core::Status fine = check_layer_height(plan_.part_path, *found, settings_);
       if (!fine.ok()) return fine;
-      auto pause = bad_layers_.check(*found, job_.part.summary.layers);
+      auto pause = bad_layers_.check(*found, plan_.part.summary.layers);
       if (!pause.ok()) return pause.error();
       batch.pause = std::move(pause).value();
     } while (below_start(*found));
@@ -127,14 +127,14 @@ class Pipeline {
 
   // True if this slice is too far below the start to matter, in millimetres and in layers.
   [[nodiscard]] bool below_start(const core::Slice& slice) const {
-    if (!job_.start) return false;
-    return slice.index + core::wall_layers(settings_) < job_.start->layer &&
-           slice.top() + settings_.wall_thickness <= job_.start->bottom;
+    if (!plan_.start) return false;
+    return slice.index + core::wall_layers(settings_) < plan_.start->layer &&
+           slice.top() + settings_.wall_thickness <= plan_.start->bottom;
   }
 
   // True for a layer below the start: it was printed before, and can't be split correctly here.
   [[nodiscard]] bool below_start(const core::SplitLayer& split) const {
-    return job_.start && split.slice.index < job_.start->layer;
+    return plan_.start && split.slice.index < plan_.start->layer;
   }
 
   void cut(LayerBatch& batch) {
@@ -228,13 +228,13 @@ class Pipeline {
     keep(outputs_.on_layer ? outputs_.on_layer(layer) : true);
     if (!wants_roads()) return {};
 
-    core::Status fits = check_on_bed(job_.part_path, slice, plan.roads, settings_);
+    core::Status fits = check_on_bed(plan_.part_path, slice, plan.roads, settings_);
     if (!fits.ok()) return fits;
     statistics_.roads += static_cast<std::int64_t>(plan.roads.size());
     keep(outputs_.on_roads ? outputs_.on_roads(layer, plan.roads) : true);
     if (!outputs_.on_motion) return {};
     if (!plan.roads.empty() && builder_.arcs_undecided()) {
-      builder_.decide_arcs(job_.draws_arcs == nullptr || job_.draws_arcs());
+      builder_.decide_arcs(plan_.draws_arcs == nullptr || plan_.draws_arcs());
     }
     if (outputs_.on_checkpoint && !plan.roads.empty() && !refused_) {
       outputs_.on_checkpoint({slice.index, slice.bottom, commands_,
@@ -261,14 +261,14 @@ class Pipeline {
           core::ErrorCode::kBadPart,
           fmt::format("{}: no road fits anywhere: at every height the part is narrower than "
                       "road_width_min ({:g} mm); is it in millimetres?",
-                      job_.part_path, settings_.road_width_min.mm())};
+                      plan_.part_path, settings_.road_width_min.mm())};
     }
     if (outputs_.on_motion) builder_.finish(sink_);
     return stopped() ? PipelineEnd::kStopped : PipelineEnd::kDone;
   }
 
   void close_statistics() {
-    const PartCounters used = job_.part.counters();
+    const PartCounters used = plan_.part.counters();
     StageClock& clock = statistics_.clock;
     clock.set_seconds(Stage::kRead, used.read_cpu_s);
     clock.set_seconds(Stage::kSort, used.sort_cpu_s);
@@ -303,7 +303,7 @@ class Pipeline {
     return refused_ || (signals_.stop_asked && signals_.stop_asked());
   }
 
-  Job& job_;
+  PrintPlan& plan_;
   const core::Settings settings_;
   const PipelineOutputs& outputs_;
   PipelineSignals& signals_;
@@ -335,9 +335,9 @@ class Pipeline {
 
 }  // namespace
 
-core::Result<PipelineEnd> run_pipeline(Job& job, const PipelineOutputs& outputs,
+core::Result<PipelineEnd> run_pipeline(PrintPlan& print_plan, const PipelineOutputs& outputs,
                                        PipelineSignals& signals, GeometryStatistics& statistics) {
-  return Pipeline(job, outputs, signals, statistics).run();
+  return Pipeline(print_plan, outputs, signals, statistics).run();
 }
 
 }  // namespace host

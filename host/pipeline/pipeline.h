@@ -6,8 +6,8 @@
 //                                           │             │                      │
 //     outputs:                           on_layer      on_roads              on_motion
 //
-// The steps before ═> run on as many processors as there are jobs (ordered_stages.h); the result is
-// the same for any number. Printing, slicing into a file and planning run this same code and differ
+// The steps before ═> run on several threads (ordered_stages.h); the result is the same for any
+// number. Printing, slicing into a file and planning run this same code and differ
 // only in their outputs, so a print equals its preview.
 #pragma once
 
@@ -34,12 +34,12 @@
 namespace host {
 
 // A part and how it is to be printed.
-struct Job {
+struct PrintPlan {
   PrintSettings settings;  // REQUIRES: validated, check_user_gcode() fine
   OpenedPart part;         // consumed by the run
   std::string part_path;   // for messages
   OnBadLayer on_bad_layer = OnBadLayer::kRepair;
-  int jobs = 1;  // processors that the geometry may use; REQUIRES: 1 … kJobsMax
+  int threads = 1;  // processors that the geometry may use; REQUIRES: 1 … kThreadsMax
 
   // For arcs = auto: whether the controller draws arcs. Called once, before the first layer's
   // motions, and may block until that is known. Empty: it does.
@@ -83,8 +83,9 @@ enum class PipelineEnd { kDone, kStopped };
 // layer needs more memory than there is; a bad layer ends the print; a road would leave the bed (if
 // it is in the first layer, before anything was sent).
 // COSTS: holds at most 2T + 1 layers and 2T partial intersections (wall_splitter.h), and
-// batches_max() layers in the stages if there is more than one job (ordered_stages.h).
-[[nodiscard]] core::Result<PipelineEnd> run_pipeline(Job& job, const PipelineOutputs& outputs,
+// batches_max() layers in the stages if there is more than one thread (ordered_stages.h).
+[[nodiscard]] core::Result<PipelineEnd> run_pipeline(PrintPlan& print_plan,
+                                                     const PipelineOutputs& outputs,
                                                      PipelineSignals& signals,
                                                      GeometryStatistics& statistics);
 

@@ -42,14 +42,14 @@ class ArcsPromise {
 }  // namespace
 
 struct GeometryThread::Shared {
-  Shared(Job& job_of_print, const JournalRecord* resumed_from)
-      : job(job_of_print),
+  Shared(PrintPlan& plan_of_print, const JournalRecord* resumed_from)
+      : print_plan(plan_of_print),
         resumed(resumed_from != nullptr ? std::optional(*resumed_from) : std::nullopt),
-        filler(queue, job.settings, resumed ? &*resumed : nullptr) {}
+        filler(queue, print_plan.settings, resumed ? &*resumed : nullptr) {}
 
   void run();
 
-  Job& job;
+  PrintPlan& print_plan;
   const std::optional<JournalRecord> resumed;
   CommandQueue queue{{kQueuedCommandsMax, kQueuedBytesMax}};
   QueueFiller filler;
@@ -72,7 +72,8 @@ void GeometryThread::Shared::run() {
                                const std::optional<firmware_link::Command>& command) {
       return filler.take(motion, command);
     };
-    const core::Result<PipelineEnd> end = run_pipeline(job, outputs, signals, outcome.statistics);
+    const core::Result<PipelineEnd> end =
+        run_pipeline(print_plan, outputs, signals, outcome.statistics);
     if (!end.ok()) {
       outcome.error = end.error().message;
     } else if (end.value() == PipelineEnd::kDone) {
@@ -91,16 +92,17 @@ void GeometryThread::Shared::run() {
   ended.set_value();
 }
 
-GeometryThread::GeometryThread(Job& job, const JournalRecord* resumed_from, Reporter& reporter) {
-  if (resumed_from != nullptr) job.start = resumed_from->checkpoint;
-  shared_ = std::make_shared<Shared>(job, resumed_from);
+GeometryThread::GeometryThread(PrintPlan& print_plan, const JournalRecord* resumed_from,
+                               Reporter& reporter) {
+  if (resumed_from != nullptr) print_plan.start = resumed_from->checkpoint;
+  shared_ = std::make_shared<Shared>(print_plan, resumed_from);
   shared_->signals.stop_asked = [shared = shared_.get()] {
     return shared->link_ended.load() || stop_signal_count() > 0;
   };
   shared_->signals.on_slow_layer = [&reporter](const SlowLayer& slow) {
     tell_slow_layer(slow, reporter);
   };
-  job.draws_arcs = [&arcs = shared_->arcs] { return arcs.wait(); };
+  print_plan.draws_arcs = [&arcs = shared_->arcs] { return arcs.wait(); };
   thread_ = std::thread([shared = shared_] { shared->run(); });
 }
 

@@ -14,7 +14,7 @@
 #include <thread>
 
 #include "firmware_link/wire/capabilities.h"  // Capabilities
-#include "host/pipeline/pipeline.h"           // Job, PipelineSignals
+#include "host/pipeline/pipeline.h"           // PrintPlan, PipelineSignals
 #include "host/pipeline/statistics.h"         // GeometryStatistics
 #include "host/printing/journal_record.h"     // JournalRecord
 #include "host/printing/progress.h"           // Reporter
@@ -29,9 +29,9 @@ struct GeometryOutcome {
 
 class GeometryThread {
  public:
-  // Starts it. `resumed_from`: of a print that is resumed; null: from the first layer. The job and
+  // Starts it. `resumed_from`: of a print that is resumed; null: from the first layer. The plan and
   // the reporter outlive the thread, also when it is left behind.
-  GeometryThread(Job& job, const JournalRecord* resumed_from, Reporter& reporter);
+  GeometryThread(PrintPlan& print_plan, const JournalRecord* resumed_from, Reporter& reporter);
   // REQUIRES: end() was called.
   ~GeometryThread();
   GeometryThread(const GeometryThread&) = delete;

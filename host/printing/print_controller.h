@@ -2,7 +2,7 @@
 //
 //     queue ──> PrintCommands ──> PrinterLink ──step──> port
 //                 │                 │
-//                 │                 ├─ lost, reset ──> waits, then Recovery: to the resume point
+//                 │                 ├─ lost, reset ──> waits, then PrintRecovery: resume point
 //                 │                 └─ other fault ──> PrintEnding: safe sequence, as far as heard
 //                 ├─ PauseControl, UnderrunWatch: off the part and back
 //                 ├─ JournalWriter: before bytes leave          StatusReports: what people are told
@@ -27,10 +27,10 @@
 #include "host/printing/print_commands.h"   // PrintCommands
 #include "host/printing/print_control.h"    // PrintControl
 #include "host/printing/print_ending.h"     // PrintEnding, LinkOutcome
+#include "host/printing/print_recovery.h"   // PrintRecovery, Resumption
 #include "host/printing/print_start.h"      // PrintStart, PartExtent
 #include "host/printing/printer_link.h"     // PrinterLink
 #include "host/printing/progress.h"         // Reporter
-#include "host/printing/recovery.h"         // Recovery, Resumption
 #include "host/printing/status_reports.h"   // StatusReports
 #include "host/printing/underrun_watch.h"   // UnderrunWatch
 #include "host/system/limits.h"             // kPausedHot_s
@@ -108,7 +108,7 @@ class PrintController {
   UnderrunWatch underrun_;
   JournalWriter journal_;
   StatusReports reports_;
-  Recovery recovery_;
+  PrintRecovery recovery_;
   PrintEnding ending_;
 
   bool started_ = false;         // the controller has been greeted, and may be used

@@ -44,10 +44,10 @@ void add_memory(CLI::App& command, Options& options) {
       ->transform(CLI::AsSizeValue(false).description(""))
       ->check(CLI::Range(kSortBytesMin, std::size_t{1} << 40).description(""));
   command
-      .add_option("--jobs", options.jobs,
+      .add_option("--threads,--jobs", options.threads,
                   "number of processors to slice with; each needs the memory of one more layer")
       ->type_name("N")
-      ->check(CLI::Range(1, kJobsMax))
+      ->check(CLI::Range(1, kThreadsMax))
       ->capture_default_str();
   command
       .add_option("--memory-limit", options.memory_limit_bytes,

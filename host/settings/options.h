@@ -30,8 +30,8 @@ enum class PipeSorted {
   kNo,
 };
 
-// The number of processors, at most kJobsDefaultMax.
-[[nodiscard]] int jobs_by_default();
+// The number of processors, at most kThreadsDefaultMax.
+[[nodiscard]] int threads_by_default();
 
 // The part's file, and how it is read.
 struct PartOptions {
@@ -82,7 +82,7 @@ struct Options {
   PrintCommandOptions print;
   OutputOptions output;
 
-  int jobs = jobs_by_default();        // threads for the geometry
+  int threads = threads_by_default();  // threads for the geometry
   std::size_t memory_limit_bytes = 0;  // 0: no limit
   std::string log;                     // a file; empty: none
   std::string stats;                   // a file for statistics; empty: none

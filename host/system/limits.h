@@ -36,10 +36,10 @@ inline constexpr std::size_t kDefectHeightsMax = 16;
 inline constexpr std::size_t kSlowLayersTold = 16;
 inline constexpr std::size_t kSlowLayersKnown = 256;
 
-// Upper bound and default bound of --jobs, and how many layers more than jobs may be in the stages
-// at once: enough that no job waits for a slow layer, few beside the window's memory.
-inline constexpr int kJobsMax = 64;
-inline constexpr int kJobsDefaultMax = 4;
+// Upper bound and default bound of --threads, and how many layers more than threads may be in the
+// stages at once: enough that no thread waits for a slow layer, few beside the window's memory.
+inline constexpr int kThreadsMax = 64;
+inline constexpr int kThreadsDefaultMax = 4;
 inline constexpr int kBatchesAhead = 1;
 
 // Bytes gathered before a write() to an output file.
@@ -76,7 +76,7 @@ inline constexpr std::int64_t kMemoryReserveBytes = std::int64_t{512} * 1'024;
 
 // Bytes that a thread may allocate or free before it adds them to the common count.
 inline constexpr std::int64_t kMemoryUnsettledBytes = std::int64_t{8} * 1'024;
-static_assert(kJobsMax * kMemoryUnsettledBytes <= kMemoryReserveBytes);
+static_assert(kThreadsMax * kMemoryUnsettledBytes <= kMemoryReserveBytes);
 
 // Warnings waiting to be shown; further ones are only counted.
 inline constexpr std::size_t kWarningsHeldMax = 16;

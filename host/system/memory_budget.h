@@ -17,8 +17,8 @@ namespace host {
 
 // Lets every two threads share one heap of the C library. With a heap for each thread, every heap
 // grows to its thread's worst layer. Measured on the tower: no processor time lost.
-// REQUIRES: called before any other thread runs; jobs >= 1
-void share_heaps(int jobs);
+// REQUIRES: called before any other thread runs; threads >= 1
+void share_heaps(int threads);
 
 // Counting starts here. 0: no limit.
 void set_memory_limit(std::int64_t bytes);

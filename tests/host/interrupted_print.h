@@ -49,7 +49,7 @@ inline void make_pluggable(Rig& rig, double wait_s) {
   core::Result<host::Journal> journal = host::Journal::reopen(journal_path);
   REQUIRE(journal.ok());
   rig.wire = std::make_unique<BreakablePort>(*rig.port);
-  rig.job = open(coarse(), part);
+  rig.print_plan = open(coarse(), part);
   rig.control.stop = nullptr;
   rig.control.kept_journal = &journal.value();
   const host::JournalRecord& record = read.value().record;

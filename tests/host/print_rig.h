@@ -1,4 +1,4 @@
-// A print in one process: a part, the print job, and a virtual controller that notes what it
+// A print in one process: a part, the print plan, and a virtual controller that notes what it
 // executed and whose wire can be cut.
 #pragma once
 
@@ -18,7 +18,7 @@
 #include "host/part/part_file.h"
 #include "host/pipeline/pipeline.h"
 #include "host/printing/port_clock.h"
-#include "host/printing/print_job.h"
+#include "host/printing/print_part.h"
 #include "tests/host/scripted_control.h"
 #include "tests/support/own_lines.h"
 #include "tests/support/part_folder.h"
@@ -58,14 +58,14 @@ class BreakablePort final : public firmware_link::BytePort {
   std::string words_;
 };
 
-inline host::Job open(const core::Settings& settings, const std::string& path) {
+inline host::PrintPlan open(const core::Settings& settings, const std::string& path) {
   core::Result<host::OpenedPart> part = host::open_whole_part(path, settings);
   if (!part.ok()) FAIL(part.error().message);
   return {settings, std::move(part).value(), path};
 }
 
 struct Rig {
-  host::Job job;
+  host::PrintPlan print_plan;
   // Commands as the controller took them, without the link's own; to a Marlin the numbered ones.
   std::vector<std::string> executed;
   std::function<void()> on_executed;  // after each
@@ -77,9 +77,9 @@ struct Rig {
   Rig(const core::Settings& settings, const std::string& path,
       firmware_link::VirtualControllerOptions machine = {})
       : Rig(settings, open(settings, path), std::move(machine)) {}
-  Rig(const core::Settings& settings, host::Job opened,
+  Rig(const core::Settings& settings, host::PrintPlan opened,
       firmware_link::VirtualControllerOptions machine = {})
-      : job(std::move(opened)) {
+      : print_plan(std::move(opened)) {
     machine.bed_x_mm = settings.bed_x.mm();
     machine.bed_y_mm = settings.bed_y.mm();
     machine.bed_origin_x_mm = settings.bed_origin_x.mm();
@@ -97,7 +97,8 @@ struct Rig {
 
   [[nodiscard]] host::PrintOutcome print() {
     host::Reporter reporter({.quiet = true, .json = false, .stdout_taken = false});
-    return host::print_part({job, *wire, control, reporter, options, host::steady_seconds()});
+    return host::print_part(
+        {print_plan, *wire, control, reporter, options, host::steady_seconds()});
   }
 
   [[nodiscard]] firmware_link::VirtualControllerState controller() {
@@ -114,7 +115,7 @@ struct Rig {
 // What `rind slice` writes, comments and empty lines left out.
 inline std::vector<std::string> sliced_lines(const core::Settings& settings,
                                              const std::string& path) {
-  host::Job job = open(settings, path);
+  host::PrintPlan print_plan = open(settings, path);
   std::string text;
   host::GcodeWriter writer;
   host::PipelineOutputs outputs;
@@ -125,7 +126,7 @@ inline std::vector<std::string> sliced_lines(const core::Settings& settings,
   };
   host::PipelineSignals signals;
   host::GeometryStatistics statistics;
-  const auto end = host::run_pipeline(job, outputs, signals, statistics);
+  const auto end = host::run_pipeline(print_plan, outputs, signals, statistics);
   REQUIRE(end.ok());
   std::vector<std::string> lines;
   for (std::size_t at = 0; at < text.size();) {

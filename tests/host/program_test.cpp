@@ -251,8 +251,8 @@ TEST_CASE("an interrupt in mid-print ends with code 5, where it was and what was
   const std::string out = folder.file("events.json");
   const ProgramRun run = test::run_program(
       kRind + " print " + box + " --port virtual --virtual-speed 50 --json --stats " + stats +
-      " > " + out + " & job=$!; for i in $(seq 300); do grep -q 'layer\":[1-9][0-9]' " + out +
-      " && break; sleep 0.1; done; kill -TERM $job; wait $job; code=$?; cat " + out +
+      " > " + out + " & pid=$!; for i in $(seq 300); do grep -q 'layer\":[1-9][0-9]' " + out +
+      " && break; sleep 0.1; done; kill -TERM $pid; wait $pid; code=$?; cat " + out +
       "; exit $code");
   CAPTURE(run.output);
   CHECK_EQ(run.exit_code, 5);
@@ -327,17 +327,17 @@ TEST_CASE("a cut through a part ten times as tall holds no more layers") {
   CHECK_EQ(peak_layers(20), peak_layers(200));
 }
 
-TEST_CASE("any number of jobs gives the same bytes") {
+TEST_CASE("any number of threads gives the same bytes") {
   const PartFolder folder;
   const std::string part = folder.add("demo.stl", parts::demo());
   for (const char* name : {"out.gcode", "out.cli"}) {
     CAPTURE(name);
     std::string one;
-    for (const char* jobs : {"1", "2", "5"}) {
-      CAPTURE(jobs);
+    for (const char* threads : {"1", "2", "5"}) {
+      CAPTURE(threads);
       const std::string out = folder.file(name);
       const ProgramRun run =
-          rind("slice " + part + kCoarse + " --quiet --jobs " + jobs + " -o " + out);
+          rind("slice " + part + kCoarse + " --quiet --jobs " + threads + " -o " + out);
       REQUIRE_EQ(run.exit_code, 0);
       if (one.empty()) one = content(out);
       CHECK_FALSE(one.empty());

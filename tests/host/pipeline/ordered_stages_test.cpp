@@ -34,10 +34,10 @@ std::unique_ptr<LayerBatch> batch_of(core::LayerIndex number) {
 
 }  // namespace
 
-TEST_CASE("every batch passes all stages, in order where it matters, for any number of jobs") {
+TEST_CASE("every batch passes all stages, in order where it matters, for any number of threads") {
   constexpr core::LayerIndex kBatches = 200;
-  for (const int jobs : {1, 2, 3, 8}) {
-    CAPTURE(jobs);
+  for (const int threads : {1, 2, 3, 8}) {
+    CAPTURE(threads);
     core::LayerIndex taken = 0;
     std::atomic<int> under_way = 0, most_under_way = 0;
     std::atomic<int> cuts = 0, plans = 0;
@@ -56,7 +56,7 @@ TEST_CASE("every batch passes all stages, in order where it matters, for any num
       linger(static_cast<unsigned>(number_of(batch)) + 1'000), ++plans;
     };
     stages.give = [&](LayerBatch& batch) { given.push_back(number_of(batch)), --under_way; };
-    host::run_stages(stages, jobs);
+    host::run_stages(stages, threads);
     CHECK_EQ(cuts, kBatches);
     CHECK_EQ(plans, kBatches);
     REQUIRE_EQ(split.size(), kBatches);
@@ -65,14 +65,14 @@ TEST_CASE("every batch passes all stages, in order where it matters, for any num
       CHECK_EQ(split[static_cast<std::size_t>(i)], i);
       CHECK_EQ(given[static_cast<std::size_t>(i)], i);
     }
-    CHECK_LE(most_under_way, host::batches_max(jobs));
+    CHECK_LE(most_under_way, host::batches_max(threads));
   }
 }
 
 TEST_CASE("an exception of any stage comes out, when all have stopped") {
-  for (const int jobs : {1, 3}) {
+  for (const int threads : {1, 3}) {
     for (int stage = 0; stage < 5; ++stage) {
-      CAPTURE(jobs);
+      CAPTURE(threads);
       CAPTURE(stage);
       core::LayerIndex taken = 0;
       const auto work = [&](int at) {
@@ -86,8 +86,8 @@ TEST_CASE("an exception of any stage comes out, when all have stopped") {
         return taken == 1'000 ? nullptr : batch_of(taken++);
       };
       stages.cut = work(1), stages.split = work(2), stages.plan = work(3), stages.give = work(4);
-      CHECK_THROWS_AS(host::run_stages(stages, jobs), std::runtime_error);
-      CHECK_LE(taken, 21 + host::batches_max(jobs));
+      CHECK_THROWS_AS(host::run_stages(stages, threads), std::runtime_error);
+      CHECK_LE(taken, 21 + host::batches_max(threads));
     }
   }
 }

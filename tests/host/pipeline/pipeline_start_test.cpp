@@ -22,8 +22,8 @@ struct Computed {
 
 Computed compute(const core::Settings& settings, const std::string& path,
                  const std::optional<host::Checkpoint>& start) {
-  host::Job job = print_test::open(settings, path);
-  job.start = start;
+  host::PrintPlan print_plan = print_test::open(settings, path);
+  print_plan.start = start;
   Computed computed;
   host::PipelineOutputs outputs;
   outputs.on_checkpoint = [&](const host::Checkpoint& checkpoint) {
@@ -37,7 +37,7 @@ Computed compute(const core::Settings& settings, const std::string& path,
   };
   host::PipelineSignals signals;
   host::GeometryStatistics statistics;
-  const auto end = host::run_pipeline(job, outputs, signals, statistics);
+  const auto end = host::run_pipeline(print_plan, outputs, signals, statistics);
   REQUIRE(end.ok());
   computed.layers_held = statistics.peak_held.layers;
   return computed;

@@ -149,7 +149,7 @@ class Fate {
     core::Result<host::Journal> journal =
         left.ok() ? host::Journal::reopen(journal_) : host::Journal::create(journal_, {});
     REQUIRE(journal.ok());
-    host::Job job = print_test::open(coarse(), part_);
+    host::PrintPlan print_plan = print_test::open(coarse(), part_);
     host::PrintOptions options;
     print_test::ScriptedControl control;
     options.banner_wait_s = 0.05;
@@ -174,7 +174,8 @@ class Fate {
     Cable cable(*printer_, strike);
     host::Reporter reporter({.quiet = true, .json = false, .stdout_taken = false});
     control.stop = [this] { return died_ ? 2 : 0; };
-    return host::print_part({job, cable, control, reporter, options, host::steady_seconds()});
+    return host::print_part(
+        {print_plan, cable, control, reporter, options, host::steady_seconds()});
   }
 
   // Opening the port resets some boards.

@@ -74,8 +74,8 @@ class HeldTriangles : public host::TriangleSource {
 
 std::vector<Triangle> dome() { return test::triangles_of(parts::dome(6, 64, 24)); }
 
-host::Job job_of(host::MeshInput mesh, const core::Settings& settings,
-                 host::PlaneCheck check = host::PlaneCheck::kNone) {
+host::PrintPlan plan_of(host::MeshInput mesh, const core::Settings& settings,
+                        host::PlaneCheck check = host::PlaneCheck::kNone) {
   host::OpenOptions options;
   options.reorder_triangles = kLookAhead;
   options.plane_check = check;
@@ -97,8 +97,8 @@ struct HeldPrint {
     const core::Settings settings;
     // More than a look ahead and its batches are free: the rest is read in the print.
     auto held = std::make_unique<HeldTriangles>(dome(), 2'000, gate, fails);
-    rig = std::make_unique<Rig>(settings, job_of({"list", std::move(held), {}}, settings));
-    REQUIRE(rig->job.part.read_rest);
+    rig = std::make_unique<Rig>(settings, plan_of({"list", std::move(held), {}}, settings));
+    REQUIRE(rig->print_plan.part.read_rest);
     rig->on_executed = [this] {
       if (rig->count("M104 S210") > 0 && rig->count("M140 S60") > 0) gate.open();
     };
@@ -158,8 +158,9 @@ TEST_CASE("contours that stay open are found before anything moves") {
   for (const bool pipe : {false, true}) {
     CAPTURE(pipe);
     const auto opened = [&](host::PlaneCheck check) {
-      host::Job job = job_of(test::listed_mesh(triangles, pipe).input, settings, check);
-      return job.part.read_rest();
+      host::PrintPlan print_plan =
+          plan_of(test::listed_mesh(triangles, pipe).input, settings, check);
+      return print_plan.part.read_rest();
     };
     const auto refused = opened(host::PlaneCheck::kRefuse);
     REQUIRE_FALSE(refused.ok());
@@ -172,9 +173,9 @@ TEST_CASE("contours that stay open are found before anything moves") {
     CHECK(opened(host::PlaneCheck::kNone).value().warnings.empty());
   }
   // The check reads the part a further time and leaves nothing behind.
-  host::Job checked =
-      job_of(test::listed_mesh(triangles, false).input, settings, host::PlaneCheck::kWarn);
-  host::Job plain = job_of(test::listed_mesh(triangles, false).input, settings);
+  host::PrintPlan checked =
+      plan_of(test::listed_mesh(triangles, false).input, settings, host::PlaneCheck::kWarn);
+  host::PrintPlan plain = plan_of(test::listed_mesh(triangles, false).input, settings);
   REQUIRE(checked.part.read_rest().ok());
   REQUIRE(plain.part.read_rest().ok());
   for (int layer = 0; layer < 30; ++layer) {
@@ -222,8 +223,8 @@ TEST_CASE("a bad layer is told with its height and treated as asked for") {
 
 TEST_CASE("a bad layer in mid-print ends with the nozzle off the part, if so asked for") {
   const core::Settings settings;
-  Rig rig(settings, job_of(test::listed_mesh(torn_dome(), false).input, settings));
-  rig.job.on_bad_layer = host::OnBadLayer::kStop;
+  Rig rig(settings, plan_of(test::listed_mesh(torn_dome(), false).input, settings));
+  rig.print_plan.on_bad_layer = host::OnBadLayer::kStop;
   const host::PrintOutcome outcome = rig.print();
   CAPTURE(outcome.message);
   CHECK_EQ(outcome.exit_code, host::kExitBadInput);
@@ -236,8 +237,8 @@ TEST_CASE("a bad layer in mid-print waits for its user off the part, and resumes
   const core::Settings settings;
   std::vector<test::LaidPiece> repaired;
   for (const auto action : {host::OnBadLayer::kRepair, host::OnBadLayer::kPause}) {
-    Rig rig(settings, job_of(test::listed_mesh(torn_dome(), false).input, settings));
-    rig.job.on_bad_layer = action;
+    Rig rig(settings, plan_of(test::listed_mesh(torn_dome(), false).input, settings));
+    rig.print_plan.on_bad_layer = action;
     int waited = 0;
     bool away = false;
     rig.control.request = [&]() -> std::optional<host::UserRequest> {

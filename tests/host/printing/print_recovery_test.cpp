@@ -317,7 +317,7 @@ TEST_CASE("another print than the one that was started is refused before anythin
   other.road_width = Length::from_mm(0.46);
   other.retraction_mm = 1.1;
   other.lift_speed_mm_s = 11;
-  rig.job = print_test::open(other, path);
+  rig.print_plan = print_test::open(other, path);
   rig.control.stop = [] { return 0; };
   rig.options.resumption = host::Resumption{read.value().record, true, 0};
   const std::size_t before = rig.executed.size();

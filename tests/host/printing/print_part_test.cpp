@@ -1,5 +1,5 @@
 // Prints to a virtual controller in the same process: what it executes, and how a print ends.
-#include "host/printing/print_job.h"
+#include "host/printing/print_part.h"
 
 #include <doctest/doctest.h>
 
@@ -108,7 +108,7 @@ TEST_CASE("what the controller executes is what the file says") {
     CHECK_LE(totals.resends_asked, 1);
     CHECK_EQ(outcome.link.resends, 0);
     // Drawn back once at the end, and never more than given back before.
-    CHECK_LT(std::abs(totals.filament_mm() + rig.job.settings.retraction_mm -
+    CHECK_LT(std::abs(totals.filament_mm() + rig.print_plan.settings.retraction_mm -
                       host::total_mm(outcome.geometry.filament_mm)),
              0.001);
     CHECK_EQ(rig.controller().nozzle_target_celsius, 0);
@@ -269,8 +269,8 @@ TEST_CASE("geometry that fails in mid-print brings the printer to a safe end") {
     CAPTURE(throws);
     Rig rig(coarse(), path);
     // Late enough for the queue to have been full.
-    rig.job.part.layers =
-        std::make_unique<FailingSource>(std::move(rig.job.part.layers), 130, throws);
+    rig.print_plan.part.layers =
+        std::make_unique<FailingSource>(std::move(rig.print_plan.part.layers), 130, throws);
     const host::PrintOutcome outcome = rig.print();
     CAPTURE(outcome.message);
     CHECK_EQ(outcome.exit_code, host::kExitBadInput);

@@ -1,4 +1,4 @@
-#include "host/printing/print_job.h"
+#include "host/printing/print_part.h"
 
 #include <fmt/format.h>
 
@@ -60,9 +60,11 @@ void conclude(const LinkOutcome& link, const GeometryOutcome& geometry, core::La
 PrintOutcome print_part(const PrintRequest& request) {
   const std::optional<Resumption>& resumption = request.options.resumption;
   // Before the thread starts, which may read more of the part.
-  const PartExtent part{request.job.part.summary.box, request.job.part.summary.height};
-  GeometryThread thread(request.job, resumption ? &resumption->record : nullptr, request.reporter);
-  PrintController controller(request.job.settings, request.options, part,
+  const PartExtent part{request.print_plan.part.summary.box,
+                        request.print_plan.part.summary.height};
+  GeometryThread thread(request.print_plan, resumption ? &resumption->record : nullptr,
+                        request.reporter);
+  PrintController controller(request.print_plan.settings, request.options, part,
                              {request.port, thread, request.control, request.reporter},
                              request.started_s);
   LinkOutcome link;

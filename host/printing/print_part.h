@@ -12,7 +12,7 @@
 #include <string>
 
 #include "firmware_link/ports/byte_port.h"   // BytePort
-#include "host/pipeline/pipeline.h"          // Job
+#include "host/pipeline/pipeline.h"          // PrintPlan
 #include "host/pipeline/statistics.h"        // GeometryStatistics, LinkStatistics
 #include "host/printing/print_control.h"     // PrintControl
 #include "host/printing/print_controller.h"  // PrintOptions
@@ -21,15 +21,15 @@
 namespace host {
 
 struct PrintRequest {
-  Job& job;
+  PrintPlan& print_plan;
   firmware_link::BytePort& port;
   PrintControl& control;
   Reporter& reporter;
   PrintOptions options = {};
   double started_s = 0;  // steady_seconds() when the program started
   // How long the geometry may take to end when the link has; it can't be interrupted within a
-  // layer. Nothing: as long as it takes. REQUIRES: when it is left behind (PrintOutcome), the
-  // program ends without touching the job, the reporter or the standard library's exit any more.
+  // layer. nullopt: as long as it takes. REQUIRES: when it is left behind (PrintOutcome), the
+  // program ends without touching the plan, the reporter or the standard library's exit any more.
   std::optional<double> geometry_grace_s = std::nullopt;
 };
 

@@ -32,7 +32,7 @@ struct Resumption {
   std::int64_t nozzle_z_um = 0;  // where the nozzle is, as the operator says
 };
 
-class Recovery {
+class PrintRecovery {
  public:
   // What of a running print a recovery reads and sets. All outlive it.
   struct Parts {
@@ -44,7 +44,7 @@ class Recovery {
     PrintControl& control;
     Reporter& reporter;
   };
-  Recovery(const Parts& parts, std::optional<Resumption> resumption);
+  PrintRecovery(const Parts& parts, std::optional<Resumption> resumption);
 
   // --- rind resume ---
 

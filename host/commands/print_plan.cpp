@@ -22,7 +22,7 @@ core::Result<PrintSettings> load_settings_of(const Options& options, Reporter& r
   return settings;
 }
 
-core::Result<Job> open_job(const Options& options, Reporter& reporter) {
+core::Result<PrintPlan> open_print_plan(const Options& options, Reporter& reporter) {
   core::Result<PrintSettings> settings = load_settings_of(options, reporter);
   if (!settings.ok()) return settings.error();
   const bool prints =
@@ -50,8 +50,8 @@ core::Result<Job> open_job(const Options& options, Reporter& reporter) {
   if (!part.ok()) return part.error();
   const PartSummary& summary = part.value().summary;
   for (const std::string& warning : summary.warnings) reporter.note("warning", warning);
-  return Job{std::move(settings).value(), std::move(part).value(), part_title(options.part.path),
-             on_bad_layer, options.jobs};
+  return PrintPlan{std::move(settings).value(), std::move(part).value(),
+                   part_title(options.part.path), on_bad_layer, options.threads};
 }
 
 void report_warnings(PipelineSignals& signals, Reporter& reporter) {

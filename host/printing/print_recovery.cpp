@@ -1,4 +1,4 @@
-#include "host/printing/recovery.h"
+#include "host/printing/print_recovery.h"
 
 #include <fmt/format.h>
 
@@ -23,17 +23,17 @@ constexpr double kMotorsHold_s = 60;
 
 }  // namespace
 
-Recovery::Recovery(const Parts& parts, std::optional<Resumption> resumption)
+PrintRecovery::PrintRecovery(const Parts& parts, std::optional<Resumption> resumption)
     : parts_(parts), resumption_(std::move(resumption)), searching_(resumption_.has_value()) {
   parts_.journal.suspend(searching_);
 }
 
-void Recovery::end_search() {
+void PrintRecovery::end_search() {
   searching_ = false;
   parts_.journal.suspend(pending());
 }
 
-bool Recovery::find_start() {
+bool PrintRecovery::find_start() {
   const JournalRecord& left = resumption_->record;
   PrintCommands& commands = parts_.commands;
   if (!history_started_) {
@@ -68,7 +68,7 @@ bool Recovery::find_start() {
   return true;
 }
 
-bool Recovery::start_way_back(Instant now) {
+bool PrintRecovery::start_way_back(Instant now) {
   if (!start_point_) return false;
   const ResumePoint point = *std::exchange(start_point_, std::nullopt);
   parts_.journal.suspend(false);
@@ -76,14 +76,14 @@ bool Recovery::start_way_back(Instant now) {
   return true;
 }
 
-bool Recovery::possible() const {
+bool PrintRecovery::possible() const {
   if (!parts_.commands.road_given() || pending()) return false;
   const CommandHistory& history = parts_.commands.history();
   return parts_.commands.state().position_known() || history.end() == history.begin();
 }
 
-std::optional<Recovery::Failure> Recovery::resume_after_fault(const JournalRecord& left,
-                                                              double fault_s) {
+std::optional<PrintRecovery::Failure> PrintRecovery::resume_after_fault(const JournalRecord& left,
+                                                                        double fault_s) {
   ResumePoint point = point_of(left, true);
   if (const std::string unknown = height_unknown(point); !unknown.empty()) {
     return Failure{unknown, "nothing was heated or moved any more"};
@@ -113,7 +113,7 @@ std::optional<Recovery::Failure> Recovery::resume_after_fault(const JournalRecor
 }
 
 // REQUIRES: what was sent is in the history, as far as there is any.
-ResumePoint Recovery::point_of(const JournalRecord& left, bool same_boot) const {
+ResumePoint PrintRecovery::point_of(const JournalRecord& left, bool same_boot) const {
   const firmware_link::Session& session = parts_.link.session();
   const CommandHistory& history = parts_.commands.history();
   const std::optional<firmware_link::Position>& position = session.found_position();
@@ -129,15 +129,15 @@ ResumePoint Recovery::point_of(const JournalRecord& left, bool same_boot) const 
 
 // Why a controller that has lost its position cannot be told its height; empty: it can, or need not
 // be told.
-std::string Recovery::height_unknown(const ResumePoint& point) const {
+std::string PrintRecovery::height_unknown(const ResumePoint& point) const {
   if (point.position_known) return {};
   const firmware_link::Session& session = parts_.link.session();
   return std::string(session.dialect().no_height_command(session.capabilities()));
 }
 
 // `still_hot`: in the print that was interrupted, and not long ago.
-std::vector<Command> Recovery::way_back(const ResumePoint& point, std::int64_t nozzle_z_um,
-                                        bool still_hot) const {
+std::vector<Command> PrintRecovery::way_back(const ResumePoint& point, std::int64_t nozzle_z_um,
+                                             bool still_hot) const {
   const MachineState here = parts_.commands.history().state_before(point.command);
   const ParkMoves& moves = parts_.start.park_moves();
   const bool from_here = still_hot && point.position_known;
@@ -152,8 +152,8 @@ std::vector<Command> Recovery::way_back(const ResumePoint& point, std::int64_t n
   return way;
 }
 
-void Recovery::set_out(const ResumePoint& point, std::int64_t nozzle_z_um, bool still_hot,
-                       Instant now) {
+void PrintRecovery::set_out(const ResumePoint& point, std::int64_t nozzle_z_um, bool still_hot,
+                            Instant now) {
   parts_.pauses.follow(way_back(point, nozzle_z_um, still_hot), nozzle_z_um);
   parts_.link.session().hold(true, now);
 }
