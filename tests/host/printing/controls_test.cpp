@@ -14,9 +14,9 @@ TEST_CASE("each key has its request, and all keys that the help names have one")
       {'s', UserRequest::kStop},   {'+', UserRequest::kFeedUp},   {'-', UserRequest::kFeedDown},
       {'>', UserRequest::kFlowUp}, {'<', UserRequest::kFlowDown}, {'?', UserRequest::kHelp},
       {'h', UserRequest::kHelp}};
-  for (const auto& [key, request] : keys) {
-    CAPTURE(key);
-    CHECK(host::request_of_key(key) == request);
+  for (const auto& pair : keys) {
+    CAPTURE(pair.first);
+    CHECK(host::request_of_key(pair.first) == pair.second);
   }
   const std::string help = host::key_help();
   for (std::size_t at = help.find(": ") + 2; at < help.size(); at = help.find(", ", at) + 2) {
