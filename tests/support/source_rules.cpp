@@ -100,7 +100,7 @@ constexpr std::array<std::string_view, 10> kHostFloors = {
     "pipeline", "printing", "settings", "commands", ""};
 
 struct Floors {
-  std::string_view library;
+  std::string_view room;
   std::span<const std::string_view> from_the_ground;
 };
 constexpr std::array kFloors = {Floors{"core/", kCoreFloors},
@@ -109,7 +109,7 @@ constexpr std::array kFloors = {Floors{"core/", kCoreFloors},
 
 // The number of the floor of `path`, a file of that library; nullopt: its folder is not listed.
 std::optional<std::size_t> floor_of(std::string_view path, const Floors& floors) {
-  path.remove_prefix(floors.library.size());
+  path.remove_prefix(floors.room.size());
   const std::size_t end = path.find('/');
   const std::string_view folder = end == std::string_view::npos ? "" : path.substr(0, end);
   const auto found =
@@ -225,11 +225,11 @@ Complaints check_floors(const Source& source) {
   Complaints complaints;
   if (!is_code(source.path)) return complaints;
   for (const Floors& floors : kFloors) {
-    if (!within(source.path, floors.library)) continue;
+    if (!within(source.path, floors.room)) continue;
     const std::optional<std::size_t> own = floor_of(source.path, floors);
     if (!own) complaints.push_back(at(source, 1, "its folder is not in the list of floors"));
     for (const Include& include : includes_of(source.text)) {
-      if (!own || !include.quoted || !within(include.name, floors.library)) continue;
+      if (!own || !include.quoted || !within(include.name, floors.room)) continue;
       const std::optional<std::size_t> other = floor_of(include.name, floors);
       if (other && *other <= *own) continue;
       complaints.push_back(

@@ -30,7 +30,7 @@ std::vector<Road> random_roads(test::Random& random, int count) {
   return roads;
 }
 
-// The same points however a road is turned or begun.
+// The same points, whichever way a road runs and wherever it starts.
 std::vector<std::vector<Point>> points_of(const std::vector<Road>& roads) {
   std::vector<std::vector<Point>> all;
   for (const Road& road : roads) {
