@@ -5,6 +5,7 @@
 #include <tbb/task_arena.h>
 
 #include <utility>
+#include <vector>
 
 #include "core/check.h"  // RIND_CHECK
 
@@ -20,34 +21,50 @@ void run_in_turn(const OrderedStages& stages) {
   }
 }
 
-// TBB copies values between stages: a shared pointer, so that nothing leaks on an exception.
-using Shared = std::shared_ptr<LayerBatch>;
+// The batches under way. TBB carries plain pointers to them: what it holds between two stages when
+// one throws, it forgets. A place is free again when its batch has been given, which goes in order.
+class BatchPlaces {
+ public:
+  explicit BatchPlaces(int places) : places_(static_cast<std::size_t>(places)) {}
+
+  // Returns null at the end.
+  LayerBatch* put(std::unique_ptr<LayerBatch> batch) {
+    std::unique_ptr<LayerBatch>& place = places_[next_++ % places_.size()];
+    place = std::move(batch);
+    return place.get();
+  }
+
+ private:
+  std::vector<std::unique_ptr<LayerBatch>> places_;
+  std::size_t next_ = 0;
+};
 
 auto stage(tbb::filter_mode mode, const std::function<void(LayerBatch&)>& work) {
-  return tbb::make_filter<Shared, Shared>(mode, [&work](Shared batch) {
+  return tbb::make_filter<LayerBatch*, LayerBatch*>(mode, [&work](LayerBatch* batch) {
     work(*batch);
     return batch;
   });
 }
 
 void run_at_once(const OrderedStages& stages, int threads) {
-  const auto take = [&stages](tbb::flow_control& control) -> Shared {
-    Shared batch = stages.take();
-    if (!batch) control.stop();
+  BatchPlaces places(batches_max(threads));
+  const auto take = [&](tbb::flow_control& control) {
+    LayerBatch* batch = places.put(stages.take());
+    if (batch == nullptr) control.stop();
     return batch;
   };
-  const auto give = [&stages](const Shared& batch) { stages.give(*batch); };
+  const auto give = [&stages](LayerBatch* batch) { stages.give(*batch); };
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   static_cast<std::size_t>(threads));
   tbb::task_arena arena(threads);
   arena.execute([&] {
     tbb::parallel_pipeline(
         static_cast<std::size_t>(batches_max(threads)),
-        tbb::make_filter<void, Shared>(tbb::filter_mode::serial_in_order, take) &
+        tbb::make_filter<void, LayerBatch*>(tbb::filter_mode::serial_in_order, take) &
             stage(tbb::filter_mode::parallel, stages.cut) &
             stage(tbb::filter_mode::serial_in_order, stages.split) &
             stage(tbb::filter_mode::parallel, stages.plan) &
-            tbb::make_filter<Shared, void>(tbb::filter_mode::serial_in_order, give));
+            tbb::make_filter<LayerBatch*, void>(tbb::filter_mode::serial_in_order, give));
   });
 }
 
