@@ -2,6 +2,8 @@
 // adds settings of the link, and has the units, the ranges and the help texts.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -30,6 +32,18 @@ enum class ArcUse {
   kOff,
 };
 
+// Where a closed perimeter starts and ends.
+enum class SeamPosition { kAligned, kNearest, kRear, kRandom };
+
+// How the loose inside is filled.
+enum class LoosePattern { kLines, kGrid, kTriangles, kHoneycomb, kGyroid, kCubic, kConcentric };
+
+// How what is dense is filled.
+enum class SolidPattern { kRectilinear, kMonotonic, kConcentric };
+
+// Steps of the share of a road that the layer below holds: over 3/4, over 1/2, over 1/4, less.
+inline constexpr std::size_t kOverhangSteps = 4;
+
 struct Settings {
   // Layers and the wall.
   Length layer_height = Length::from_units(2'000);
@@ -51,8 +65,26 @@ struct Settings {
   double loose_density = 0.2;      // share of the inside's volume; 0: empty, 1: dense
   double fill_angle_degrees = 45;  // of even layers; odd ones are turned by 90°
   Length loose_anchor = Length::from_units(3'000);  // how far loose roads reach into the wall
+  LoosePattern loose_pattern = LoosePattern::kLines;
+  int loose_every_layers = 1;                              // loose roads in every n-th layer only
+  Length infill_anchor_max = Length::from_units(500'000);  // longest join of loose roads
+  SolidPattern solid_pattern = SolidPattern::kRectilinear;
+  SolidPattern top_pattern = SolidPattern::kMonotonic;
+  Length top_width;  // of roads in tops; 0: road_width
+  double top_flow = 1;
+  bool ironing = false;
+  double ironing_flow = 0.15;
+  Length ironing_spacing = Length::from_units(1'000);
+  SeamPosition seam = SeamPosition::kAligned;
+  Length seam_gap = Length::from_units(600);  // between a closed road's end and its start
   int skirt_loops = 1;
   Length skirt_distance = Length::from_units(30'000);
+
+  // Bridges and overhangs.
+  double overhang_angle_degrees = 45;               // from the vertical; steeper is told
+  Length bridge_max = Length::from_units(100'000);  // longer spans are told
+  double bridge_flow = 1;
+  double internal_bridge_flow = 1;
 
   // Slicing.
   Length simplify_tolerance = Length::from_units(50);  // 5 µm
@@ -73,6 +105,13 @@ struct Settings {
   double solid_speed_mm_s = 60;
   double loose_speed_mm_s = 60;
   double rest_speed_mm_s = 40;
+  double top_speed_mm_s = 40;
+  double ironing_speed_mm_s = 15;
+  double bridge_speed_mm_s = 30;
+  double internal_bridge_speed_mm_s = 40;
+  std::array<double, kOverhangSteps> overhang_speed_mm_s{60, 45, 30, 20};
+  double small_perimeter_speed_mm_s = 0;  // 0: no difference
+  double volumetric_speed_max_mm3_s = 0;  // 0: no limit
   double first_layer_speed_mm_s = 30;
   double travel_speed_mm_s = 130;
   double lift_speed_mm_s = 10;
@@ -89,6 +128,8 @@ struct Settings {
   double retraction_speed_mm_s = 40;
   Length retraction_travel_min = Length::from_units(50'000);  // shorter inside the part: none
   Length retraction_lift;                                     // 0: travel at the layer's height
+  bool avoid_crossing_perimeters = false;
+  Length wipe;  // way back along the road while retracting
 
   // Machine.
   Length bed_x = Length::from_units(3'000'000);
@@ -106,6 +147,8 @@ struct Settings {
   // Cooling (cooling.h).
   bool cool_short_layers = true;
   double fan_share = 1;
+  double bridge_fan_share = 1;
+  std::array<double, kOverhangSteps> overhang_fan_share{1, 1, 1, 1};
   double fan_share_min = 1;
   bool fan_always_on = true;
   double fan_below_layer_time_s = 60;

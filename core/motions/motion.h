@@ -23,6 +23,11 @@ struct RoadStart {
   Length width;
 };
 
+// The road at hand goes on with another width; nothing moves.
+struct RoadWidth {
+  Length width;
+};
+
 // Without material, at constant height.
 struct Travel {
   Point to;
@@ -77,7 +82,8 @@ struct Verbatim {
   std::string line;
 };
 
-using Motion = std::variant<LayerStart, RoadStart, Travel, Lift, Extrude, ExtrudeArc, MoveFilament,
-                            SetFan, SetNozzleTemperature, SetBedTemperature, Verbatim>;
+using Motion =
+    std::variant<LayerStart, RoadStart, RoadWidth, Travel, Lift, Extrude, ExtrudeArc, MoveFilament,
+                 SetFan, SetNozzleTemperature, SetBedTemperature, Verbatim>;
 
 }  // namespace core

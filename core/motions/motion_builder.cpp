@@ -98,24 +98,36 @@ void MotionBuilder::layer(const Slice& slice, const std::vector<Road>& roads, co
 void MotionBuilder::road(const Road& road, double slowdown, const Sink& sink) {
   const double speed =
       slowed_speed_mm_s(speed_mm_s(road.kind), slowdown, settings_.slowed_speed_min_mm_s);
-  const double d = settings_.filament_diameter.mm();
-  const double filament_per_mm = settings_.extrusion_multiplier *
-                                 bead_area_mm2(road.width, height_) /
-                                 (std::numbers::pi * d * d / 4);
-  sink(RoadStart{road.kind, road.width});
   ++totals_.roads;
-  if (takes_pieces(road)) {
+  bool first = true;
+  for (const WidthStretch& stretch : width_stretches(road, height_)) {
+    if (first) {
+      sink(RoadStart{road.kind, stretch.width});
+    } else {
+      sink(RoadWidth{stretch.width});
+    }
+    first = false;
+    lay(stretch, road.kind, speed, sink);
+  }
+}
+
+void MotionBuilder::lay(const WidthStretch& stretch, RoadKind kind, double speed,
+                        const Sink& sink) {
+  const double d = settings_.filament_diameter.mm();
+  const double filament_per_mm =
+      settings_.extrusion_multiplier * stretch.area_mm2 / (std::numbers::pi * d * d / 4);
+  if (takes_pieces(stretch)) {
     ArcFitter& fitter = state_.arcs.value_or(false) ? fitter_ : segments_;
-    pieces_ = fitter.pieces(road.points, road.closed);
+    pieces_ = fitter.pieces(stretch.points, stretch.closed);
     double sent = speed;
     if (const double time_min_s = settings_.segment_time_min_ms / 1'000; time_min_s > 0) {
-      merge_short_pieces(road.points.front(), pieces_, speed * time_min_s,
+      merge_short_pieces(stretch.points.front(), pieces_, speed * time_min_s,
                          settings_.segment_tolerance.mm());
       // However dense a spot is, it is no reason to stand on the part.
       const double slowest = std::min(speed, settings_.slowed_speed_min_mm_s);
       sent = std::max(slowest, sendable_speed(pieces_, speed, time_min_s));
     }
-    for (const RoadPiece& piece : pieces_) lay(piece, road.kind, filament_per_mm, sent, sink);
+    for (const RoadPiece& piece : pieces_) lay(piece, kind, filament_per_mm, sent, sink);
     return;
   }
   const auto to = [&](Point point) {
@@ -124,15 +136,15 @@ void MotionBuilder::road(const Road& road, double slowdown, const Sink& sink) {
     RoadPiece piece;
     piece.to = point;
     piece.length_mm = piece.laid_over_mm = mm;
-    lay(piece, road.kind, filament_per_mm, speed, sink);
+    lay(piece, kind, filament_per_mm, speed, sink);
   };
-  for (std::size_t i = 1; i < road.points.size(); ++i) to(road.points[i]);
-  if (road.closed) to(road.points.front());
+  for (std::size_t i = 1; i < stretch.points.size(); ++i) to(stretch.points[i]);
+  if (stretch.closed) to(stretch.points.front());
 }
 
 // Straight lines and triangles are what they are.
-bool MotionBuilder::takes_pieces(const Road& road) const {
-  return road.points.size() > kArcSegmentsMin &&
+bool MotionBuilder::takes_pieces(const WidthStretch& stretch) const {
+  return stretch.points.size() > kArcSegmentsMin &&
          (state_.arcs.value_or(false) || settings_.segment_time_min_ms > 0);
 }
 
@@ -208,13 +220,20 @@ double MotionBuilder::speed_mm_s(RoadKind kind) const {
   double speed = settings_.solid_speed_mm_s;
   switch (kind) {
     case RoadKind::kSkirt:
+    case RoadKind::kBrim:
     case RoadKind::kPerimeter:
       speed = settings_.perimeter_speed_mm_s;
       break;
     case RoadKind::kOuterPerimeter:
+    case RoadKind::kOverhangPerimeter:
       speed = settings_.outer_perimeter_speed_mm_s;
       break;
     case RoadKind::kSolid:
+    case RoadKind::kTopSolid:
+    case RoadKind::kBottomSolid:
+    case RoadKind::kBridge:
+    case RoadKind::kInternalBridge:
+    case RoadKind::kIroning:
       break;
     case RoadKind::kGapFill:
       speed = settings_.rest_speed_mm_s;

@@ -15,11 +15,12 @@
 #include <optional>
 #include <vector>
 
-#include "core/motions/arc_fit.h"  // ArcFitter
-#include "core/motions/motion.h"   // Motion
-#include "core/roads/road.h"       // Road, RoadKind
-#include "core/settings.h"         // Settings
-#include "core/slices/slice.h"     // Slice
+#include "core/motions/arc_fit.h"          // ArcFitter
+#include "core/motions/motion.h"           // Motion
+#include "core/motions/width_stretches.h"  // WidthStretch
+#include "core/roads/road.h"               // Road, RoadKind
+#include "core/settings.h"                 // Settings
+#include "core/slices/slice.h"             // Slice
 
 namespace core {
 
@@ -89,7 +90,8 @@ class MotionBuilder {
   void start_layer(const Slice& slice, const Sink& sink);
   void set_up_layer(double fan_share, const Sink& sink);
   void road(const Road& road, double slowdown, const Sink& sink);
-  [[nodiscard]] bool takes_pieces(const Road& road) const;
+  void lay(const WidthStretch& stretch, RoadKind kind, double speed, const Sink& sink);
+  [[nodiscard]] bool takes_pieces(const WidthStretch& stretch) const;
   void lay(const RoadPiece& piece, RoadKind kind, double filament_per_mm, double speed,
            const Sink& sink);
   void travel(Point to, Boundary& boundary, const Sink& sink);

@@ -5,10 +5,16 @@
 namespace core {
 namespace {
 
+using Neighbour = std::shared_ptr<const Region>;
+
+bool alike(const Neighbour& a, const Neighbour& b) {
+  return a == b || (a && b && *a == *b);
+}
+
 // What is solid follows from the slice and what is loose. The first layer has a skirt.
 bool alike(const SplitLayer& a, const SplitLayer& b) {
   return a.slice.index != 0 && a.slice.height == b.slice.height && a.loose == b.loose &&
-         a.slice.region == b.slice.region;
+         a.slice.region == b.slice.region && alike(a.below, b.below) && alike(a.above, b.above);
 }
 
 }  // namespace

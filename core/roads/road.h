@@ -2,6 +2,7 @@
 // extrusion.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "core/geometry.h"  // Point
@@ -16,18 +17,40 @@ enum class RoadKind {
   kSolid,    // dense fill of the wall
   kGapFill,  // of its own width, where whole roads don't fit
   kLoose,    // fill of the inside
+  kBrim,
+  kOverhangPerimeter,  // a perimeter that the layer below holds in part or not at all
+  kTopSolid,           // dense fill under the open sky
+  kBottomSolid,        // dense fill over nothing, but for bridges
+  kBridge,             // straight roads from one held side to another, over air
+  kInternalBridge,     // the same over the loose inside
+  kIroning,            // smooths a top
 };
 
-inline constexpr int kRoadKindCount = 6;
+inline constexpr int kRoadKindCount = 13;
 
 struct Road {
   RoadKind kind = RoadKind::kSolid;
-  Length width;
+  Length width;               // all along; where there are `widths`, about their mean
   bool closed = false;        // the last point joins the first, which is not repeated
   std::vector<Point> points;  // centre line; 2 points or more, 3 or more where closed
+
+  // Empty, or one for each point: between two points the width changes linearly.
+  std::vector<Length> widths{};
 };
 
 [[nodiscard]] double length_mm(const Road& road);
+
+[[nodiscard]] inline Length width_at(const Road& road, std::size_t point) {
+  return road.widths.empty() ? road.width : road.widths[point];
+}
+
+[[nodiscard]] Length widest(const Road& road);
+
+// Turns the road round.
+void reverse(Road& road);
+
+// Makes a closed road start at its point `index`. REQUIRES: road.closed.
+void start_at(Road& road, std::size_t index);
 
 // Cross-section in mm² of a bead with round sides:  h (w − h) + π (h/2)²
 //

@@ -22,10 +22,17 @@ constexpr int kStages = 4;
 int stage(RoadKind kind) {
   switch (kind) {
     case RoadKind::kSkirt:
+    case RoadKind::kBrim:
     case RoadKind::kPerimeter:
       return 0;
     case RoadKind::kOuterPerimeter:
+    case RoadKind::kOverhangPerimeter:
       return 1;
+    case RoadKind::kTopSolid:
+    case RoadKind::kBottomSolid:
+    case RoadKind::kBridge:
+    case RoadKind::kInternalBridge:
+    case RoadKind::kIroning:
     case RoadKind::kSolid:
     case RoadKind::kGapFill:
       return 2;
@@ -60,13 +67,12 @@ void add_begins(const Road& road, std::size_t owner, std::vector<NearestPoint::E
 }
 
 // Turns the road so that it starts at its point `index`; returns where it ends.
-Point start_at(Road& road, std::size_t index) {
+Point turn_to(Road& road, std::size_t index) {
   if (road.closed) {
-    std::rotate(road.points.begin(), road.points.begin() + static_cast<std::ptrdiff_t>(index),
-                road.points.end());
+    start_at(road, index);
     return road.points.front();
   }
-  if (index != 0) std::reverse(road.points.begin(), road.points.end());
+  if (index != 0) reverse(road);
   return road.points.back();
 }
 
@@ -107,7 +113,7 @@ std::vector<Road> nearest_order(std::vector<Road> roads, Point& at) {
     const auto next = starts.nearest(at);
     RIND_CHECK(next.has_value());
     starts.remove_owner(next->owner);
-    at = start_at(roads[next->owner], next->index);
+    at = turn_to(roads[next->owner], next->index);
     ordered.push_back(std::move(roads[next->owner]));
   }
   return ordered;

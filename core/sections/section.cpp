@@ -108,11 +108,12 @@ Intervals section_of(const Region& region, const SectionLine& line) {
 
 Intervals section_of(const Road& road, const SectionLine& line) {
   const double level = static_cast<double>(line.at.units()) + 0.5;
-  const double radius = static_cast<double>(road.width.units()) / 2;
   const std::size_t count = road.points.size();
   Intervals result;
   for (std::size_t i = 0; i + (road.closed ? 0 : 1) < count; ++i) {
-    const Seen a = seen(road.points[i], line), b = seen(road.points[(i + 1) % count], line);
+    const std::size_t j = (i + 1) % count;
+    const Seen a = seen(road.points[i], line), b = seen(road.points[j], line);
+    const double radius = static_cast<double>((width_at(road, i) + width_at(road, j)).units()) / 4;
     const auto nearest = static_cast<double>(std::min(a.across, b.across)) - level;
     const auto farthest = static_cast<double>(std::max(a.across, b.across)) - level;
     if (nearest > radius || farthest < -radius) continue;

@@ -1,15 +1,20 @@
 // What passes from the walls to the roads: a layer, split into its wall and its inside.
 #pragma once
 
+#include <memory>
+
 #include "core/offsets/layer_offsets.h"  // Layer
 #include "core/regions/region.h"         // Region
 
 namespace core {
 
-// solid ∪ loose = slice.region, solid ∩ loose = ∅.
+// solid ∪ loose = slice.region, solid ∩ loose = ∅. The neighbours are known after LayerNeighbours.
 struct SplitLayer : Layer {
   Region solid;  // the wall, which slicers call shell: filled densely
   Region loose;  // the inside: filled sparsely (infill)
+
+  // The slices under it and over it; null on the bed, and over the part's top.
+  std::shared_ptr<const Region> below{}, above{};
 };
 
 }  // namespace core

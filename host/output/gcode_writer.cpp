@@ -23,6 +23,19 @@ const char* prusa_type_name(core::RoadKind kind) {
       return "Gap fill";
     case core::RoadKind::kLoose:
       return "Internal infill";
+    case core::RoadKind::kBrim:
+      return "Skirt/Brim";
+    case core::RoadKind::kOverhangPerimeter:
+      return "Overhang perimeter";
+    case core::RoadKind::kTopSolid:
+      return "Top solid infill";
+    case core::RoadKind::kBottomSolid:
+      return "Solid infill";
+    case core::RoadKind::kBridge:
+    case core::RoadKind::kInternalBridge:
+      return "Bridge infill";
+    case core::RoadKind::kIroning:
+      return "Ironing";
   }
   return "Custom";
 }
@@ -38,6 +51,9 @@ void GcodeWriter::write(const core::Motion& motion,
     if (!kind_ || width_ != road->width) fmt::format_to(out, ";WIDTH:{}\n", road->width.mm());
     kind_ = road->kind;
     width_ = road->width;
+  } else if (const auto* change = std::get_if<core::RoadWidth>(&motion)) {
+    if (width_ != change->width) fmt::format_to(out, ";WIDTH:{}\n", change->width.mm());
+    width_ = change->width;
   }
   if (!command) return;
   firmware_link::TextBuffer text;

@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "core/check.h"
+#include "core/motions/width_stretches.h"  // width_stretches
 #include "core/sections/wall_regions.h"
 #include "host/output/picture_style.h"
 
@@ -49,7 +50,7 @@ Frame frame_of(const LayerPicture& picture) {
   std::int64_t width_most = 0;
   for (const core::Road& road : *picture.roads) {
     for (const core::Point point : road.points) box.add(point);
-    width_most = std::max(width_most, road.width.units());
+    width_most = std::max(width_most, widest(road).units());
   }
   if (box.empty()) box = {{0, 0}, {100'000, 100'000}};
   const auto border = static_cast<std::int32_t>(width_most);
@@ -87,15 +88,20 @@ void append_region(Text out, const core::Region& region, const std::string& attr
 }
 
 // A bead: its shaded sides over the full width, then its lighter back.
-void append_road(Text out, const core::Road& road) {
+void append_road(Text out, const core::Road& road, core::Length height) {
   const KindStyle& style = style_of(road.kind);
-  std::string path;
-  append_points(std::back_inserter(path), road.points, road.closed);
-  fmt::format_to(out,
-                 "<path d=\"{0}\" stroke=\"{1}\" stroke-width=\"{2:.4g}\"/>"
-                 "<path d=\"{0}\" stroke=\"{3}\" stroke-width=\"{4:.4g}\"/>\n",
-                 path, style.colours.edge, road.width.mm(), style.colours.body,
-                 road.width.mm() * 0.74);
+  const std::vector<core::WidthStretch> stretches = core::width_stretches(road, height);
+  const auto append = [&](const char* colour, double share) {
+    for (const core::WidthStretch& stretch : stretches) {
+      fmt::format_to(out, "<path d=\"");
+      append_points(out, stretch.points, stretch.closed);
+      fmt::format_to(out, "\" stroke=\"{}\" stroke-width=\"{:.4g}\"/>", colour,
+                     stretch.width.mm() * share);
+    }
+  };
+  append(style.colours.edge, 1);
+  append(style.colours.body, 0.74);
+  fmt::format_to(out, "\n");
 }
 
 void start_panel(Text out, const Frame& frame, int panel) {
@@ -151,8 +157,10 @@ void append_road_legend(std::string& svg, const LayerPicture& picture, const Fra
     double length = 0;
     for (const core::Road& road : *picture.roads) {
       if (road.kind != style.kind) continue;
-      narrowest = std::min(narrowest, road.width.units());
-      widest = std::max(widest, road.width.units());
+      for (std::size_t i = 0; i < road.points.size(); ++i) {
+        narrowest = std::min(narrowest, width_at(road, i).units());
+        widest = std::max(widest, width_at(road, i).units());
+      }
       length += length_mm(road);
     }
     if (widest == 0) continue;
@@ -204,7 +212,8 @@ std::string draw_layer(const LayerPicture& picture) {
   start_panel(out, frame, 1);
   append_region(out, slice.region, "fill=\"#f1eee8\"");
   svg += "<g fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n";
-  for (const core::Road& road : *picture.roads) append_road(out, road);
+  for (const core::Road& road : *picture.roads)
+    append_road(out, road, picture.window->layer().slice.height);
   svg += "</g></g>\n";
 
   append_area_legend(svg, areas, layer, frame);

@@ -39,10 +39,17 @@ struct KindStyle {
 // In the order of the legend.
 inline constexpr std::array<KindStyle, core::kRoadKindCount> kKindStyles = {{
     {core::RoadKind::kOuterPerimeter, "outer perimeter", {"#7d2a17", "#c8502f"}},
+    {core::RoadKind::kOverhangPerimeter, "overhang perimeter", {"#1f3f8a", "#4f78d8"}},
     {core::RoadKind::kPerimeter, "perimeter", {"#a3541f", "#e58a45"}},
+    {core::RoadKind::kTopSolid, "top", {"#8f2f4f", "#d9668c"}},
+    {core::RoadKind::kBottomSolid, "bottom", {"#5f6420", "#a9b04a"}},
     {core::RoadKind::kSolid, "solid fill", {"#b27d22", "#f0bd5c"}},
     {core::RoadKind::kGapFill, "gap fill", {"#56306f", "#9a6bb8"}},
+    {core::RoadKind::kBridge, "bridge", {"#0f4f4a", "#2fa79c"}},
+    {core::RoadKind::kInternalBridge, "bridge over loose", {"#2f6b4a", "#72bf95"}},
     {core::RoadKind::kLoose, "loose fill", {"#2c5d72", "#5f9bb3"}},
+    {core::RoadKind::kIroning, "ironing", {"#6d5a6d", "#b79fb7"}},
+    {core::RoadKind::kBrim, "brim", {"#77776a", "#aeae9d"}},
     {core::RoadKind::kSkirt, "skirt", {"#8d8d8d", "#bdbdbd"}},
 }};
 

@@ -40,7 +40,7 @@ core::Status check_on_bed(const std::string& part, const core::Slice& slice,
     const bool may_bulge =
         settings.arcs != core::ArcUse::kOff && road.points.size() >= core::kArcSegmentsMin;
     const std::int64_t bulge = may_bulge ? settings.arc_fit_tolerance.units() : 0;
-    const std::int64_t reach = std::max(road.width.units() / 2, bulge);
+    const std::int64_t reach = std::max(widest(road).units() / 2, bulge);
     for (const core::Point point : road.points) {
       const bool inside = point.x >= reach && point.x + reach <= settings.bed_x.units() &&
                           point.y >= reach && point.y + reach <= settings.bed_y.units();

@@ -12,6 +12,7 @@
 #include "core/motions/motion_clock.h"
 #include "core/offsets/slice_offsets.h"
 #include "core/roads/layer_planner.h"
+#include "core/walls/layer_neighbours.h"
 #include "core/walls/wall_splitter.h"
 #include "core/walls/wall_style.h"
 #include "host/part/layer_rules.h"
@@ -150,10 +151,11 @@ class Pipeline {
     if (batch.error) return;
     const StageMeter meter(Stage::kWindow, batch.use);
     if (!batch.slice) {
-      std::optional<core::SplitLayer> settled = splitter_.finish();
-      window_emptied_ = !settled;
-      if (settled && !below_start(*settled)) batch.settled.push_back(reserve(*std::move(settled)));
-      return;
+      if (std::optional<core::SplitLayer> settled = splitter_.finish()) {
+        return reserve(neighbours_.push(*std::move(settled)), batch);
+      }
+      window_emptied_ = true;
+      return reserve(neighbours_.finish(), batch);
     }
     if (splitter_.next_index() == 0) splitter_.start_at(batch.slice->index);
     if (batch.pause) pauses_.emplace_back(batch.slice->index, *std::move(batch.pause));
@@ -162,15 +164,16 @@ class Pipeline {
     std::optional<core::SplitLayer> settled =
         splitter_.push({*std::move(batch.slice), std::move(batch.offsets.offsets)});
     for (; settled; settled = splitter_.next()) {
-      if (below_start(*settled)) continue;
-      batch.settled.push_back(reserve(*std::move(settled)));
+      reserve(neighbours_.push(*std::move(settled)), batch);
     }
   }
 
-  SettledLayer reserve(core::SplitLayer layer) {
-    const core::LayerIndex index = layer.slice.index;
-    const core::Length bottom = layer.slice.bottom;
-    return {index, bottom, planner_.reserve(std::move(layer)), pause_before(index)};
+  void reserve(std::optional<core::SplitLayer> layer, LayerBatch& batch) {
+    if (!layer || below_start(*layer)) return;
+    const core::LayerIndex index = layer->slice.index;
+    const core::Length bottom = layer->slice.bottom;
+    batch.settled.push_back(
+        {index, bottom, planner_.reserve(*std::move(layer)), pause_before(index)});
   }
 
   std::optional<std::string> pause_before(core::LayerIndex index) {
@@ -317,6 +320,7 @@ class Pipeline {
 
   // Of split().
   core::WallSplitter splitter_;
+  core::LayerNeighbours neighbours_;
   core::LayerPlanner planner_;  // plan() only reads its settings
   std::atomic<bool> window_emptied_ = false;
   std::deque<std::pair<core::LayerIndex, std::string>> pauses_;  // of layers in the window

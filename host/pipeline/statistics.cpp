@@ -100,6 +100,20 @@ std::string road_kind_name(core::RoadKind kind) {
       return "rest";
     case core::RoadKind::kLoose:
       return "loose";
+    case core::RoadKind::kBrim:
+      return "brim";
+    case core::RoadKind::kOverhangPerimeter:
+      return "overhang_perimeter";
+    case core::RoadKind::kTopSolid:
+      return "top_solid";
+    case core::RoadKind::kBottomSolid:
+      return "bottom_solid";
+    case core::RoadKind::kBridge:
+      return "bridge";
+    case core::RoadKind::kInternalBridge:
+      return "internal_bridge";
+    case core::RoadKind::kIroning:
+      return "ironing";
   }
   return "unknown";
 }

@@ -1,0 +1,24 @@
+#include "core/walls/layer_neighbours.h"
+
+#include <utility>
+
+namespace core {
+
+std::optional<SplitLayer> LayerNeighbours::push(SplitLayer layer) {
+  layer.below = slice_;
+  std::optional<std::int64_t> content;
+  if (layer.offsets) content = layer.offsets->content;
+  const bool equal = slice_ && content && content == content_;
+  if (!equal) slice_ = std::make_shared<const Region>(layer.slice.region);
+  content_ = content;
+  std::optional<SplitLayer> settled = std::exchange(last_, std::move(layer));
+  if (settled) settled->above = slice_;
+  return settled;
+}
+
+std::optional<SplitLayer> LayerNeighbours::finish() {
+  slice_.reset();
+  return std::exchange(last_, std::nullopt);
+}
+
+}  // namespace core
