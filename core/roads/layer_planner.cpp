@@ -2,14 +2,14 @@
 
 #include <utility>
 
+#include "core/roads/road_order.h"  // printing_order
+
 namespace core {
 namespace {
 
 using Neighbour = std::shared_ptr<const Region>;
 
-bool alike(const Neighbour& a, const Neighbour& b) {
-  return a == b || (a && b && *a == *b);
-}
+bool alike(const Neighbour& a, const Neighbour& b) { return a == b || (a && b && *a == *b); }
 
 // What is solid follows from the slice and what is loose. The first layer has a skirt.
 bool alike(const SplitLayer& a, const SplitLayer& b) {
@@ -34,7 +34,7 @@ void LayerPlanner::fill(LayerPlan& plan, bool with_roads) const {
   plan.layer = style_.apply(plan.split);
   const double moved_mm2 = plan.split.loose.area_mm2() - plan.layer.loose.area_mm2();
   plan.regularised_mm3 = style_.only_regularises() ? moved_mm2 * plan.layer.slice.height.mm() : 0;
-  if (with_roads) plan.roads = roads_.plan(plan.layer);
+  if (with_roads) plan.roads = printing_order(roads_.plan(plan.layer));
 }
 
 }  // namespace core

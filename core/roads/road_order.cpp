@@ -76,10 +76,6 @@ Point turn_to(Road& road, std::size_t index) {
   return road.points.back();
 }
 
-struct IslandRoads {
-  std::vector<Road> stages[kStages];
-};
-
 struct Outline {
   Ring ring;
   Box box;
@@ -119,14 +115,7 @@ std::vector<Road> nearest_order(std::vector<Road> roads, Point& at) {
   return ordered;
 }
 
-static void append_in_stages(IslandRoads& island, Point& at, std::vector<Road>& ordered) {
-  for (std::vector<Road>& stage_roads : island.stages) {
-    std::vector<Road> part = nearest_order(std::move(stage_roads), at);
-    std::move(part.begin(), part.end(), std::back_inserter(ordered));
-  }
-}
-
-std::vector<Road> printing_order(std::vector<Road> roads, const Region& slice, Point at) {
+std::vector<IslandRoads> by_island(std::vector<Road> roads, const Region& slice) {
   std::vector<Outline> outlines;
   for (Island& island : islands(slice)) {
     Outline outline{std::move(island.outer), {}, 0};
@@ -135,26 +124,42 @@ std::vector<Road> printing_order(std::vector<Road> roads, const Region& slice, P
     outlines.push_back(std::move(outline));
   }
   std::vector<IslandRoads> all(std::max<std::size_t>(1, outlines.size()));
-  std::vector<NearestPoint::Entry> entries;
   for (Road& road : roads) {
-    std::size_t island = 0;
-    if (all.size() > 1) {
-      island = island_at(road.points.front(), outlines);
+    const std::size_t island = all.size() > 1 ? island_at(road.points.front(), outlines) : 0;
+    all[island].push_back(std::move(road));
+  }
+  return all;
+}
+
+static void append_in_stages(IslandRoads island, Point& at, std::vector<Road>& ordered) {
+  std::vector<Road> stages[kStages];
+  for (Road& road : island) stages[stage(road.kind)].push_back(std::move(road));
+  for (std::vector<Road>& stage_roads : stages) {
+    std::vector<Road> part = nearest_order(std::move(stage_roads), at);
+    std::move(part.begin(), part.end(), std::back_inserter(ordered));
+  }
+}
+
+std::vector<Road> printing_order(LayerRoads layer) {
+  std::vector<Road> ordered = std::move(layer.first);
+  if (layer.islands.empty()) return ordered;
+  Point at = ordered.empty() ? layer.from : ordered.back().points.front();
+  if (layer.islands.size() == 1) {
+    append_in_stages(std::move(layer.islands.front()), at, ordered);
+    return ordered;
+  }
+  std::vector<NearestPoint::Entry> entries;
+  for (std::size_t island = 0; island < layer.islands.size(); ++island) {
+    for (const Road& road : layer.islands[island]) {
       for (std::size_t i = 0; i < road.points.size(); ++i) {
         entries.push_back({road.points[i], island, i});
       }
     }
-    all[island].stages[stage(road.kind)].push_back(std::move(road));
-  }
-  std::vector<Road> ordered;
-  if (all.size() == 1) {
-    append_in_stages(all.front(), at, ordered);
-    return ordered;
   }
   NearestPoint islands_left(std::move(entries));
   while (const auto next = islands_left.nearest(at)) {
     islands_left.remove_owner(next->owner);
-    append_in_stages(all[next->owner], at, ordered);
+    append_in_stages(std::move(layer.islands[next->owner]), at, ordered);
   }
   return ordered;
 }

@@ -9,9 +9,10 @@
 
 #include <vector>
 
-#include "core/geometry.h"        // Point
-#include "core/regions/region.h"  // Region
-#include "core/roads/road.h"      // Road
+#include "core/geometry.h"           // Point
+#include "core/regions/region.h"     // Region
+#include "core/roads/layer_roads.h"  // IslandRoads, LayerRoads
+#include "core/roads/road.h"         // Road
 
 namespace core {
 
@@ -20,10 +21,13 @@ namespace core {
 // COSTS: O(points), and some O(1) a road for the next one, by a grid of the points to start at.
 [[nodiscard]] std::vector<Road> nearest_order(std::vector<Road> roads, Point& at);
 
-// All roads of a layer, island by island of the slice: the inner perimeters, the outer ones, the
-// wall with its gap fill, the inside.
-// COSTS: as nearest_order(), and a look at each island's box for each road.
-[[nodiscard]] std::vector<Road> printing_order(std::vector<Road> roads, const Region& slice,
-                                               Point at);
+// Which island of the slice each road belongs to; in each island, roads keep their order.
+// COSTS: a look at each island's box for each road.
+[[nodiscard]] std::vector<IslandRoads> by_island(std::vector<Road> roads, const Region& slice);
+
+// All roads of a layer: its first ones, then island by island the inner perimeters, the outer ones,
+// the wall with its gap fill, the inside.
+// COSTS: as nearest_order().
+[[nodiscard]] std::vector<Road> printing_order(LayerRoads layer);
 
 }  // namespace core

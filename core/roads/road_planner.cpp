@@ -11,7 +11,7 @@
 #include "core/roads/gap_fill.h"            // gap_fill_roads
 #include "core/roads/line_fill.h"           // LineFill
 #include "core/roads/perimeters.h"          // perimeters
-#include "core/roads/road_order.h"          // printing_order
+#include "core/roads/road_order.h"          // by_island
 #include "core/roads/skirt.h"               // skirt_roads
 #include "core/roads/wall_fill.h"           // wall_roads
 
@@ -43,7 +43,7 @@ Region wall_to_fill(const Region& interior, const Region& loose, const Settings&
 
 RoadPlanner::RoadPlanner(const Settings& settings) : settings_(settings) {}
 
-std::vector<Road> RoadPlanner::plan(const SplitLayer& layer) const {
+LayerRoads RoadPlanner::plan(const SplitLayer& layer) const {
   const Slice& slice = layer.slice;
   const SliceOffsets& offsets = *layer.offsets;
   const Length height = slice.height;
@@ -64,12 +64,12 @@ std::vector<Road> RoadPlanner::plan(const SplitLayer& layer) const {
                       Length(), settings_.loose_anchor}),
         roads);
   }
-  if (roads.empty()) return roads;
-  std::vector<Road> ordered;
-  if (slice.index == 0) ordered = skirt_roads(slice.region, height, settings_);
-  const Point at = ordered.empty() ? slice.region.box().min : ordered.back().points.front();
-  append(printing_order(std::move(roads), slice.region, at), ordered);
-  return ordered;
+  LayerRoads planned;
+  if (roads.empty()) return planned;
+  planned.from = slice.region.box().min;
+  if (slice.index == 0) planned.first = skirt_roads(slice.region, height, settings_);
+  planned.islands = by_island(std::move(roads), slice.region);
+  return planned;
 }
 
 }  // namespace core

@@ -1,6 +1,4 @@
-// Turns a layer, split into wall and inside, into roads in printing order:
-//
-//     skirt (first layer) → island by island: perimeters from the inside out, the wall, the inside
+// Turns a layer, split into wall and inside, into roads, island by island:
 //
 //     ┌───────────────┐   perimeters    closed roads along the contour, cut open where the part is
 //     │ ┌───────────┐ │                 too narrow for them (perimeters.h)
@@ -9,12 +7,11 @@
 //     │ │╱╱╱  ╱  ╱╱╱│ │                 the wall is dense (gap_fill.h)
 //     │ │╱╱╱ ╱   ╱╱╱│ │   the inside    straight roads farther apart, anchored in the wall
 //
-// Islands and roads follow one another by nearest end (road_order.h).
+// The first layer has a skirt, too. What is printed when is decided later (road_order.h), because
+// a closed road's start depends on the layer below.
 #pragma once
 
-#include <vector>
-
-#include "core/roads/road.h"         // Road
+#include "core/roads/layer_roads.h"  // LayerRoads
 #include "core/settings.h"           // Settings
 #include "core/units.h"              // Length
 #include "core/walls/split_layer.h"  // SplitLayer
@@ -37,7 +34,7 @@ class RoadPlanner {
   // same layer always gives the same roads. No roads where none fits: all narrower than
   // road_width_min.
   // REQUIRES: layer.offsets as OffsetCutter makes them with the same settings.
-  [[nodiscard]] std::vector<Road> plan(const SplitLayer& layer) const;
+  [[nodiscard]] LayerRoads plan(const SplitLayer& layer) const;
 
  private:
   Settings settings_;

@@ -93,7 +93,7 @@ TEST_CASE("an island is done before the next; perimeters, outer perimeter, wall,
     add(RoadKind::kGapFill, x, y + 0.3);
     add(RoadKind::kPerimeter, x, y + 0.4);
   }
-  const auto ordered = printing_order(roads, slice, {0, 0});
+  const auto ordered = printing_order({{0, 0}, {}, by_island(roads, slice)});
   REQUIRE_EQ(ordered.size(), 20);
   const auto inner = [](const Road& road) {
     return road.points.front().x > 50'000 && road.points.front().x < 150'000;
@@ -118,8 +118,8 @@ TEST_CASE("the same roads give the same order") {
   test::Random random(7);
   const std::vector<Road> roads = random_roads(random, 80);
   const Region slice = test::region_from_text("0:0 60:0 60:60 0:60");
-  const auto once = printing_order(roads, slice, {0, 0});
-  const auto again = printing_order(roads, slice, {0, 0});
+  const auto once = printing_order({{0, 0}, {}, by_island(roads, slice)});
+  const auto again = printing_order({{0, 0}, {}, by_island(roads, slice)});
   REQUIRE_EQ(once.size(), again.size());
   for (std::size_t i = 0; i < once.size(); ++i) CHECK_EQ(once[i].points, again[i].points);
 }

@@ -11,6 +11,7 @@
 #include "core/offsets/voronoi_mountain.h"
 #include "core/regions/polyline.h"
 #include "core/regions/segment_grid.h"
+#include "core/roads/road_order.h"
 #include "core/roads/wall_fill.h"
 #include "core/slices/plane_sweep.h"
 #include "core/walls/wall_splitter.h"
@@ -43,6 +44,10 @@ SplitLayer split(const Region& slice, const Region& loose, const Settings& setti
   return layer;
 }
 
+std::vector<Road> planned(const Settings& settings, const SplitLayer& layer) {
+  return printing_order(RoadPlanner(settings).plan(layer));
+}
+
 std::vector<Road> of_kind(const std::vector<Road>& roads, RoadKind kind) {
   std::vector<Road> found;
   for (const Road& road : roads) {
@@ -70,7 +75,7 @@ TEST_CASE("a solid square is dense, and no more is laid than it holds") {
     CAPTURE(overlap);
     Settings touching = settings;
     touching.road_overlap = overlap;
-    const auto roads = RoadPlanner(touching).plan(split(square, {}, touching));
+    const auto roads = planned(touching, split(square, {}, touching));
     check_sound(roads);
     test::Random random(1);
     CHECK_GE(test::covered_share(square, roads, 3'000, random), 0.993);
@@ -84,7 +89,7 @@ TEST_CASE("a solid square is dense, and no more is laid than it holds") {
 TEST_CASE("perimeters lie at their depths, the outer one printed last") {
   const Settings settings;
   const Region square = test::region_from_text("0:0 30:0 30:20 0:20");
-  const auto roads = RoadPlanner(settings).plan(split(square, square, settings));
+  const auto roads = planned(settings, split(square, square, settings));
   const auto outer = of_kind(roads, RoadKind::kOuterPerimeter);
   const auto inner = of_kind(roads, RoadKind::kPerimeter);
   REQUIRE_EQ(outer.size(), 1);
@@ -107,7 +112,7 @@ TEST_CASE("loose roads lay their share of the inside and reach into the wall") {
     const Region square = test::region_from_text("0:0 60:0 60:60 0:60");
     const Region inside = test::region_from_text("10:10 50:10 50:50 10:50");
     const SplitLayer layer = split(square, inside, settings);
-    const auto loose = of_kind(RoadPlanner(settings).plan(layer), RoadKind::kLoose);
+    const auto loose = of_kind(planned(settings, layer), RoadKind::kLoose);
     REQUIRE_FALSE(loose.empty());
     double ends_mm = 0;
     for (const Road& road : loose) {
@@ -133,7 +138,7 @@ TEST_CASE("fins narrower than two roads get one road of their own width") {
     CAPTURE(breadth);
     const auto b = static_cast<std::int32_t>(breadth * 10'000);
     const Region fin = Region::from_clean_rings({{{0, 0}, {200'000, 0}, {200'000, b}, {0, b}}});
-    const auto roads = RoadPlanner(settings).plan(split(fin, {}, settings));
+    const auto roads = planned(settings, split(fin, {}, settings));
     check_sound(roads);
     REQUIRE_FALSE(roads.empty());
     CHECK_LE(test::sticks_out_mm(test::region_from_text("-1:0 21:0 21:0.66 -1:0.66"), roads) -
@@ -150,8 +155,8 @@ TEST_CASE("fins narrower than two roads get one road of their own width") {
 TEST_CASE("where nothing fits there are no roads") {
   const Settings settings;
   const Region hair = test::region_from_text("0:0 20:0 20:0.1 0:0.1");
-  CHECK(RoadPlanner(settings).plan(split(hair, {}, settings)).empty());
-  CHECK(RoadPlanner(settings).plan(split({}, {}, settings)).empty());
+  CHECK(planned(settings, split(hair, {}, settings)).empty());
+  CHECK(planned(settings, split({}, {}, settings)).empty());
 }
 
 TEST_CASE("bands of any breadth are dense") {
@@ -180,7 +185,7 @@ TEST_CASE("random walls are dense, inside, and hold what is laid") {
     const Region loose =
         offset(slice, Length::from_mm(random.between(0.8, 3)), settings.arc_tolerance);
     const SplitLayer layer = split(slice, loose, settings);
-    const auto roads = RoadPlanner(settings).plan(layer);
+    const auto roads = planned(settings, layer);
     check_sound(roads);
     CHECK_LE(test::sticks_out_mm(slice, roads), kHairMm);
     CHECK_GE(test::covered_share(layer.solid, roads, 3'000, random), 0.97);
@@ -188,7 +193,7 @@ TEST_CASE("random walls are dense, inside, and hold what is laid") {
     const double laid = test::laid_mm2(roads, settings.layer_height) / holds;
     CHECK_GT(laid, 0.93);
     CHECK_LT(laid, 1.07);
-    const auto again = RoadPlanner(settings).plan(layer);
+    const auto again = planned(settings, layer);
     REQUIRE_EQ(roads.size(), again.size());
     for (std::size_t i = 0; i < roads.size(); ++i) CHECK_EQ(roads[i].points, again[i].points);
   }
@@ -198,15 +203,14 @@ TEST_CASE("the first layer, and no other, has a skirt, outside the part by its d
   Settings settings;
   settings.skirt_loops = 2;
   const Region square = test::region_from_text("0:0 10:0 10:10 0:10, 12:0 20:0 20:10 12:10");
-  const auto first = RoadPlanner(settings).plan(split(square, {}, settings, 0));
+  const auto first = planned(settings, split(square, {}, settings, 0));
   const auto skirt = of_kind(first, RoadKind::kSkirt);
   REQUIRE_EQ(skirt.size(), 2);
   CHECK_EQ(first[0].kind, RoadKind::kSkirt);
   const double w = settings.road_width.mm();
   CHECK(-test::least_depth_mm(square, {skirt[1]}) ==
         doctest::Approx(settings.skirt_distance.mm() + w / 2).epsilon(2e-2));
-  CHECK(of_kind(RoadPlanner(settings).plan(split(square, {}, settings, 1)), RoadKind::kSkirt)
-            .empty());
+  CHECK(of_kind(planned(settings, split(square, {}, settings, 1)), RoadKind::kSkirt).empty());
 }
 
 TEST_CASE("the wall is dense up to its inner edge, however little of it the perimeters leave") {
@@ -219,7 +223,7 @@ TEST_CASE("the wall is dense up to its inner edge, however little of it the peri
     layer.loose = loose;
     layer.solid = subtract(square, loose);
     std::vector<Road> dense;
-    for (const Road& road : RoadPlanner(settings).plan(layer)) {
+    for (const Road& road : planned(settings, layer)) {
       if (road.kind != RoadKind::kLoose) dense.push_back(road);
     }
     test::Random random(11);
@@ -232,13 +236,12 @@ TEST_CASE("dense roads run in the wall, nowhere in the inside: a screw's layers"
   settings.wall_thickness = Length::from_mm(1);
   OffsetCutter cutter(settings);
   WallSplitter splitter(settings);
-  const RoadPlanner planner(settings);
   // Rows and rings end where the wall does, gap fill reaches into what those leave.
   const double beyond_max_mm = settings.road_width.mm() / 2;
   std::size_t looked_at = 0;
   const auto look = [&](const SplitLayer& layer) {
     const SegmentGrid edge(Length::from_mm(1), layer.loose);
-    for (const Road& road : planner.plan(layer)) {
+    for (const Road& road : planned(settings, layer)) {
       if (road.kind == RoadKind::kLoose || road.kind == RoadKind::kSkirt) continue;
       for (std::size_t i = 1; i < road.points.size(); ++i) {
         for (int part = 0; part <= 4; ++part) {
