@@ -35,6 +35,13 @@ double distance2_units(Point point, const Segment& segment) {
   return x * x + y * y;
 }
 
+// Each of the numbers once, in ascending order; those before `first` stay.
+void sort_from(std::size_t first, std::vector<std::uint32_t>& numbers) {
+  const auto added = numbers.begin() + static_cast<std::ptrdiff_t>(first);
+  std::sort(added, numbers.end());
+  numbers.erase(std::unique(added, numbers.end()), numbers.end());
+}
+
 }  // namespace
 
 SegmentGrid::SegmentGrid(Length cell, const Region& region)
@@ -144,9 +151,18 @@ void SegmentGrid::collect(const Box& box, std::vector<std::uint32_t>& numbers) c
     numbers.insert(numbers.end(), entries_.begin() + starts_[static_cast<std::size_t>(first)],
                    entries_.begin() + starts_[static_cast<std::size_t>(end)]);
   }
-  const auto added = numbers.begin() + static_cast<std::ptrdiff_t>(before);
-  std::sort(added, numbers.end());
-  numbers.erase(std::unique(added, numbers.end()), numbers.end());
+  sort_from(before, numbers);
+}
+
+void SegmentGrid::collect_along(const Segment& line, std::vector<std::uint32_t>& numbers) const {
+  if (segments_.empty()) return;
+  const std::size_t before = numbers.size();
+  walk(line, [&](std::size_t cell) {
+    numbers.insert(numbers.end(), entries_.begin() + starts_[cell],
+                   entries_.begin() + starts_[cell + 1]);
+    return false;
+  });
+  sort_from(before, numbers);
 }
 
 bool SegmentGrid::crosses(const Segment& line) const {

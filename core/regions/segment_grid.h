@@ -29,6 +29,9 @@ class SegmentGrid {
   // ascending order.
   void collect(const Box& box, std::vector<std::uint32_t>& numbers) const;
 
+  // The same for all segments that the line crosses or touches.
+  void collect_along(const Segment& line, std::vector<std::uint32_t>& numbers) const;
+
   // True when the line crosses or touches a segment.
   [[nodiscard]] bool crosses(const Segment& line) const;
 

@@ -196,4 +196,18 @@ Ring simplify(const Ring& ring, Length tolerance) {
   return result;
 }
 
+std::vector<Point> simplify_line(const std::vector<Point>& line, Length tolerance) {
+  if (line.size() < 3) return line;
+  ChordSplitter splitter(line, static_cast<double>(tolerance.units()));
+  for (std::size_t i = 0; i + 1 < line.size(); i += kSimplifyRunMax) {
+    const std::size_t end = std::min<std::size_t>(i + kSimplifyRunMax, line.size() - 1);
+    splitter.keep(i);
+    splitter.split(i, end);
+  }
+  splitter.keep(line.size() - 1);
+  std::vector<Point> kept;
+  for (const std::size_t index : splitter.kept()) kept.push_back(line[index]);
+  return kept;
+}
+
 }  // namespace core

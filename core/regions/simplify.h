@@ -6,7 +6,9 @@
 // chord where all of it lies within the tolerance; otherwise it is split at its farthest point.
 #pragma once
 
-#include "core/geometry.h"  // Ring
+#include <vector>
+
+#include "core/geometry.h"  // Point, Ring
 #include "core/units.h"     // Length
 
 namespace core {
@@ -17,6 +19,9 @@ namespace core {
 // points of `ring`. The result may cross itself or other rings where they come that close.
 // COSTS: O(n log n) on ordinary contours; at worst O(n · kSimplifyRunMax).
 [[nodiscard]] Ring simplify(const Ring& ring, Length tolerance);
+
+// The same for an open line, whose ends stay. Points on a straight line go, too.
+[[nodiscard]] std::vector<Point> simplify_line(const std::vector<Point>& line, Length tolerance);
 
 // Longest run of points that is looked at as one; longer ones are split in advance.
 inline constexpr int kSimplifyRunMax = 1024;

@@ -4,13 +4,13 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 #include "core/check.h"                 // RIND_CHECK
 #include "core/regions/polyline.h"      // distance_mm
 #include "core/regions/segment_grid.h"  // SegmentGrid
-#include "core/trigonometry.h"          // cosine, sine, hypotenuse
+#include "core/roads/row_turn.h"        // RowTurn
+#include "core/trigonometry.h"          // hypotenuse
 
 namespace core {
 
@@ -22,26 +22,6 @@ constexpr double kStretchMinWidths = 0.5;
 // A join is at most this many row distances long: enough for an edge at 20° to the rows.
 constexpr double kJoinMaxDistances = 3;
 
-// The plane turned so that rows are horizontal.
-class Turn {
- public:
-  explicit Turn(double degrees)
-      : cosine_(cosine(degrees * std::numbers::pi / 180)),
-        sine_(sine(degrees * std::numbers::pi / 180)) {}
-
-  [[nodiscard]] std::array<double, 2> to_rows(Point p) const {
-    return {cosine_ * p.x + sine_ * p.y, -sine_ * p.x + cosine_ * p.y};
-  }
-  [[nodiscard]] Point to_plane(double along, double across) const {
-    return {static_cast<std::int32_t>(std::lround(cosine_ * along - sine_ * across)),
-            static_cast<std::int32_t>(std::lround(sine_ * along + cosine_ * across))};
-  }
-
- private:
-  double cosine_;
-  double sine_;
-};
-
 struct Stretch {
   double from = 0;
   double to = 0;
@@ -52,12 +32,6 @@ struct Stretch {
 struct Rows {
   std::int64_t first = 0;
   std::vector<std::vector<Stretch>> stretches;
-
-  [[nodiscard]] const std::vector<Stretch>* row(std::int64_t number) const {
-    const std::int64_t at = number - first;
-    if (at < 0 || at >= static_cast<std::int64_t>(stretches.size())) return nullptr;
-    return &stretches[static_cast<std::size_t>(at)];
-  }
 };
 
 // Row n runs at (n + ½) · distance. This is the first row at or above `across`.
@@ -71,7 +45,7 @@ double row_across(std::int64_t row, double distance) {
 
 using Edge = std::array<std::array<double, 2>, 2>;  // along, across
 
-std::vector<Edge> turned_edges(const Region& region, const Turn& turn) {
+std::vector<Edge> turned_edges(const Region& region, const RowTurn& turn) {
   std::vector<Edge> edges;
   edges.reserve(region.point_count());
   for (const Ring& ring : region.rings()) {
@@ -168,31 +142,6 @@ void cut_inset(Rows& rows, const std::vector<Edge>& edges, double distance, doub
   }
 }
 
-// Draws the stretches on by `anchor`, no further than the stretch of `within` they lie in, and
-// makes one of those that meet.
-void draw_on(Rows& rows, const Rows& within, double anchor) {
-  for (std::size_t i = 0; i < rows.stretches.size(); ++i) {
-    const auto* bounds = within.row(rows.first + static_cast<std::int64_t>(i));
-    std::vector<Stretch> longer;
-    for (const Stretch& stretch : rows.stretches[i]) {
-      if (bounds == nullptr) break;
-      const double middle = (stretch.from + stretch.to) / 2;
-      const auto bound = std::find_if(bounds->begin(), bounds->end(), [&](const Stretch& b) {
-        return b.from <= middle && middle <= b.to;
-      });
-      if (bound == bounds->end()) continue;
-      const double from = std::max(stretch.from - anchor, bound->from);
-      const double to = std::min(stretch.to + anchor, bound->to);
-      if (!longer.empty() && from <= longer.back().to) {
-        longer.back().to = std::max(longer.back().to, to);
-      } else {
-        longer.push_back({from, to});
-      }
-    }
-    rows.stretches[i] = std::move(longer);
-  }
-}
-
 void drop_short(Rows& rows, double shortest) {
   for (std::vector<Stretch>& row : rows.stretches) {
     std::erase_if(row, [&](const Stretch& s) { return s.to - s.from < shortest; });
@@ -202,12 +151,8 @@ void drop_short(Rows& rows, double shortest) {
 // Strings stretches together, row by row upwards, for as long as a join is found.
 class Chainer {
  public:
-  Chainer(Rows& rows, const Turn& turn, double distance, bool joins, const Region& region)
-      : rows_(rows),
-        turn_(turn),
-        distance_(distance),
-        joins_(joins),
-        boundary_(Length::from_mm(1), joins ? region : Region()) {}
+  Chainer(Rows& rows, const RowTurn& turn, double distance, const Region& region)
+      : rows_(rows), turn_(turn), distance_(distance), boundary_(Length::from_mm(1), region) {}
 
   [[nodiscard]] std::vector<std::vector<Point>> chains() {
     std::vector<std::vector<Point>> all;
@@ -232,7 +177,7 @@ class Chainer {
     std::vector<Point> points = {at(first.from, row), at(first.to, row)};
     bool forward = true;
     double end = first.to;
-    while (joins_ && row + 1 < rows_.stretches.size()) {
+    while (row + 1 < rows_.stretches.size()) {
       Stretch* next = nearest(row + 1, end, forward);
       if (next == nullptr) break;
       const double near = forward ? next->to : next->from;
@@ -260,9 +205,8 @@ class Chainer {
   }
 
   Rows& rows_;
-  const Turn& turn_;
+  const RowTurn& turn_;
   double distance_;
-  bool joins_;
   SegmentGrid boundary_;
 };
 
@@ -272,7 +216,7 @@ std::vector<Road> LineFill::fill(const FillArea& area) const {
   RIND_CHECK(area.distance > Length());
   std::vector<Road> roads;
   if (area.region.empty()) return roads;
-  const Turn turn(angle_degrees_ + (area.layer % 2 == 0 ? 0 : 90));
+  const RowTurn turn(angle_degrees_ + (area.layer % 2 == 0 ? 0 : 90));
   const auto distance = static_cast<double>(area.distance.units());
   const auto width = static_cast<double>(area.width.units());
   const std::vector<Edge> edges = turned_edges(area.region, turn);
@@ -281,11 +225,7 @@ std::vector<Road> LineFill::fill(const FillArea& area) const {
     cut_inset(rows, edges, distance, static_cast<double>(area.inset.units()));
   }
   drop_short(rows, kStretchMinWidths * width);
-  if (area.anchor > Length()) {
-    draw_on(rows, cut_rows(turned_edges(area.within, turn), distance),
-            static_cast<double>(area.anchor.units()));
-  }
-  Chainer chainer(rows, turn, distance, joins_ == Joins::kNearEnds, area.region);
+  Chainer chainer(rows, turn, distance, area.region);
   for (std::vector<Point>& points : chainer.chains()) {
     points.erase(std::unique(points.begin(), points.end()), points.end());
     if (points.size() < 2) continue;

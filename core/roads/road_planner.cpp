@@ -6,10 +6,10 @@
 
 #include "core/booleans/boolean.h"          // clean, intersect, subtract
 #include "core/booleans/simplified.h"       // simplified
-#include "core/offsets/slice_offsets.h"     // perimeter_spacing
+#include "core/offsets/offset_contours.h"   // flatten
 #include "core/offsets/voronoi_mountain.h"  // offset
 #include "core/roads/gap_fill.h"            // gap_fill_roads
-#include "core/roads/line_fill.h"           // LineFill
+#include "core/roads/loose_fill.h"          // loose_roads
 #include "core/roads/perimeters.h"          // perimeters
 #include "core/roads/road_order.h"          // by_island
 #include "core/roads/skirt.h"               // skirt_roads
@@ -54,15 +54,10 @@ LayerRoads RoadPlanner::plan(const SplitLayer& layer) const {
   append(
       wall_roads(wall_to_fill(offsets.interior, loose, settings_), slice.index, height, settings_),
       roads);
-  if (settings_.loose_density > 0 && !loose.empty()) {
-    const Region inside = intersect(loose, offsets.interior);
-    const Length spacing = perimeter_spacing(settings_, height);
-    const LineFill pattern(settings_.fill_angle_degrees, LineFill::Joins::kNone);
-    append(
-        pattern.fill({inside, road_room(layer, settings_), slice.index, RoadKind::kLoose,
-                      settings_.road_width, Length::from_mm(spacing.mm() / settings_.loose_density),
-                      Length(), settings_.loose_anchor}),
-        roads);
+  if (!loose.empty()) {
+    append(loose_roads(intersect(loose, offsets.interior), road_room(layer, settings_), slice,
+                       settings_),
+           roads);
   }
   LayerRoads planned;
   if (roads.empty()) return planned;

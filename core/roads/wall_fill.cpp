@@ -141,10 +141,9 @@ class WallFill {
 
   void fill_rows(const Region& piece) {
     const Length distance = row_distance(piece);
-    const LineFill pattern(settings_.fill_angle_degrees, LineFill::Joins::kNearEnds);
-    std::vector<Road> rows =
-        pattern.fill({piece, piece, layer_, RoadKind::kSolid, settings_.road_width, distance,
-                      scaled(distance, kRowEndShare), Length()});
+    const LineFill pattern(settings_.fill_angle_degrees);
+    std::vector<Road> rows = pattern.fill({piece, layer_, RoadKind::kSolid, settings_.road_width,
+                                           distance, scaled(distance, kRowEndShare)});
     const Region gaps = uncovered(piece, rows, distance + kBeadSeam);
     double laid_mm = 0;
     for (const Road& row : rows) laid_mm += length_mm(row);

@@ -1,0 +1,158 @@
+#include "core/roads/loose_fill.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numbers>
+#include <utility>
+
+#include "core/booleans/simplified.h"     // simplified
+#include "core/offsets/polygon_offset.h"  // PolygonOffsetter
+#include "core/offsets/slice_offsets.h"   // perimeter_spacing
+#include "core/regions/polyline.h"        // between, distance_units, length_mm
+#include "core/regions/simplify.h"        // simplify_line
+#include "core/roads/boundary_joins.h"    // join_along_boundary
+#include "core/roads/line_clip.h"         // LineClipper
+#include "core/roads/straight_pattern.h"  // StraightPattern
+
+namespace core {
+namespace {
+
+// Rows' distances are this factor apart, from the one without joins on.
+constexpr double kDistanceStep = 1.19;
+constexpr int kDistanceSteps = 4;
+
+// What the width may change to make what is laid equal to what was asked for.
+constexpr double kWidthMin = 0.75;  // road widths
+constexpr double kWidthMax = 1.15;
+
+// A free end is drawn on over at most this many road distances of the inside.
+constexpr double kEndReachDistances = 1.5;
+
+// Joins may leave the contour by this.
+constexpr Length kJoinTolerance = Length::from_units(125);
+
+std::unique_ptr<FillPattern> pattern_of(const Settings& settings) {
+  static_cast<void>(settings);
+  return std::make_unique<StraightPattern>(StraightPattern::Kind::kLines);
+}
+
+class LooseFill {
+ public:
+  LooseFill(const Region& within, const Slice& slice, const Settings& settings)
+      : slice_(slice),
+        settings_(settings),
+        spacing_(perimeter_spacing(settings, slice.height)),
+        bead_mm_(bead_area_mm2(settings.road_width, slice.height) / slice.height.mm()),
+        pattern_(pattern_of(settings)),
+        room_(within) {}
+
+  void fill(const Region& piece) {
+    const Region middle =
+        simplified(flatten(offsetter_.offset(piece, Length::from_units(spacing_.units() / 2)),
+                           settings_.arc_tolerance),
+                   kJoinTolerance);
+    if (middle.empty()) return;
+    const double asked_mm = settings_.loose_density * piece.area_mm2() / bead_mm_;
+    const LineClipper edge(piece), clipper(middle);
+    const auto lay = [&](int step) { return laid(middle.box(), clipper, edge, step); };
+    int step = first_step(middle, asked_mm);
+    Laid best = lay(step);
+    // How rows happen to meet a small piece is not in the formula.
+    for (; best.length_mm * kWidthMax < asked_mm && step > 0; --step) {
+      Laid denser = lay(step - 1);
+      if (misfit(denser, asked_mm) < misfit(best, asked_mm)) best = std::move(denser);
+    }
+    if (best.roads.empty()) return;
+    const double h = slice_.height.mm(), w = settings_.road_width.mm();
+    const double width = bead_mm_ * asked_mm / best.length_mm + h * (1 - std::numbers::pi / 4);
+    const Length fitted = Length::from_mm(std::clamp(width, w * kWidthMin, w * kWidthMax));
+    for (Road& road : best.roads) {
+      road.width = fitted;
+      roads_.push_back(std::move(road));
+    }
+  }
+
+  [[nodiscard]] std::vector<Road> take() { return std::move(roads_); }
+
+ private:
+  struct Laid {
+    std::vector<Road> roads;
+    double length_mm = 0;
+  };
+
+  static double misfit(const Laid& laid, double asked_mm) {
+    if (laid.length_mm <= 0) return std::numeric_limits<double>::infinity();
+    return std::max(laid.length_mm / asked_mm, asked_mm / laid.length_mm);
+  }
+
+  // By the formula in the header.
+  [[nodiscard]] int first_step(const Region& middle, double asked_mm) const {
+    const double joins_mm = settings_.infill_anchor_max > Length() ? middle.perimeter_mm() / 2 : 0;
+    const double rows_mm = asked_mm - joins_mm;
+    if (rows_mm <= 0) return kDistanceSteps;
+    const double factor = settings_.loose_density / bead_mm_ * middle.area_mm2() / rows_mm;
+    int step = 0;
+    for (double up_to = std::sqrt(kDistanceStep); step < kDistanceSteps && factor > up_to; ++step) {
+      up_to *= kDistanceStep;
+    }
+    return step;
+  }
+
+  [[nodiscard]] Laid laid(const Box& box, const LineClipper& clipper, const LineClipper& edge,
+                          int step) const {
+    double distance = bead_mm_ * kUnitsPerMm / settings_.loose_density;
+    for (int i = 0; i < step; ++i) distance *= kDistanceStep;
+    const PatternPlace place{box, distance, settings_.fill_angle_degrees, slice_.index,
+                             slice_.bottom + Length::from_units(slice_.height.units() / 2)};
+    std::vector<ClippedLine> lines;
+    for (const std::vector<Point>& line : pattern_->lines(place)) clipper.clip(line, lines);
+    Laid laid;
+    for (const std::vector<Point>& line :
+         join_along_boundary(lines, clipper, settings_.infill_anchor_max)) {
+      std::vector<Point> points = simplify_line(line, kJoinTolerance);
+      draw_on(points, edge);
+      std::reverse(points.begin(), points.end());
+      draw_on(points, edge);
+      laid.length_mm += length_mm(points, false);
+      laid.roads.push_back({RoadKind::kLoose, settings_.road_width, false, std::move(points)});
+    }
+    return laid;
+  }
+
+  // Draws the last point on, straight: to the inside's edge, and loose_anchor beyond it.
+  void draw_on(std::vector<Point>& points, const LineClipper& edge) const {
+    const Point end = points.back(), before = points[points.size() - 2];
+    const double length = distance_units(before, end);
+    if (length == 0) return;
+    const auto ahead = [&](double by) { return between(end, before, -by / length); };
+    const auto anchor = static_cast<double>(settings_.loose_anchor.units());
+    double reach = kEndReachDistances * static_cast<double>(spacing_.units());
+    const double to_edge = edge.first_crossing(end, ahead(reach));
+    reach = to_edge <= 1 ? to_edge * reach + anchor : reach;
+    reach *= std::min(1.0, room_.first_crossing(end, ahead(reach)));
+    points.back() = ahead(reach);
+  }
+
+  const Slice& slice_;
+  const Settings& settings_;
+  Length spacing_;
+  double bead_mm_;  // what a millimetre of road fills, as an area
+  std::unique_ptr<FillPattern> pattern_;
+  LineClipper room_;
+  PolygonOffsetter offsetter_;
+  std::vector<Road> roads_;
+};
+
+}  // namespace
+
+std::vector<Road> loose_roads(const Region& inside, const Region& within, const Slice& slice,
+                              const Settings& settings) {
+  if (settings.loose_density <= 0 || inside.empty()) return {};
+  LooseFill fill(within, slice, settings);
+  for (Island& island : islands(inside)) fill.fill(region_of(std::move(island)));
+  return fill.take();
+}
+
+}  // namespace core

@@ -1,0 +1,69 @@
+#include "core/roads/straight_pattern.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "core/roads/row_turn.h"  // RowTurn
+
+namespace core {
+namespace {
+
+// How far rows reach beyond the box.
+constexpr double kBeyond = 10'000;
+
+// Rows at (n + ½) · distance + shift, turned by the angle.
+void add_rows(const Box& box, double degrees, double distance, double shift, PatternLines& lines) {
+  const RowTurn turn(degrees);
+  double low = std::numeric_limits<double>::max(), high = std::numeric_limits<double>::lowest();
+  double bottom = low, top = high;
+  for (const Point corner :
+       {box.min, box.max, Point{box.min.x, box.max.y}, Point{box.max.x, box.min.y}}) {
+    const auto [along, across] = turn.to_rows(corner);
+    low = std::min(low, along);
+    high = std::max(high, along);
+    bottom = std::min(bottom, across);
+    top = std::max(top, across);
+  }
+  const auto first = static_cast<std::int64_t>(std::ceil((bottom - shift) / distance - 0.5));
+  const auto last = static_cast<std::int64_t>(std::floor((top - shift) / distance - 0.5));
+  for (std::int64_t row = first; row <= last; ++row) {
+    const double across = (static_cast<double>(row) + 0.5) * distance + shift;
+    lines.push_back({turn.to_plane(low - kBeyond, across), turn.to_plane(high + kBeyond, across)});
+  }
+}
+
+}  // namespace
+
+PatternLines StraightPattern::lines(const PatternPlace& place) const {
+  PatternLines lines;
+  const double angle = place.angle_degrees;
+  switch (kind_) {
+    case Kind::kLines:
+      add_rows(place.box, angle + (place.layer % 2 == 0 ? 0 : 90), place.distance, 0, lines);
+      break;
+    case Kind::kGrid:
+      for (const double turned : {0, 90}) {
+        add_rows(place.box, angle + turned, 2 * place.distance, 0, lines);
+      }
+      break;
+    case Kind::kTriangles:
+      for (const double turned : {0, 60, 120}) {
+        add_rows(place.box, angle + turned, 3 * place.distance, 0, lines);
+      }
+      break;
+    case Kind::kCubic: {
+      // A plane that rises at 35.3° from the vertical moves by 1/√2 of the height.
+      const double shift = static_cast<double>(place.middle.units()) / std::numbers::sqrt2;
+      for (const double turned : {0, 120, 240}) {
+        add_rows(place.box, angle + turned, 3 * place.distance,
+                 std::fmod(shift, 3 * place.distance), lines);
+      }
+      break;
+    }
+  }
+  return lines;
+}
+
+}  // namespace core
