@@ -30,8 +30,8 @@ void split_wall(const LayerWindow& window, See see, Set& own, Set& uncovered, Se
   const std::vector<LayerWindow::Neighbour> all = window.neighbours();
   const Length arc_tolerance = window.settings().arc_tolerance;
   Region made;
-  const Set slice = see(window.layer().slice.region);
-  const Set inner = see(inner_of(all.front(), arc_tolerance, made));
+  const Set& slice = see(window.layer().slice.region);
+  const Set& inner = see(inner_of(all.front(), arc_tolerance, made));
   own = subtract(slice, inner);
   Set covered = window.reaches_out() ? Set() : inner;
   Set common = covered;

@@ -32,6 +32,7 @@ std::optional<SplitLayer> BallWall::next() {
   if (!near_bed && all_known && !layer.slice.region.empty()) {
     const std::vector<Operand> wanted = operands();
     std::vector<std::pair<std::int64_t, Length>> key;
+    key.reserve(wanted.size());
     for (const Operand& operand : wanted) key.emplace_back(operand.content, operand.depth);
     if (key == last_operands_) {
       ++layers_reused_;

@@ -56,13 +56,14 @@ bool VirtualController::Firmware::leaves_bed(const ArcWay& way) const {
   if (!position_.homed(0) || !position_.homed(1)) return false;
   const double low = std::min(way.start, way.start + way.turn);
   const double high = std::max(way.start, way.start + way.turn);
-  for (double angle = std::ceil(low / (kPi / 2)) * (kPi / 2); angle <= high; angle += kPi / 2) {
+  for (auto quarter = std::llround(std::ceil(low / (kPi / 2)));; ++quarter) {
+    const double angle = static_cast<double>(quarter) * (kPi / 2);
+    if (angle > high) return false;
     const double x = way.centre_mm[0] + way.radius_mm * std::cos(angle);
     const double y = way.centre_mm[1] + way.radius_mm * std::sin(angle);
     const double right = x - options_.bed_origin_x_mm, back = y - options_.bed_origin_y_mm;
     if (right < 0 || back < 0 || right > options_.bed_x_mm || back > options_.bed_y_mm) return true;
   }
-  return false;
 }
 
 void VirtualController::Firmware::queue_arc(const ArcWay& way, PlannerMove block) {

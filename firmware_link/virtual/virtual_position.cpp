@@ -13,8 +13,10 @@ constexpr std::array<char, 3> kAxes = {'X', 'Y', 'Z'};
 }  // namespace
 
 VirtualTravel travel_of(const VirtualControllerOptions& options) {
-  const double low_mm[] = {options.bed_origin_x_mm, options.bed_origin_y_mm, 0};
-  const double sides_mm[] = {options.bed_x_mm, options.bed_y_mm, options.height_z_mm};
+  const std::array<double, kAxes.size()> low_mm = {options.bed_origin_x_mm, options.bed_origin_y_mm,
+                                                   0};
+  const std::array<double, kAxes.size()> sides_mm = {options.bed_x_mm, options.bed_y_mm,
+                                                     options.height_z_mm};
   VirtualTravel travel;
   for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
     travel.low_um[axis] = std::llround(low_mm[axis] * 1000);

@@ -36,7 +36,8 @@ int show_layer(const Options& options, PrintPlan& print_plan, OutputFile& file,
   if (layers > 0 && options.output.layer > layers) return no_such_layer(layers);
   std::string svg;
   std::vector<core::Road> roads_there;
-  core::LayerWindow window(core::with_style(print_plan.settings));
+  core::LayerWindow window(
+      core::with_style(static_cast<const core::Settings&>(print_plan.settings)));
   const auto draw = [&] {
     while (svg.empty() && window.next()) {
       if (window.layer().slice.index + 1 != options.output.layer) continue;
@@ -143,7 +144,7 @@ SectionPicture::Options picture_options(const Options& options, const PrintPlan&
   asked.line = line;
   asked.box = summary.box;
   asked.height = summary.height;
-  asked.settings = core::with_style(print_plan.settings);
+  asked.settings = core::with_style(static_cast<const core::Settings&>(print_plan.settings));
   return asked;
 }
 
@@ -161,7 +162,8 @@ int show_section(const Options& options, PrintPlan& print_plan, OutputFile& file
     asked.view = view.value();
   }
   SectionPicture picture(std::move(asked));
-  core::LayerWindow window(core::with_style(print_plan.settings));
+  core::LayerWindow window(
+      core::with_style(static_cast<const core::Settings&>(print_plan.settings)));
   core::Status written = file.write(picture.start());
   const auto write = [&](const std::string& svg) {
     if (written.ok() && !svg.empty()) written = file.write(svg);

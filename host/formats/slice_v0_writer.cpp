@@ -8,7 +8,6 @@
 namespace host {
 namespace {
 
-using core::Point;
 using core::Ring;
 
 // The points from the smallest one on, counter-clockwise: equal for both copies of a contour.

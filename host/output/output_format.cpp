@@ -39,6 +39,7 @@ std::string ending_of(const std::string& output) {
 
 std::vector<std::string> output_format_names() {
   std::vector<std::string> names;
+  names.reserve(std::size(kOutputFormats));
   for (const NamedFormat& named : kOutputFormats) names.emplace_back(named.name);
   return names;
 }

@@ -42,8 +42,8 @@ void append_bed(std::string& svg, double left, double width, double y) {
                  "<path d=\"M{0} {1}h{2}\" stroke=\"#6b6459\" stroke-width=\"1.4\"/>"
                  "<path d=\"",
                  left, y + 0.7, width);
-  for (double x = left + 7; x <= left + width; x += 9) {
-    fmt::format_to(out, "M{:.1f} {:.1f}l-6 7", x, y + 1.4);
+  for (int i = 0; 7 + 9 * i <= width; ++i) {
+    fmt::format_to(out, "M{:.1f} {:.1f}l-6 7", left + 7 + 9 * i, y + 1.4);
   }
   fmt::format_to(out, "\" stroke=\"#a59d90\" stroke-width=\"1\"/>\n");
 }
@@ -372,7 +372,8 @@ void SectionPicture::append_legend(std::string& svg) {
   std::size_t row = 0;
   for (const KindStyle& style : kKindStyles) {
     if (!kind_seen_[static_cast<std::size_t>(style.kind)]) continue;
-    const double column = wide ? static_cast<double>(row / 2) * 260 : 0;
+    const std::size_t before = row / 2;  // columns
+    const double column = wide ? static_cast<double>(before) * 260 : 0;
     const double down = wide ? static_cast<double>(row % 2) : static_cast<double>(row);
     append_legend_row(svg, bead_legend_left_ + column, bead_legend_top_ + down * kLegendRowPx,
                       style.colours, style.name);

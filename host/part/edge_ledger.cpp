@@ -67,9 +67,9 @@ std::optional<EdgeLedger::Turned> EdgeLedger::turned() const {
       shared += std::max<std::int64_t>(2, std::abs(cell.count) / 2);
       continue;
     }
-    const core::Vertex at{static_cast<std::int32_t>(middle(cell.x, cell.count)),
-                          static_cast<std::int32_t>(middle(cell.y, cell.count)),
-                          middle(cell.z, cell.count)};
+    const std::int64_t count = cell.count < 0 ? -2 : 2;
+    const core::Vertex at{static_cast<std::int32_t>(middle(cell.x, count)),
+                          static_cast<std::int32_t>(middle(cell.y, count)), middle(cell.z, count)};
     if (clear == 0 || at.z < turned.lowest.z) turned.lowest = at;
     turned.box.add(core::Point{at.x, at.y});
     ++clear;

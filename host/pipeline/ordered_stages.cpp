@@ -4,6 +4,7 @@
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
 
+#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -21,13 +22,30 @@ void run_in_turn(const OrderedStages& stages) {
   }
 }
 
+// TBB hands batches from thread to thread. The thread sanitizer does not see into TBB: there, it
+// is shown each hand-over by a lock.
+#ifdef RIND_THREAD_SANITIZER
+std::mutex hand_over_lock;
+void hand_over() { const std::lock_guard lock(hand_over_lock); }
+#else
+void hand_over() {}
+#endif
+
+using Work = std::function<void(LayerBatch&)>;
+
+void work_on(LayerBatch& batch, const Work& work) {
+  hand_over();
+  work(batch);
+  hand_over();
+}
+
 // The batches under way. TBB carries plain pointers to them: what it holds between two stages when
 // one throws, it forgets. A place is free again when its batch has been given, which goes in order.
 class BatchPlaces {
  public:
   explicit BatchPlaces(int places) : places_(static_cast<std::size_t>(places)) {}
 
-  // Returns null at the end.
+  // Null at the end.
   LayerBatch* put(std::unique_ptr<LayerBatch> batch) {
     std::unique_ptr<LayerBatch>& place = places_[next_++ % places_.size()];
     place = std::move(batch);
@@ -39,9 +57,9 @@ class BatchPlaces {
   std::size_t next_ = 0;
 };
 
-auto stage(tbb::filter_mode mode, const std::function<void(LayerBatch&)>& work) {
+auto stage(tbb::filter_mode mode, const Work& work) {
   return tbb::make_filter<LayerBatch*, LayerBatch*>(mode, [&work](LayerBatch* batch) {
-    work(*batch);
+    work_on(*batch, work);
     return batch;
   });
 }
@@ -49,14 +67,17 @@ auto stage(tbb::filter_mode mode, const std::function<void(LayerBatch&)>& work) 
 void run_at_once(const OrderedStages& stages, int threads) {
   BatchPlaces places(batches_max(threads));
   const auto take = [&](tbb::flow_control& control) {
+    hand_over();
     LayerBatch* batch = places.put(stages.take());
     if (batch == nullptr) control.stop();
+    hand_over();
     return batch;
   };
-  const auto give = [&stages](LayerBatch* batch) { stages.give(*batch); };
+  const auto give = [&stages](LayerBatch* batch) { work_on(*batch, stages.give); };
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   static_cast<std::size_t>(threads));
   tbb::task_arena arena(threads);
+  hand_over();
   arena.execute([&] {
     tbb::parallel_pipeline(
         static_cast<std::size_t>(batches_max(threads)),
@@ -66,6 +87,7 @@ void run_at_once(const OrderedStages& stages, int threads) {
             stage(tbb::filter_mode::parallel, stages.plan) &
             tbb::make_filter<LayerBatch*, void>(tbb::filter_mode::serial_in_order, give));
   });
+  hand_over();
 }
 
 }  // namespace

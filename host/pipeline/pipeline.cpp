@@ -35,7 +35,7 @@ class Pipeline {
   Pipeline(PrintPlan& print_plan, const PipelineOutputs& outputs, PipelineSignals& signals,
            GeometryStatistics& statistics)
       : plan_(print_plan),
-        settings_(core::with_style(print_plan.settings)),
+        settings_(core::with_style(static_cast<const core::Settings&>(print_plan.settings))),
         outputs_(outputs),
         signals_(signals),
         statistics_(statistics),

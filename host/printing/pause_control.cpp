@@ -20,7 +20,7 @@ void PauseControl::follow(std::vector<Command> way, std::int64_t nozzle_z_um) {
 
 std::optional<Command> PauseControl::next() {
   if (way_.empty()) return std::nullopt;
-  Command command = std::move(way_.front());
+  Command command = way_.front();
   way_.pop_front();
   const auto* move = std::get_if<firmware_link::Move>(&command);
   if (move != nullptr && move->z_um) {

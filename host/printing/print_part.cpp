@@ -18,7 +18,7 @@ std::string where(const LinkOutcome& link, core::LayerIndex layers) {
   return fmt::format("at layer {}{}, height {:.2f} mm", link.layer, of, link.height.mm());
 }
 
-std::string told(std::string message, const std::string& measures) {
+std::string told(const std::string& message, const std::string& measures) {
   return measures.empty() ? message : message + "; " + measures;
 }
 

@@ -37,7 +37,7 @@ bool PrintStart::travel_asked(PrinterLink& link, firmware_link::Instant now) {
 core::Status PrintStart::take_travel(const firmware_link::Session& session, Reporter& reporter) {
   std::optional<firmware_link::TravelLimits> limits = session.capabilities().travel;
   if (limits) {
-    const core::Status fits = check_travel(on_machine(part_.box, settings_), part_.height, *limits);
+    core::Status fits = check_travel(on_machine(part_.box, settings_), part_.height, *limits);
     if (!fits.ok()) return fits;
     limits = from_bed(*limits, settings_);
   }

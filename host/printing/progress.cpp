@@ -76,17 +76,17 @@ void Reporter::clear_line() {
   line_shown_ = false;
 }
 
-std::string Reporter::json_text(const std::string& name, EventFields fields) const {
+std::string Reporter::json_text(const std::string& name, const EventFields& fields) const {
   nlohmann::ordered_json json = {{"event", name}};
-  for (auto& [key, value] : fields) {
-    std::visit([&json, &key = key](auto& one) { json[key] = std::move(one); }, value);
+  for (const auto& [key, value] : fields) {
+    std::visit([&json, &key = key](const auto& one) { json[key] = one; }, value);
   }
   // Names of files may hold anything.
   return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
-void Reporter::json_line(const std::string& name, EventFields fields) {
-  const std::string text = json_text(name, std::move(fields));
+void Reporter::json_line(const std::string& name, const EventFields& fields) {
+  const std::string text = json_text(name, fields);
   FILE* out = options_.stdout_taken ? stderr : stdout;
   std::fputs(text.c_str(), out);
   std::fflush(out);
@@ -104,7 +104,7 @@ void Reporter::note(const std::string& name, const std::string& message,
   if (options_.json) {
     EventFields all = {{"message", message}};
     all.insert(all.end(), fields.begin(), fields.end());
-    json_line(name, std::move(all));
+    json_line(name, all);
     return;
   }
   if (options_.quiet) return;
@@ -112,9 +112,9 @@ void Reporter::note(const std::string& name, const std::string& message,
   std::fprintf(stderr, "%s\n", message.c_str());
 }
 
-void Reporter::event(const std::string& name, EventFields fields) {
+void Reporter::event(const std::string& name, const EventFields& fields) {
   const std::lock_guard lock(mutex_);
-  if (options_.json) json_line(name, std::move(fields));
+  if (options_.json) json_line(name, fields);
 }
 
 void Reporter::error(const std::string& message, int exit_code) {
@@ -182,7 +182,7 @@ void Reporter::progress(const ProgressReport& report, double now_s) {
       fields.emplace_back("lines_in_flight", static_cast<std::int64_t>(*report.lines_in_flight));
     }
     add("queue_share", report.queue_share);
-    json_line("progress", std::move(fields));
+    json_line("progress", fields);
     return;
   }
   std::string line = progress_line(report);

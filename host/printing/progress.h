@@ -62,7 +62,7 @@ class Reporter {
   void note(const std::string& name, const std::string& message, const EventFields& fields = {});
 
   // For programs that read events: told with --json only.
-  void event(const std::string& name, EventFields fields);
+  void event(const std::string& name, const EventFields& fields);
 
   // Why it ends badly; told even when quiet.
   void error(const std::string& message, int exit_code);
@@ -83,8 +83,8 @@ class Reporter {
   void clear_line();
   [[nodiscard]] bool show_due(double now_s) const;
   [[nodiscard]] bool log_due(double now_s) const;
-  [[nodiscard]] std::string json_text(const std::string& name, EventFields fields) const;
-  void json_line(const std::string& name, EventFields fields);
+  [[nodiscard]] std::string json_text(const std::string& name, const EventFields& fields) const;
+  void json_line(const std::string& name, const EventFields& fields);
 
   mutable std::mutex mutex_;  // for all below, and both outputs
   Options options_;

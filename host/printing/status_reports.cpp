@@ -69,7 +69,7 @@ void StatusReports::tell_heat(const firmware_link::Temperatures& heat) {
   add("nozzle_target_celsius", heat.nozzle_target_celsius);
   add("bed_celsius", heat.bed_celsius);
   add("bed_target_celsius", heat.bed_target_celsius);
-  reporter_.event("temperature", std::move(fields));
+  reporter_.event("temperature", fields);
 }
 
 void StatusReports::tell_event(const firmware_link::SessionEvent& event,
