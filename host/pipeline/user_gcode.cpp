@@ -126,7 +126,8 @@ core::Status check_user_gcode(const core::Settings& settings) {
 std::vector<std::string> user_gcode_notes(const core::Settings& settings) {
   std::vector<std::string> notes;
   const auto note = [&notes](std::string text) {
-    if (std::find(notes.begin(), notes.end(), text) == notes.end()) notes.push_back(std::move(text));
+    if (std::find(notes.begin(), notes.end(), text) == notes.end())
+      notes.push_back(std::move(text));
   };
   for (const std::string& line : settings.start_gcode) {
     const std::string sent = firmware_link::without_comments(line);
