@@ -5,12 +5,13 @@
 #include <numbers>
 #include <optional>
 
-#include "core/check.h"                   // RIND_CHECK
-#include "core/motions/cooling.h"         // layer_cooling
-#include "core/motions/park_height.h"     // park_height
-#include "core/motions/segment_merger.h"  // merge_short_pieces, sendable_speed
-#include "core/regions/polyline.h"        // distance_mm
-#include "core/regions/segment_grid.h"    // SegmentGrid
+#include "core/check.h"                    // RIND_CHECK
+#include "core/motions/cooling.h"          // layer_cooling
+#include "core/motions/park_height.h"      // park_height
+#include "core/motions/segment_merger.h"   // merge_short_pieces, sendable_speed
+#include "core/motions/simplify_pieces.h"  // simplify_pieces
+#include "core/regions/polyline.h"         // distance_mm
+#include "core/regions/segment_grid.h"     // SegmentGrid
 
 namespace core {
 
@@ -116,9 +117,10 @@ void MotionBuilder::lay(const WidthStretch& stretch, RoadKind kind, double speed
   const double d = settings_.filament_diameter.mm();
   const double filament_per_mm =
       settings_.extrusion_multiplier * stretch.area_mm2 / (std::numbers::pi * d * d / 4);
-  if (takes_pieces(stretch)) {
+  if (stretch.points.size() > 2) {
     ArcFitter& fitter = state_.arcs.value_or(false) ? fitter_ : segments_;
     pieces_ = fitter.pieces(stretch.points, stretch.closed);
+    simplify_pieces(stretch.points.front(), pieces_, settings_.segment_tolerance);
     double sent = speed;
     if (const double time_min_s = settings_.segment_time_min_ms / 1'000; time_min_s > 0) {
       merge_short_pieces(stretch.points.front(), pieces_, speed * time_min_s,
@@ -140,12 +142,6 @@ void MotionBuilder::lay(const WidthStretch& stretch, RoadKind kind, double speed
   };
   for (std::size_t i = 1; i < stretch.points.size(); ++i) to(stretch.points[i]);
   if (stretch.closed) to(stretch.points.front());
-}
-
-// Straight lines and triangles are what they are.
-bool MotionBuilder::takes_pieces(const WidthStretch& stretch) const {
-  return stretch.points.size() > kArcSegmentsMin &&
-         (state_.arcs.value_or(false) || settings_.segment_time_min_ms > 0);
 }
 
 void MotionBuilder::lay(const RoadPiece& piece, RoadKind kind, double filament_per_mm, double speed,

@@ -91,7 +91,6 @@ class MotionBuilder {
   void set_up_layer(double fan_share, const Sink& sink);
   void road(const Road& road, double slowdown, const Sink& sink);
   void lay(const WidthStretch& stretch, RoadKind kind, double speed, const Sink& sink);
-  [[nodiscard]] bool takes_pieces(const WidthStretch& stretch) const;
   void lay(const RoadPiece& piece, RoadKind kind, double filament_per_mm, double speed,
            const Sink& sink);
   void travel(Point to, Boundary& boundary, const Sink& sink);

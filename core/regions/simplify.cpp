@@ -196,18 +196,16 @@ Ring simplify(const Ring& ring, Length tolerance) {
   return result;
 }
 
-std::vector<Point> simplify_line(const std::vector<Point>& line, Length tolerance) {
-  if (line.size() < 3) return line;
+std::vector<std::size_t> kept_points(const std::vector<Point>& line, Length tolerance) {
+  if (line.empty()) return {};
   ChordSplitter splitter(line, static_cast<double>(tolerance.units()));
-  for (std::size_t i = 0; i + 1 < line.size(); i += kSimplifyRunMax) {
-    const std::size_t end = std::min<std::size_t>(i + kSimplifyRunMax, line.size() - 1);
+  const std::size_t last = line.size() - 1;
+  for (std::size_t i = 0; i < last; i += kSimplifyRunMax) {
     splitter.keep(i);
-    splitter.split(i, end);
+    splitter.split(i, std::min<std::size_t>(i + kSimplifyRunMax, last));
   }
-  splitter.keep(line.size() - 1);
-  std::vector<Point> kept;
-  for (const std::size_t index : splitter.kept()) kept.push_back(line[index]);
-  return kept;
+  splitter.keep(last);
+  return splitter.kept();
 }
 
 }  // namespace core

@@ -6,6 +6,7 @@
 // chord where all of it lies within the tolerance; otherwise it is split at its farthest point.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "core/geometry.h"  // Point, Ring
@@ -20,8 +21,9 @@ namespace core {
 // COSTS: O(n log n) on ordinary contours; at worst O(n · kSimplifyRunMax).
 [[nodiscard]] Ring simplify(const Ring& ring, Length tolerance);
 
-// The same for an open line, whose ends stay. Points on a straight line go, too.
-[[nodiscard]] std::vector<Point> simplify_line(const std::vector<Point>& line, Length tolerance);
+// The same for an open line, whose ends stay: the numbers of the points to keep, in their order.
+[[nodiscard]] std::vector<std::size_t> kept_points(const std::vector<Point>& line,
+                                                   Length tolerance);
 
 // Longest run of points that is looked at as one; longer ones are split in advance.
 inline constexpr int kSimplifyRunMax = 1024;

@@ -44,6 +44,7 @@ constexpr std::array kAliases = {
     Alias{"perimeters", "perimeters"},
     Alias{"fill_density", "loose_density", Kind::kShare},
     Alias{"fill_angle", "fill_angle_degrees"},
+    Alias{"gcode_resolution", "segment_tolerance"},
     Alias{"infill_anchor_max", "infill_anchor_max"},
     Alias{"skirts", "skirt_loops"},
     Alias{"skirt_distance", "skirt_distance"},

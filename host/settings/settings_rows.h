@@ -136,7 +136,7 @@ inline constexpr std::array kSettings = {
             "port's baud rate, off in files; off: no minimum",
             kAutoOrOff},
     Setting{"segment_tolerance", &PrintSettings::segment_tolerance, "mm", 0, 0.5,
-            "largest distance between a merged segment and the road"},
+            "largest distance between a road and the segments that it is laid in, arcs excepted"},
     Setting{"meatpack", choice<&PrintSettings::meatpack>("auto", "off"), "", 0, 0,
             "packing of lines; auto: if the controller offers MeatPack; only for a port that loses "
             "no bytes"},

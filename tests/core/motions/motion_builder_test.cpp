@@ -246,7 +246,7 @@ TEST_CASE("what was decided about arcs goes on with a print") {
   CHECK(second.state().arcs == true);
 }
 
-TEST_CASE("what a line can't carry is merged, then slowed down, and lays as much") {
+TEST_CASE("what is as good as straight is one piece; what a line can't carry is laid slower") {
   Road rough{RoadKind::kSolid, Length::from_mm(0.45), false, {}};
   for (int i = 0; i <= 400; ++i) rough.points.push_back(at_mm(5 + i * 0.05, 25 + i % 2 * 0.005));
   Road zigzag{RoadKind::kSolid, Length::from_mm(0.45), false, {}};
@@ -262,7 +262,7 @@ TEST_CASE("what a line can't carry is merged, then slowed down, and lays as much
   };
   const std::vector<Extrude> all = built(0);
   const std::vector<Extrude> fewer = built(4);
-  CHECK(all.size() == 800);
+  CHECK(all.size() == 401);  // the rough one, which wavers by less than the tolerance, is one
   const double full_mm_s = Settings().solid_speed_mm_s;
   double all_mm = 0, fewer_mm = 0;
   std::size_t of_rough = 0;
