@@ -7,7 +7,7 @@
 namespace core {
 namespace {
 
-constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+constexpr std::size_t kNone = kNotJoined;
 
 // Ends are numbered: 2 i where line i begins, 2 i + 1 where it ends.
 class Joiner {
@@ -23,7 +23,7 @@ class Joiner {
     link_neighbours();
   }
 
-  [[nodiscard]] std::vector<std::vector<Point>> join() {
+  [[nodiscard]] JoinedLines join() {
     for (std::size_t line = 0; line < lines_.size(); ++line) {
       if (taken_[line]) continue;
       taken_[line] = true;
@@ -31,12 +31,14 @@ class Joiner {
       go_on_from(2 * line);
     }
     join_ways();
-    std::vector<std::vector<Point>> joined;
+    JoinedLines joined;
     std::vector<bool> done(lines_.size(), false);
     for (std::size_t end = 0; end < ends_.size(); ++end) {
       if (ends_[end].joined != kNone || done[end / 2]) continue;
-      joined.push_back(way_from(end, done));
+      joined.ways.push_back(way_from(end, done));
     }
+    joined.partners.reserve(ends_.size());
+    for (const End& end : ends_) joined.partners.push_back(end.joined);
     return joined;
   }
 
@@ -145,8 +147,8 @@ class Joiner {
 
 }  // namespace
 
-std::vector<std::vector<Point>> join_along_boundary(const std::vector<ClippedLine>& lines,
-                                                    const LineClipper& clipper, Length longest) {
+JoinedLines join_along_boundary(const std::vector<ClippedLine>& lines, const LineClipper& clipper,
+                                Length longest) {
   return Joiner(lines, clipper, longest).join();
 }
 

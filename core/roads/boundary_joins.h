@@ -9,6 +9,7 @@
 // first, unless that closes a circle.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "core/geometry.h"         // Point
@@ -17,9 +18,17 @@
 
 namespace core {
 
+inline constexpr std::size_t kNotJoined = static_cast<std::size_t>(-1);
+
+struct JoinedLines {
+  std::vector<std::vector<Point>> ways;
+  // By end, 2 i where line i begins and 2 i + 1 where it ends: the end that it is joined to.
+  std::vector<std::size_t> partners;
+};
+
 // The lines, as pieces of `clipper`'s region, joined where the way along the ring is at most
 // `longest`. COSTS: O(points + ends · log).
-[[nodiscard]] std::vector<std::vector<Point>> join_along_boundary(
-    const std::vector<ClippedLine>& lines, const LineClipper& clipper, Length longest);
+[[nodiscard]] JoinedLines join_along_boundary(const std::vector<ClippedLine>& lines,
+                                              const LineClipper& clipper, Length longest);
 
 }  // namespace core

@@ -10,6 +10,8 @@
 #include "core/regions/polyline.h"        // between, distance_mm
 #include "core/roads/bead_cover.h"        // kBeadSeam
 #include "core/roads/medial_axis.h"       // medial_axis
+#include "core/trigonometry.h"            // hypotenuse
+#include "core/vector.h"                  // Vector
 
 namespace core {
 
@@ -36,6 +38,12 @@ constexpr double kCrumbSquares = 1.5;
 
 // Pieces thinner than this share of the narrowest road, on the whole, are hairs.
 constexpr double kHairShare = 0.1;
+
+// Points of a line that move neither it nor its edges by more go.
+constexpr Length kLineTolerance = Length::from_units(50);
+
+// Nor by more on either side.
+constexpr double kSideShare = 4;
 
 // Pieces worth a road: not thin hairs, not crumbs.
 std::vector<Region> pieces_of(const Region& gaps, const Settings& settings) {
@@ -90,82 +98,91 @@ void add_blob(const Region& piece, Length widest, const Settings& settings,
   roads.push_back({RoadKind::kGapFill, Length::from_mm(width), false, {line.from, line.to}});
 }
 
-class Cutter {
- public:
-  Cutter(GapBoundary edges, Length height, const Settings& settings)
-      : settings_(settings), edges_(edges) {
-    if (edges == GapBoundary::kRoads)
-      side_mm_ = height.mm() * (1 - std::numbers::pi / 4) + kBeadSeam.mm();
-  }
-
-  // One road as long as the room stays within kWidthStep, then the next from where it ended.
-  void cut(const ThickPolyline& line, std::vector<Road>& roads) {
-    const std::size_t count = line.points.size();
-    const std::size_t pieces = line.closed ? count : count - 1;
-    start(line.points.front());
-    for (std::size_t i = 0; i < pieces; ++i) {
-      const std::size_t j = (i + 1) % count;
-      const double a = line.widths[i].mm(), b = line.widths[j].mm();
-      const auto parts = std::max<std::int64_t>(
-          1, std::llround(std::ceil(std::abs(a - b) / (kWidthStep / 2 * std::max(a, b)))));
-      for (std::int64_t part = 0; part < parts; ++part) {
-        const double t0 = static_cast<double>(part) / static_cast<double>(parts);
-        const double t1 = static_cast<double>(part + 1) / static_cast<double>(parts);
-        add(between(line.points[i], line.points[j], t1), a + (b - a) * t0, a + (b - a) * t1, roads);
-      }
-    }
-    const bool whole = line.closed && points_.front() == line.points.front();
-    finish(roads, whole);
-  }
-
- private:
-  void start(Point point) {
-    points_ = {point};
-    low_ = high_ = room_mm2_ = length_mm_ = 0;
-  }
-
-  // On to a point, the room changing from a to b.
-  void add(Point to, double a, double b, std::vector<Road>& roads) {
-    const double low = length_mm_ > 0 ? std::min({low_, a, b}) : std::min(a, b);
-    const double high = length_mm_ > 0 ? std::max({high_, a, b}) : std::max(a, b);
-    const bool long_enough = length_mm_ >= settings_.road_width.mm();
-    if (long_enough && high > low * (1 + kWidthStep)) {
-      const Point from = points_.back();
-      finish(roads, false);
-      start(from);
-      low_ = std::min(a, b);
-      high_ = std::max(a, b);
-    } else {
-      low_ = low;
-      high_ = high;
-    }
-    const double mm = distance_mm(points_.back(), to);
-    if (mm == 0) return;
-    points_.push_back(to);
-    length_mm_ += mm;
-    room_mm2_ += mm * (a + b) / 2;
-  }
-
-  void finish(std::vector<Road>& roads, bool closed) {
-    const double narrowest = settings_.road_width_min.mm();
-    if (points_.size() < 2 || room_mm2_ < kCrumbSquares * narrowest * narrowest) return;
-    // At the part's contour a road is nowhere wider than its room.
-    const double room = edges_ == GapBoundary::kPart ? low_ : room_mm2_ / length_mm_;
-    const double width = std::max(room + side_mm_, narrowest);
-    if (closed && points_.back() == points_.front()) points_.pop_back();
-    closed = closed && points_.size() >= 3;
-    roads.push_back({RoadKind::kGapFill, Length::from_mm(width), closed, points_});
-  }
-
-  const Settings& settings_;
-  GapBoundary edges_;
-  double side_mm_ = 0;  // what a bead's round sides need beyond the room
-  std::vector<Point> points_;
-  double low_ = 0;
-  double high_ = 0;
-  double room_mm2_ = 0;
-  double length_mm_ = 0;
+// How far a point is off a line, and how far the line's edge is then off, on either side.
+struct Offset {
+  double line = 0, edge = 0;
 };
+
+// Point i, against the straight line from `first` to `last`.
+Offset off_chord(const ThickPolyline& line, std::size_t first, std::size_t last, std::size_t i) {
+  const std::size_t count = line.points.size();
+  const Vector a = to_vector(line.points[first]), b = to_vector(line.points[last % count]);
+  const Vector chord = b - a, to = to_vector(line.points[i]) - a;
+  const double squared = dot(chord, chord);
+  const double t = squared > 0 ? std::clamp(dot(chord, to) / squared, 0.0, 1.0) : 0;
+  const Vector off = to - chord * t;
+  const double from = static_cast<double>(line.widths[first].units());
+  const double until = static_cast<double>(line.widths[last % count].units());
+  const double width = from + t * (until - from);
+  return {hypotenuse(off.x, off.y),
+          std::abs(static_cast<double>(line.widths[i].units()) - width) / 2};
+}
+
+// Without the points that change neither the way nor the width by the tolerance
+// (Ramer–Douglas–Peucker). The ends stay, and of a closed line its first point.
+ThickPolyline simplified(const ThickPolyline& line, Length tolerance) {
+  const auto most = static_cast<double>(tolerance.units());
+  const std::size_t count = line.points.size();
+  std::vector<bool> keep(count + 1, false);
+  keep[0] = keep[line.closed ? count : count - 1] = true;
+  std::vector<std::pair<std::size_t, std::size_t>> runs = {{0, line.closed ? count : count - 1}};
+  while (!runs.empty()) {
+    const auto [first, last] = runs.back();
+    runs.pop_back();
+    double worst = most;
+    std::size_t at = first;
+    for (std::size_t i = first + 1; i < last; ++i) {
+      const Offset off = off_chord(line, first, last, i);
+      const double by = std::max(off.line, off.edge / kSideShare);
+      if (by <= worst) continue;
+      worst = by;
+      at = i;
+    }
+    if (at == first) continue;
+    keep[at] = true;
+    runs.emplace_back(first, at);
+    runs.emplace_back(at, last);
+  }
+  ThickPolyline result;
+  result.closed = line.closed;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!keep[i]) continue;
+    result.points.push_back(line.points[i]);
+    result.widths.push_back(line.widths[i]);
+  }
+  return result;
+}
+
+// What a line's room holds, as an area.
+double room_mm2(const ThickPolyline& line) {
+  const std::size_t count = line.points.size();
+  double sum = 0;
+  for (std::size_t i = 0; i < (line.closed ? count : count - 1); ++i) {
+    const std::size_t j = (i + 1) % count;
+    sum += distance_mm(line.points[i], line.points[j]) *
+           (line.widths[i].mm() + line.widths[j].mm()) / 2;
+  }
+  return sum;
+}
+
+// One road along the line, as wide everywhere as the room is.
+void add_road(const ThickPolyline& whole, GapBoundary edges, Length height,
+              const Settings& settings, std::vector<Road>& roads) {
+  const double narrowest = settings.road_width_min.mm();
+  const double room = room_mm2(whole);
+  if (room < kCrumbSquares * narrowest * narrowest) return;
+  ThickPolyline line = simplified(whole, kLineTolerance);
+  if (line.closed && line.points.size() < 3) line = whole;
+  // What a bead's round sides need beyond the room.
+  const double side =
+      edges == GapBoundary::kPart ? 0 : height.mm() * (1 - std::numbers::pi / 4) + kBeadSeam.mm();
+  Road road{RoadKind::kGapFill, {}, line.closed, std::move(line.points), std::move(line.widths)};
+  for (Length& width : road.widths) {
+    width = Length::from_mm(std::max(width.mm() + side, narrowest));
+  }
+  road.width = Length::from_mm(std::max(room / length_mm(road) + side, narrowest));
+  roads.push_back(std::move(road));
+}
 
 }  // namespace
 
@@ -179,14 +196,13 @@ std::vector<Road> gap_fill_roads(const Region& gaps, GapBoundary edges, Length l
   std::vector<Road> roads;
   const Length narrowest = gap_width_min(settings, edges);
   const Length widest = Length::from_mm(kRoomMaxWidths * settings.road_width.mm());
-  Cutter cutter(edges, layer_height, settings);
   PolygonOffsetter offsetter;
   for (const Region& piece : pieces_of(gaps, settings)) {
     // An offset tells whether there is room anywhere, for a small part of an axis's cost.
     if (offsetter.offset(piece, Length::from_units(narrowest.units() / 2)).empty()) continue;
     const std::size_t before = roads.size();
     for (const ThickPolyline& line : medial_axis(piece, narrowest, widest)) {
-      cutter.cut(line, roads);
+      add_road(line, edges, layer_height, settings, roads);
     }
     if (roads.size() == before && edges == GapBoundary::kRoads &&
         piece.point_count() <= kBlobPointsMax) {

@@ -2,8 +2,8 @@
 // dense.
 //
 //     ▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒      The gap's medial axis is the centre line. Twice its distance to the
-//     ────┈┈┈┈════════      gap's boundary is the gap's width. A line is cut into roads of one
-//     ▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒      width each where that width changes by more than kWidthStep.
+//     ────┈┈┈┈════════      gap's boundary is the gap's width. A line is one road, which changes
+//     ▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒▒      its width along its way.
 //
 // Keywords: thin walls, variable extrusion width, medial axis.
 #pragma once
@@ -22,9 +22,6 @@ enum class GapBoundary {
   kRoads,  // other roads: the bead's round sides reach into the gaps that theirs leave
   kPart,   // the part's own contour: the bead does not reach beyond it
 };
-
-// A road's width differs from the gap's by at most about half this share.
-inline constexpr double kWidthStep = 0.2;
 
 // What the grid and its roundings may take from a wall that is as wide as the narrowest road.
 inline constexpr Length kRoomSlack = Length::from_units(10);

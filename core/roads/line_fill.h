@@ -2,9 +2,9 @@
 // joined at their ends (zigzag).
 //
 //     ╱╲  ╱╱╲          rows of one grid, turned by the fill angle, at the area's distance;
-//    ╱╱ ╲╱╱  ╲         a row's stretches `inset` deep inside `region` become roads; the next
-//    ╲╱  ╲╲  ╱         row's nearest end is joined to a road's end where the join is short and
-//     ╲╱  ╲╲╱          stays inside the region
+//    ╱╱ ╲╱╱  ╲         clipped `inset` deep inside the region, and joined there along its edge
+//    ╲╱  ╲╲  ╱         where the way is short (boundary_joins.h)
+//     ╲╱  ╲╲╱
 //
 // The grid is fixed to the plane, not to the area: rows of one layer lie over those of the layer
 // two below.
@@ -12,9 +12,10 @@
 
 #include <vector>
 
-#include "core/regions/region.h"  // Region
-#include "core/roads/road.h"      // Road, RoadKind
-#include "core/units.h"           // LayerIndex, Length
+#include "core/regions/region.h"   // Region
+#include "core/roads/road.h"       // Road, RoadKind
+#include "core/roads/row_rests.h"  // RowStretch
+#include "core/units.h"            // LayerIndex, Length
 
 namespace core {
 
@@ -23,9 +24,15 @@ struct FillArea {
   const Region& region;  // to be filled
   LayerIndex layer = 0;
   RoadKind kind = RoadKind::kSolid;
-  Length width;     // of the roads
-  Length distance;  // of neighbouring centre lines
-  Length inset;     // how deep inside the region centre lines start
+  Length width;      // of the roads
+  Length distance;   // of neighbouring centre lines
+  Length inset;      // how deep inside the region centre lines run
+  Length tolerance;  // of the inset's round corners
+};
+
+struct FilledRows {
+  std::vector<Road> roads;
+  std::vector<RowStretch> stretches;  // the rows in them, in the order of rows
 };
 
 class LineFill {
@@ -33,10 +40,14 @@ class LineFill {
   // The angle of even layers' rows against the x axis.
   explicit LineFill(double angle_degrees) : angle_degrees_(angle_degrees) {}
 
-  // ENSURES: every road has two points or more and stays inside the region.
-  // COSTS: O(points + crossings of rows and edges · log).
+  [[nodiscard]] double angle_degrees(LayerIndex layer) const {
+    return angle_degrees_ + (layer % 2 == 0 ? 0 : 90);
+  }
+
+  // ENSURES: every road has two points or more and stays `inset` deep inside the region.
+  // COSTS: O(points + crossings of rows and edges · log), and an offset of the region.
   // REQUIRES: area.distance > 0.
-  [[nodiscard]] std::vector<Road> fill(const FillArea& area) const;
+  [[nodiscard]] FilledRows fill(const FillArea& area) const;
 
  private:
   double angle_degrees_;

@@ -11,7 +11,6 @@
 #include "core/offsets/polygon_offset.h"  // PolygonOffsetter
 #include "core/offsets/slice_offsets.h"   // perimeter_spacing
 #include "core/regions/polyline.h"        // between, distance_units, length_mm
-#include "core/regions/simplify.h"        // simplify_line
 #include "core/roads/boundary_joins.h"    // join_along_boundary
 #include "core/roads/line_clip.h"         // LineClipper
 #include "core/roads/straight_pattern.h"  // StraightPattern
@@ -30,9 +29,6 @@ constexpr double kWidthMax = 1.15;
 // A free end is drawn on over at most this many road distances of the inside.
 constexpr double kEndReachDistances = 1.5;
 
-// Joins may leave the contour by this.
-constexpr Length kJoinTolerance = Length::from_units(125);
-
 std::unique_ptr<FillPattern> pattern_of(const Settings& settings) {
   static_cast<void>(settings);
   return std::make_unique<StraightPattern>(StraightPattern::Kind::kLines);
@@ -50,9 +46,8 @@ class LooseFill {
 
   void fill(const Region& piece) {
     const Region middle =
-        simplified(flatten(offsetter_.offset(piece, Length::from_units(spacing_.units() / 2)),
-                           settings_.arc_tolerance),
-                   kJoinTolerance);
+        flatten(offsetter_.offset(piece, Length::from_units(spacing_.units() / 2)),
+                settings_.arc_tolerance);
     if (middle.empty()) return;
     const double asked_mm = settings_.loose_density * piece.area_mm2() / bead_mm_;
     const LineClipper edge(piece), clipper(middle);
@@ -109,9 +104,8 @@ class LooseFill {
     std::vector<ClippedLine> lines;
     for (const std::vector<Point>& line : pattern_->lines(place)) clipper.clip(line, lines);
     Laid laid;
-    for (const std::vector<Point>& line :
-         join_along_boundary(lines, clipper, settings_.infill_anchor_max)) {
-      std::vector<Point> points = simplify_line(line, kJoinTolerance);
+    JoinedLines joined = join_along_boundary(lines, clipper, settings_.infill_anchor_max);
+    for (std::vector<Point>& points : joined.ways) {
       draw_on(points, edge);
       std::reverse(points.begin(), points.end());
       draw_on(points, edge);

@@ -13,8 +13,16 @@ namespace {
 // How far rows reach beyond the box.
 constexpr double kBeyond = 10'000;
 
-// Rows at (n + ½) · distance + shift, turned by the angle.
 void add_rows(const Box& box, double degrees, double distance, double shift, PatternLines& lines) {
+  for (const PatternRow& row : rows_over(box, degrees, distance, shift)) {
+    lines.push_back({row.line.from, row.line.to});
+  }
+}
+
+}  // namespace
+
+std::vector<PatternRow> rows_over(const Box& box, double degrees, double distance, double shift) {
+  std::vector<PatternRow> rows;
   const RowTurn turn(degrees);
   double low = std::numeric_limits<double>::max(), high = std::numeric_limits<double>::lowest();
   double bottom = low, top = high;
@@ -30,11 +38,11 @@ void add_rows(const Box& box, double degrees, double distance, double shift, Pat
   const auto last = static_cast<std::int64_t>(std::floor((top - shift) / distance - 0.5));
   for (std::int64_t row = first; row <= last; ++row) {
     const double across = (static_cast<double>(row) + 0.5) * distance + shift;
-    lines.push_back({turn.to_plane(low - kBeyond, across), turn.to_plane(high + kBeyond, across)});
+    rows.push_back(
+        {row, {turn.to_plane(low - kBeyond, across), turn.to_plane(high + kBeyond, across)}});
   }
+  return rows;
 }
-
-}  // namespace
 
 PatternLines StraightPattern::lines(const PatternPlace& place) const {
   PatternLines lines;

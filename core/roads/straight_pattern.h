@@ -9,9 +9,23 @@
 // With k directions in a layer, rows of one direction are k times as far apart.
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
+#include "core/geometry.h"            // Box, Segment
 #include "core/roads/fill_pattern.h"  // FillPattern
 
 namespace core {
+
+struct PatternRow {
+  std::int64_t number = 0;
+  Segment line;
+};
+
+// Rows at (number + ½) · distance + shift, turned by the angle: those that meet the box, from the
+// lowest up, each a little longer than the box. REQUIRES: a box that is not empty, distance > 0.
+[[nodiscard]] std::vector<PatternRow> rows_over(const Box& box, double degrees, double distance,
+                                                double shift);
 
 class StraightPattern final : public FillPattern {
  public:

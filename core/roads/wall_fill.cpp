@@ -16,6 +16,7 @@
 #include "core/roads/gap_fill.h"             // gap_fill_roads
 #include "core/roads/line_fill.h"            // LineFill
 #include "core/roads/perimeters.h"           // roads_near_core
+#include "core/roads/row_rests.h"            // row_rests
 
 namespace core {
 
@@ -38,6 +39,15 @@ constexpr double kHairShare = 0.25;
 
 // What the opening leaves is a band from this many squares of a road on.
 constexpr double kBandSquaresMin = 4;
+
+// Rows of pieces of this breadth end at kWideRowEndShare, those of narrow ones at kRowEndShare. The
+// notches that it leaves between two joins are as deep as beads at the edge reach.
+constexpr double kWideRowEndShare = 0.4;
+constexpr double kNarrowRows_mm = 2.5;
+constexpr double kWideRows_mm = 5;
+
+// Rests of rows that hold fewer squares of the narrowest road are left to the rows' width.
+constexpr double kRestSquaresMin = 1.5;
 
 Length scaled(Length length, double factor) { return Length::from_mm(length.mm() * factor); }
 
@@ -130,32 +140,45 @@ class WallFill {
     return shared ? Length::from_mm(half / rings) : spacing_;
   }
 
+  // The depth at which rows end, as a share of their distance.
+  [[nodiscard]] double row_end_share(double breadth) const {
+    if (settings_.perimeters == 0) return kRowEndShare;
+    const double wide = (breadth - kNarrowRows_mm) / (kWideRows_mm - kNarrowRows_mm);
+    return std::lerp(kRowEndShare, kWideRowEndShare, std::clamp(wide, 0.0, 1.0));
+  }
+
   // The piece's own row distance; the formula is in the header, p on both sides.
-  [[nodiscard]] Length row_distance(const Region& piece) const {
-    const double s = spacing_.mm(), b = breadth_mm(piece);
-    const double share = s / b * (1 - 2 * kRowEndShare);
+  [[nodiscard]] Length row_distance(double b, double end_share) const {
+    const double s = spacing_.mm();
+    const double share = s / b * (1 - 2 * end_share);
     const double p = share < 0.5 ? s / (1 - share) : 2 * s;
     const double most = std::max(s, kRowDistanceMaxWidths * settings_.road_width.mm());
     return Length::from_mm(std::min(p, most));
   }
 
   void fill_rows(const Region& piece) {
-    const Length distance = row_distance(piece);
+    const double breadth = breadth_mm(piece), end_share = row_end_share(breadth);
+    const Length distance = row_distance(breadth, end_share);
     const LineFill pattern(settings_.fill_angle_degrees);
-    std::vector<Road> rows = pattern.fill({piece, layer_, RoadKind::kSolid, settings_.road_width,
-                                           distance, scaled(distance, kRowEndShare)});
-    const Region gaps = uncovered(piece, rows, distance + kBeadSeam);
+    FilledRows rows = pattern.fill({piece, layer_, RoadKind::kSolid, settings_.road_width, distance,
+                                    scaled(distance, end_share), settings_.arc_tolerance});
+    const RowGrid grid{RowTurn(pattern.angle_degrees(layer_)),
+                       static_cast<double>(distance.units()),
+                       static_cast<double>(settings_.road_width.units()) / 2};
+    const double narrowest = settings_.road_width_min.mm();
+    const Region gaps =
+        row_rests(piece, rows.stretches, grid, kRestSquaresMin * narrowest * narrowest);
     double laid_mm = 0;
-    for (const Road& row : rows) laid_mm += length_mm(row);
+    for (const Road& row : rows.roads) laid_mm += length_mm(row);
     if (laid_mm > 0) {
       const double holds_mm2 = piece.area_mm2() - gaps.area_mm2();
       const double w = settings_.road_width.mm();
       const double least = std::max(w * (1 - kWidthChangeMax), distance.mm() + kTouchMm);
       const double width = width_of_area(holds_mm2 * height_.mm() / laid_mm, height_).mm();
       const Length fitted = Length::from_mm(std::clamp(width, least, w * (1 + kWidthChangeMax)));
-      for (Road& row : rows) row.width = fitted;
+      for (Road& row : rows.roads) row.width = fitted;
     }
-    add(std::move(rows));
+    add(std::move(rows.roads));
     add(gap_fill_roads(gaps, GapBoundary::kRoads, height_, settings_));
   }
 

@@ -11,8 +11,10 @@
 //
 //     p = s (1 + (p − 2c) / b)
 //
-// So a narrow piece gets rows a little farther apart, though never so far that beads don't touch.
-// The roads' width makes up for the difference that is left: what is laid is what the piece holds.
+// So a narrow piece gets rows a little farther apart, though never so far that beads don't touch. A
+// wide one gets rows at nearly the volume-true distance, with c near s / 2: it is as full in the
+// middle as at the edge. The roads' width makes up for the difference that is left: what is laid is
+// what the piece holds.
 #pragma once
 
 #include <vector>
@@ -24,8 +26,8 @@
 
 namespace core {
 
-// COSTS: some offsets of each piece, a boolean with the outlines of its roads, and a medial axis of
-// each gap.
+// COSTS: some offsets of each piece, for a band a boolean with the outlines of its roads, and a
+// medial axis of each gap.
 [[nodiscard]] std::vector<Road> wall_roads(const Region& wall, LayerIndex layer, Length height,
                                            const Settings& settings);
 

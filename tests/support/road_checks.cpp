@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "tests/support/region_checks.h"  // distance_to_segment, signed_distance
 
@@ -9,12 +10,16 @@ namespace test {
 
 namespace {
 
+// Every piece with the widths at its two ends, in units.
 template <typename Visit>
 void each_piece(const core::Road& road, const Visit& visit) {
-  for (std::size_t i = 1; i < road.points.size(); ++i) {
-    visit(core::Segment{road.points[i - 1], road.points[i]});
+  const std::size_t count = road.points.size();
+  for (std::size_t i = 0; i < (road.closed ? count : count - 1); ++i) {
+    const std::size_t j = (i + 1) % count;
+    visit(core::Segment{road.points[i], road.points[j]},
+          static_cast<double>(core::width_at(road, i).units()),
+          static_cast<double>(core::width_at(road, j).units()));
   }
-  if (road.closed) visit(core::Segment{road.points.back(), road.points.front()});
 }
 
 double piece_mm(const core::Segment& piece) {
@@ -24,9 +29,13 @@ double piece_mm(const core::Segment& piece) {
 bool covered(core::Point point, const std::vector<core::Road>& roads) {
   return std::any_of(roads.begin(), roads.end(), [&](const core::Road& road) {
     bool near = false;
-    each_piece(road, [&](const core::Segment& piece) {
-      near =
-          near || 2 * distance_to_segment(point, piece) <= static_cast<double>(road.width.units());
+    each_piece(road, [&](const core::Segment& piece, double a, double b) {
+      const double dx = static_cast<double>(piece.to.x) - piece.from.x;
+      const double dy = static_cast<double>(piece.to.y) - piece.from.y;
+      const double along = (static_cast<double>(point.x) - piece.from.x) * dx +
+                           (static_cast<double>(point.y) - piece.from.y) * dy;
+      const double t = std::clamp(along / (dx * dx + dy * dy), 0.0, 1.0);
+      near = near || 2 * distance_to_segment(point, piece) <= a + t * (b - a);
     });
     return near;
   });
@@ -35,12 +44,12 @@ bool covered(core::Point point, const std::vector<core::Road>& roads) {
 // Every fifth of a millimetre.
 template <typename Visit>
 void each_sample(const core::Road& road, const Visit& visit) {
-  each_piece(road, [&](const core::Segment& piece) {
+  each_piece(road, [&](const core::Segment& piece, double a, double b) {
     const int parts = 1 + static_cast<int>(piece_mm(piece) / 0.2);
     for (int i = 0; i <= parts; ++i) {
       const double t = static_cast<double>(i) / parts;
       visit(piece.from.x + t * (piece.to.x - piece.from.x),
-            piece.from.y + t * (piece.to.y - piece.from.y));
+            piece.from.y + t * (piece.to.y - piece.from.y), a + t * (b - a));
     }
   });
 }
@@ -63,9 +72,8 @@ double covered_share(const core::Region& region, const std::vector<core::Road>& 
 double sticks_out_mm(const core::Region& region, const std::vector<core::Road>& roads) {
   double worst = 0;
   for (const core::Road& road : roads) {
-    each_sample(road, [&](double x, double y) {
-      const double depth = signed_distance(region, x, y) / core::kUnitsPerMm;
-      worst = std::max(worst, road.width.mm() / 2 - depth);
+    each_sample(road, [&](double x, double y, double width) {
+      worst = std::max(worst, (width / 2 - signed_distance(region, x, y)) / core::kUnitsPerMm);
     });
   }
   return worst;
@@ -74,7 +82,7 @@ double sticks_out_mm(const core::Region& region, const std::vector<core::Road>& 
 double least_depth_mm(const core::Region& region, const std::vector<core::Road>& roads) {
   double least = 1e9;
   for (const core::Road& road : roads) {
-    each_sample(road, [&](double x, double y) {
+    each_sample(road, [&](double x, double y, double) {
       least = std::min(least, signed_distance(region, x, y) / core::kUnitsPerMm);
     });
   }
@@ -84,7 +92,12 @@ double least_depth_mm(const core::Region& region, const std::vector<core::Road>&
 double laid_mm2(const std::vector<core::Road>& roads, core::Length height) {
   double sum = 0;
   for (const core::Road& road : roads) {
-    sum += total_length_mm({road}) * core::bead_area_mm2(road.width, height) / height.mm();
+    each_piece(road, [&](const core::Segment& piece, double a, double b) {
+      const auto area = [&](double width) {
+        return core::bead_area_mm2(core::Length::from_units(std::llround(width)), height);
+      };
+      sum += piece_mm(piece) * (area(a) + area(b)) / 2 / height.mm();
+    });
   }
   return sum;
 }
@@ -92,7 +105,7 @@ double laid_mm2(const std::vector<core::Road>& roads, core::Length height) {
 double total_length_mm(const std::vector<core::Road>& roads) {
   double sum = 0;
   for (const core::Road& road : roads) {
-    each_piece(road, [&](const core::Segment& piece) { sum += piece_mm(piece); });
+    each_piece(road, [&](const core::Segment& piece, double, double) { sum += piece_mm(piece); });
   }
   return sum;
 }

@@ -48,7 +48,7 @@ TEST_CASE("rows in a convex region are one way, with joins along half of the con
     CAPTURE(degrees);
     const LineClipper clipper(square);
     const auto lines = rows_in(square, clipper, 20'000, degrees);
-    const auto ways = join_along_boundary(lines, clipper, kAny);
+    const auto ways = join_along_boundary(lines, clipper, kAny).ways;
     CHECK_EQ(ways.size(), 1);
     CHECK(total_mm(ways) - total_mm(lines) == doctest::Approx(80).epsilon(0.08));
   }
@@ -58,9 +58,9 @@ TEST_CASE("no join is longer than the longest, and with 0 there is none") {
   const Region square = test::region_from_text("0:0 40:0 40:40 0:40");
   const LineClipper clipper(square);
   const auto lines = rows_in(square, clipper, 20'000, 0);
-  CHECK_EQ(join_along_boundary(lines, clipper, Length()).size(), lines.size());
-  CHECK_EQ(join_along_boundary(lines, clipper, Length::from_mm(1.99)).size(), lines.size());
-  CHECK_EQ(join_along_boundary(lines, clipper, Length::from_mm(2.01)).size(), 1);
+  CHECK_EQ(join_along_boundary(lines, clipper, Length()).ways.size(), lines.size());
+  CHECK_EQ(join_along_boundary(lines, clipper, Length::from_mm(1.99)).ways.size(), lines.size());
+  CHECK_EQ(join_along_boundary(lines, clipper, Length::from_mm(2.01)).ways.size(), 1);
 }
 
 TEST_CASE("random regions: every row once, joins along the contour, no stretch of it twice") {
@@ -72,7 +72,7 @@ TEST_CASE("random regions: every row once, joins along the contour, no stretch o
     if (region.empty()) continue;
     const LineClipper clipper(region);
     const auto lines = rows_in(region, clipper, 15'000, random.between(0, 90));
-    const auto ways = join_along_boundary(lines, clipper, kAny);
+    const auto ways = join_along_boundary(lines, clipper, kAny).ways;
     rows += lines.size();
     ways_in_all += ways.size();
     // Each row's two points follow one another somewhere.
@@ -90,7 +90,7 @@ TEST_CASE("random regions: every row once, joins along the contour, no stretch o
       CHECK_EQ(steps.count(std::minmax(line.points.front(), line.points.back())), 1);
     }
     CHECK_LE(total_mm(ways) - total_mm(lines), region.perimeter_mm());
-    const auto again = join_along_boundary(lines, clipper, kAny);
+    const auto again = join_along_boundary(lines, clipper, kAny).ways;
     CHECK_EQ(again, ways);
   }
   CHECK_GT(rows, 200);
