@@ -5,9 +5,10 @@
 #include <iterator>
 #include <utility>
 
-#include "core/check.h"                // RIND_CHECK
-#include "core/roads/nearest_point.h"  // NearestPoint
-#include "core/trigonometry.h"         // hypotenuse
+#include "core/check.h"                    // RIND_CHECK
+#include "core/roads/nearest_point.h"      // NearestPoint
+#include "core/roads/order_improvement.h"  // improve_order
+#include "core/trigonometry.h"             // hypotenuse
 
 namespace core {
 
@@ -135,7 +136,11 @@ static void append_in_stages(IslandRoads island, Point& at, std::vector<Road>& o
   std::vector<Road> stages[kStages];
   for (Road& road : island) stages[stage(road.kind)].push_back(std::move(road));
   for (std::vector<Road>& stage_roads : stages) {
+    if (stage_roads.empty()) continue;
+    const Point from = at;
     std::vector<Road> part = nearest_order(std::move(stage_roads), at);
+    improve_order(part, from);
+    at = part.back().closed ? part.back().points.front() : part.back().points.back();
     std::move(part.begin(), part.end(), std::back_inserter(ordered));
   }
 }

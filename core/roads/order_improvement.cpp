@@ -1,0 +1,147 @@
+#include "core/roads/order_improvement.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+#include "core/regions/polyline.h"  // distance_mm
+
+namespace core {
+namespace {
+
+// Less is not worth a change.
+constexpr double kGainMinMm = 1e-6;
+
+Point end_of(const Road& road) { return road.closed ? road.points.front() : road.points.back(); }
+
+class Order {
+ public:
+  Order(const std::vector<Road>& roads, Point from) {
+    // Place 0 is the nozzle's.
+    stops_.push_back({from, from, 0, false});
+    for (std::size_t i = 0; i < roads.size(); ++i) {
+      stops_.push_back({roads[i].points.front(), end_of(roads[i]), i, false});
+    }
+  }
+
+  [[nodiscard]] bool pass() {
+    bool better = false;
+    for (std::size_t i = 1; i < stops_.size(); ++i) {
+      better = turn_run(i) || better;
+      for (std::size_t count = 1; count <= kMovedRoadsMax; ++count) {
+        if (i + count <= stops_.size()) better = move_run(i, count) || better;
+      }
+    }
+    return better;
+  }
+
+  [[nodiscard]] std::vector<Road> take(std::vector<Road> roads) const {
+    std::vector<Road> ordered;
+    ordered.reserve(roads.size());
+    for (std::size_t i = 1; i < stops_.size(); ++i) {
+      ordered.push_back(std::move(roads[stops_[i].road]));
+      if (stops_[i].turned && !ordered.back().closed) reverse(ordered.back());
+    }
+    return ordered;
+  }
+
+ private:
+  struct Stop {
+    Point begin, end;
+    std::size_t road = 0;
+    bool turned = false;
+  };
+
+  // From the end of one stop to the begin of another; after the last there is no way.
+  [[nodiscard]] double way(Point end, std::size_t next) const {
+    return next < stops_.size() ? distance_mm(end, stops_[next].begin) : 0;
+  }
+
+  void turn(std::size_t first, std::size_t last) {
+    const auto begin = stops_.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto end = stops_.begin() + static_cast<std::ptrdiff_t>(last) + 1;
+    std::reverse(begin, end);
+    for (auto stop = begin; stop != end; ++stop) {
+      std::swap(stop->begin, stop->end);
+      stop->turned = !stop->turned;
+    }
+  }
+
+  // Turns the run from `first` on that gains most.
+  bool turn_run(std::size_t first) {
+    const Point before = stops_[first - 1].end;
+    const double to_first = way(before, first);
+    double best = kGainMinMm;
+    std::size_t best_last = 0;
+    for (std::size_t last = first; last < std::min(stops_.size(), first + kOrderReach); ++last) {
+      const double now = to_first + way(stops_[last].end, last + 1);
+      const double turned =
+          distance_mm(before, stops_[last].end) + way(stops_[first].begin, last + 1);
+      if (now - turned <= best) continue;
+      best = now - turned;
+      best_last = last;
+    }
+    if (best_last == 0) return false;
+    turn(first, best_last);
+    return true;
+  }
+
+  // Moves `count` stops from `first` on to between two others, where that gains most.
+  bool move_run(std::size_t first, std::size_t count) {
+    const std::size_t after = first + count;
+    const Point begin = stops_[first].begin, end = stops_[after - 1].end;
+    const Point before = stops_[first - 1].end;
+    const double closed = after < stops_.size() ? way(before, after) : 0;
+    const double freed = way(before, first) + way(end, after) - closed;
+    double best = kGainMinMm;
+    std::size_t best_at = 0;
+    bool best_turned = false;
+    const std::size_t from = first > kOrderReach ? first - kOrderReach : 1;
+    for (std::size_t at = from; at < std::min(stops_.size() + 1, after + kOrderReach); ++at) {
+      if (at >= first && at <= after) continue;
+      const Point left = stops_[at - 1].end;
+      const double gain = freed + way(left, at);
+      const double straight = gain - distance_mm(left, begin) - way(end, at);
+      const double turned = gain - distance_mm(left, end) - way(begin, at);
+      if (std::max(straight, turned) <= best) continue;
+      best = std::max(straight, turned);
+      best_at = at;
+      best_turned = turned > straight;
+    }
+    if (best_at == 0) return false;
+    if (best_turned) turn(first, after - 1);
+    const auto stop = [this](std::size_t i) {
+      return stops_.begin() + static_cast<std::ptrdiff_t>(i);
+    };
+    if (best_at < first) {
+      std::rotate(stop(best_at), stop(first), stop(after));
+    } else {
+      std::rotate(stop(first), stop(after), stop(best_at));
+    }
+    return true;
+  }
+
+  std::vector<Stop> stops_;
+};
+
+}  // namespace
+
+void improve_order(std::vector<Road>& roads, Point from) {
+  if (roads.size() < 2) return;
+  Order order(roads, from);
+  for (int pass = 0; pass < kOrderPassesMax; ++pass) {
+    if (!order.pass()) break;
+  }
+  roads = order.take(std::move(roads));
+}
+
+double travel_mm(const std::vector<Road>& roads, Point from) {
+  double mm = 0;
+  for (const Road& road : roads) {
+    mm += distance_mm(from, road.points.front());
+    from = end_of(road);
+  }
+  return mm;
+}
+
+}  // namespace core
