@@ -27,6 +27,9 @@ constexpr double kRoomMaxWidths = 2;
 // A road shorter than this is a blot.
 constexpr double kBlobLengthMinMm = 0.1;
 
+// Between roads, a line shorter than this is not worth the travel: mostly a spur into a corner.
+constexpr double kLineLengthMinMm = 0.6;
+
 // A blob of fewer squares of the narrowest road is not worth the travel.
 constexpr double kBlobSquaresMin = 3;
 
@@ -169,6 +172,9 @@ double room_mm2(const ThickPolyline& line) {
 void add_road(const ThickPolyline& whole, GapBoundary edges, Length height,
               const Settings& settings, std::vector<Road>& roads) {
   const double narrowest = settings.road_width_min.mm();
+  if (edges == GapBoundary::kRoads && length_mm(whole.points, whole.closed) < kLineLengthMinMm) {
+    return;
+  }
   const double room = room_mm2(whole);
   if (room < kCrumbSquares * narrowest * narrowest) return;
   ThickPolyline line = simplified(whole, kLineTolerance);

@@ -23,7 +23,7 @@ namespace core {
 namespace {
 
 // Up to this many roads side by side make a band.
-constexpr double kBandRoads = 5;
+constexpr double kBandRoads = 4;
 
 // Rows are at most this share of a bead's width apart.
 constexpr double kRowDistanceMaxWidths = 0.95;

@@ -1,7 +1,7 @@
 // Solid infill: fills the wall without a void and without laying more than it holds.
 //
 //     wide parts     parallel roads at the fill angle, joined at their ends (line_fill.h)
-//     bands          where at most five roads fit side by side: roads along the edges, because the
+//     bands          where at most four roads fit side by side: roads along the edges, because the
 //                    joins of short rows would lay far too much (concentric infill)
 //     gaps           what both leave: roads of fitting width (gap_fill.h)
 //
