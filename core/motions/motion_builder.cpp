@@ -225,11 +225,15 @@ double MotionBuilder::speed_mm_s(RoadKind kind) const {
       speed = settings_.outer_perimeter_speed_mm_s;
       break;
     case RoadKind::kSolid:
-    case RoadKind::kTopSolid:
     case RoadKind::kBottomSolid:
     case RoadKind::kBridge:
     case RoadKind::kInternalBridge:
+      break;
+    case RoadKind::kTopSolid:
+      speed = settings_.top_speed_mm_s;
+      break;
     case RoadKind::kIroning:
+      speed = settings_.ironing_speed_mm_s;
       break;
     case RoadKind::kGapFill:
       speed = settings_.rest_speed_mm_s;

@@ -10,6 +10,7 @@
 #include "core/regions/polyline.h"         // distance_units
 #include "core/roads/boundary_joins.h"     // join_along_boundary
 #include "core/roads/line_clip.h"          // LineClipper
+#include "core/roads/monotonic_joins.h"    // join_monotonic
 #include "core/roads/row_turn.h"           // RowTurn
 #include "core/roads/straight_pattern.h"   // rows_over
 
@@ -69,7 +70,8 @@ FilledRows LineFill::fill(const FillArea& area) const {
     lines.resize(kept);
   }
   const Length longest = Length::from_mm(area.distance.mm() * kJoinMaxDistances);
-  JoinedLines joined = join_along_boundary(lines, clipper, longest);
+  JoinedLines joined = area.monotonic ? join_monotonic(lines, filled.stretches, clipper, longest)
+                                      : join_along_boundary(lines, clipper, longest);
   mark_covered(joined.partners, filled.stretches);
   for (std::vector<Point>& points : joined.ways) {
     points.erase(std::unique(points.begin(), points.end()), points.end());

@@ -24,10 +24,11 @@ struct FillArea {
   const Region& region;  // to be filled
   LayerIndex layer = 0;
   RoadKind kind = RoadKind::kSolid;
-  Length width;      // of the roads
-  Length distance;   // of neighbouring centre lines
-  Length inset;      // how deep inside the region centre lines run
-  Length tolerance;  // of the inset's round corners
+  Length width;            // of the roads
+  Length distance;         // of neighbouring centre lines
+  Length inset;            // how deep inside the region centre lines run
+  Length tolerance;        // of the inset's round corners
+  bool monotonic = false;  // monotonic_joins.h; roads are then in the order to lay them in
 };
 
 struct FilledRows {

@@ -18,7 +18,10 @@ namespace {
 constexpr double kCornerCosine = 0.87;
 
 // Island parts are printed in this order.
-constexpr int kStages = 4;
+constexpr int kStages = 7;
+
+// Roads of these stages are in order already (wall_fill.h): bottoms, tops, ironing.
+constexpr bool in_order(int stage) { return stage == 2 || stage >= 5; }
 
 int stage(RoadKind kind) {
   switch (kind) {
@@ -29,18 +32,21 @@ int stage(RoadKind kind) {
     case RoadKind::kOuterPerimeter:
     case RoadKind::kOverhangPerimeter:
       return 1;
-    case RoadKind::kTopSolid:
     case RoadKind::kBottomSolid:
+      return 2;
     case RoadKind::kBridge:
     case RoadKind::kInternalBridge:
-    case RoadKind::kIroning:
     case RoadKind::kSolid:
     case RoadKind::kGapFill:
-      return 2;
+      return 3;
     case RoadKind::kLoose:
+      return 4;
+    case RoadKind::kTopSolid:
+      return 5;
+    case RoadKind::kIroning:
       break;
   }
-  return 3;
+  return 6;
 }
 
 bool corner(Point a, Point b, Point c) {
@@ -135,11 +141,14 @@ std::vector<IslandRoads> by_island(std::vector<Road> roads, const Region& slice)
 static void append_in_stages(IslandRoads island, Point& at, std::vector<Road>& ordered) {
   std::vector<Road> stages[kStages];
   for (Road& road : island) stages[stage(road.kind)].push_back(std::move(road));
-  for (std::vector<Road>& stage_roads : stages) {
-    if (stage_roads.empty()) continue;
-    const Point from = at;
-    std::vector<Road> part = nearest_order(std::move(stage_roads), at);
-    improve_order(part, from);
+  for (int number = 0; number < kStages; ++number) {
+    std::vector<Road>& part = stages[number];
+    if (part.empty()) continue;
+    if (!in_order(number)) {
+      const Point from = at;
+      part = nearest_order(std::move(part), at);
+      improve_order(part, from);
+    }
     at = part.back().closed ? part.back().points.front() : part.back().points.back();
     std::move(part.begin(), part.end(), std::back_inserter(ordered));
   }

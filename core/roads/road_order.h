@@ -26,7 +26,8 @@ namespace core {
 [[nodiscard]] std::vector<IslandRoads> by_island(std::vector<Road> roads, const Region& slice);
 
 // All roads of a layer: its first ones, then island by island the inner perimeters, the outer ones,
-// the wall with its gap fill, the inside.
+// bottoms, the wall with its gap fill, the inside, tops, ironing. Bottoms, tops and ironing keep
+// their order.
 // COSTS: as nearest_order().
 [[nodiscard]] std::vector<Road> printing_order(LayerRoads layer);
 

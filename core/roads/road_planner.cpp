@@ -13,7 +13,8 @@
 #include "core/roads/perimeters.h"          // perimeters
 #include "core/roads/road_order.h"          // by_island
 #include "core/roads/skirt.h"               // skirt_roads
-#include "core/roads/wall_fill.h"           // wall_roads
+#include "core/roads/solid_areas.h"         // solid_areas
+#include "core/roads/wall_fill.h"           // ironing_roads, surface_roads, wall_roads
 
 namespace core {
 
@@ -39,6 +40,16 @@ Region wall_to_fill(const Region& interior, const Region& loose, const Settings&
                     kWallSimplify);
 }
 
+std::vector<Road> solid_roads(const SolidAreas& areas, const Slice& slice,
+                              const Settings& settings) {
+  const Length height = slice.height;
+  std::vector<Road> roads = wall_roads(areas.between, slice.index, height, settings);
+  append(surface_roads(areas.bottom, RoadKind::kBottomSolid, slice.index, height, settings), roads);
+  append(surface_roads(areas.top, RoadKind::kTopSolid, slice.index, height, settings), roads);
+  if (settings.ironing) append(ironing_roads(areas.top, slice.index, height, settings), roads);
+  return roads;
+}
+
 }  // namespace
 
 RoadPlanner::RoadPlanner(const Settings& settings) : settings_(settings) {}
@@ -52,7 +63,8 @@ LayerRoads RoadPlanner::plan(const SplitLayer& layer) const {
   append(gap_fill_roads(around.gaps, GapBoundary::kPart, height, settings_), roads);
   const Region loose = simplified(layer.loose, settings_.simplify_tolerance);
   append(
-      wall_roads(wall_to_fill(offsets.interior, loose, settings_), slice.index, height, settings_),
+      solid_roads(solid_areas(wall_to_fill(offsets.interior, loose, settings_), layer, settings_),
+                  slice, settings_),
       roads);
   if (!loose.empty()) {
     append(loose_roads(intersect(loose, offsets.interior), road_room(layer, settings_), slice,

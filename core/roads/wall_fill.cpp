@@ -53,6 +53,12 @@ Length scaled(Length length, double factor) { return Length::from_mm(length.mm()
 
 double breadth_mm(const Region& region) { return 2 * region.area_mm2() / region.perimeter_mm(); }
 
+struct SolidStyle {
+  RoadKind kind = RoadKind::kSolid;
+  SolidPattern pattern = SolidPattern::kRectilinear;
+  Length width;
+};
+
 Length width_of_area(double area_mm2, Length height) {
   const double h = height.mm();
   return Length::from_mm(area_mm2 / h + h * (1 - std::numbers::pi / 4));
@@ -60,11 +66,12 @@ Length width_of_area(double area_mm2, Length height) {
 
 class WallFill {
  public:
-  WallFill(LayerIndex layer, Length height, const Settings& settings)
-      : layer_(layer),
+  WallFill(const SolidStyle& style, LayerIndex layer, Length height, const Settings& settings)
+      : style_(style),
+        layer_(layer),
         height_(height),
         settings_(settings),
-        spacing_(perimeter_spacing(settings, height)) {}
+        spacing_(perimeter_spacing(settings, height) + style.width - settings.road_width) {}
 
   [[nodiscard]] std::vector<Road> fill(const Region& wall) {
     for (Island& island : islands(wall)) {
@@ -78,6 +85,7 @@ class WallFill {
  private:
   // The piece's opening is wide; what is left over and worth it are bands.
   void fill_piece(const Region& piece) {
+    if (style_.pattern == SolidPattern::kConcentric) return fill_band(piece);
     const Length half = scaled(spacing_, kBandRoads / 2);
     const Region middle = inner(piece, half);
     if (middle.empty()) return fill_band(piece);
@@ -110,14 +118,14 @@ class WallFill {
   // close them from both sides.
   void fill_band(const Region& band) {
     const Length distance = ring_distance(band);
-    const Length width = settings_.road_width + distance - spacing_;
+    const Length width = style_.width + distance - spacing_;
     const Length half_narrow = narrow_half(settings_, height_);
     std::vector<Road> rings;
     std::size_t innermost = 0;
     for (Length depth = scaled(distance, 0.5); true; depth += distance) {
       std::vector<Road> ring =
           roads_near_core(inner(band, depth), inner(band, depth + half_narrow), half_narrow * 2,
-                          width, RoadKind::kSolid, settings_.simplify_tolerance);
+                          width, style_.kind, settings_.simplify_tolerance);
       if (ring.empty()) break;
       innermost = rings.size();
       std::move(ring.begin(), ring.end(), std::back_inserter(rings));
@@ -152,7 +160,7 @@ class WallFill {
     const double s = spacing_.mm();
     const double share = s / b * (1 - 2 * end_share);
     const double p = share < 0.5 ? s / (1 - share) : 2 * s;
-    const double most = std::max(s, kRowDistanceMaxWidths * settings_.road_width.mm());
+    const double most = std::max(s, kRowDistanceMaxWidths * style_.width.mm());
     return Length::from_mm(std::min(p, most));
   }
 
@@ -160,11 +168,12 @@ class WallFill {
     const double breadth = breadth_mm(piece), end_share = row_end_share(breadth);
     const Length distance = row_distance(breadth, end_share);
     const LineFill pattern(settings_.fill_angle_degrees);
-    FilledRows rows = pattern.fill({piece, layer_, RoadKind::kSolid, settings_.road_width, distance,
-                                    scaled(distance, end_share), settings_.arc_tolerance});
+    FilledRows rows = pattern.fill({piece, layer_, style_.kind, style_.width, distance,
+                                    scaled(distance, end_share), settings_.arc_tolerance,
+                                    style_.pattern == SolidPattern::kMonotonic});
     const RowGrid grid{RowTurn(pattern.angle_degrees(layer_)),
                        static_cast<double>(distance.units()),
-                       static_cast<double>(settings_.road_width.units()) / 2};
+                       static_cast<double>(style_.width.units()) / 2};
     const double narrowest = settings_.road_width_min.mm();
     const Region gaps =
         row_rests(piece, rows.stretches, grid, kRestSquaresMin * narrowest * narrowest);
@@ -172,7 +181,7 @@ class WallFill {
     for (const Road& row : rows.roads) laid_mm += length_mm(row);
     if (laid_mm > 0) {
       const double holds_mm2 = piece.area_mm2() - gaps.area_mm2();
-      const double w = settings_.road_width.mm();
+      const double w = style_.width.mm();
       const double least = std::max(w * (1 - kWidthChangeMax), distance.mm() + kTouchMm);
       const double width = width_of_area(holds_mm2 * height_.mm() / laid_mm, height_).mm();
       const Length fitted = Length::from_mm(std::clamp(width, least, w * (1 + kWidthChangeMax)));
@@ -187,6 +196,7 @@ class WallFill {
                   std::make_move_iterator(roads.end()));
   }
 
+  SolidStyle style_;
   LayerIndex layer_;
   Length height_;
   const Settings& settings_;
@@ -200,7 +210,41 @@ class WallFill {
 std::vector<Road> wall_roads(const Region& wall, LayerIndex layer, Length height,
                              const Settings& settings) {
   if (wall.empty()) return {};
-  return WallFill(layer, height, settings).fill(wall);
+  const SolidStyle style{RoadKind::kSolid, settings.solid_pattern, settings.road_width};
+  return WallFill(style, layer, height, settings).fill(wall);
+}
+
+std::vector<Road> surface_roads(const Region& surface, RoadKind kind, LayerIndex layer,
+                                Length height, const Settings& settings) {
+  if (surface.empty()) return {};
+  const bool own_width = kind == RoadKind::kTopSolid && settings.top_width > Length();
+  const SolidStyle style{kind, settings.top_pattern,
+                         own_width ? settings.top_width : settings.road_width};
+  std::vector<Road> roads = WallFill(style, layer, height, settings).fill(surface);
+  if (kind != RoadKind::kTopSolid || settings.top_flow == 1) return roads;
+  const auto flowing = [&](Length width) {
+    return width_of_area(settings.top_flow * bead_area_mm2(width, height), height);
+  };
+  for (Road& road : roads) {
+    road.width = flowing(road.width);
+    for (Length& width : road.widths) width = flowing(width);
+  }
+  return roads;
+}
+
+std::vector<Road> ironing_roads(const Region& top, LayerIndex layer, Length height,
+                                const Settings& settings) {
+  if (top.empty()) return {};
+  const Length spacing = settings.ironing_spacing;
+  const double h = height.mm(), area_mm2 = settings.ironing_flow * h * spacing.mm();
+  // Narrower beads than they are high are taken as ellipses (road.h).
+  const Length flat = width_of_area(area_mm2, height);
+  const Length width =
+      flat < height ? Length::from_mm(area_mm2 * 4 / (std::numbers::pi * h)) : flat;
+  const Length inset = Length::from_units(settings.nozzle_diameter.units() / 2);
+  return LineFill(settings.fill_angle_degrees)
+      .fill({top, layer, RoadKind::kIroning, width, spacing, inset, settings.arc_tolerance, true})
+      .roads;
 }
 
 }  // namespace core

@@ -31,4 +31,15 @@ namespace core {
 [[nodiscard]] std::vector<Road> wall_roads(const Region& wall, LayerIndex layer, Length height,
                                            const Settings& settings);
 
+// The same for tops and bottoms (solid_areas.h), of that kind, with the width, the flow and the
+// pattern of tops. ENSURES: roads of the monotonic pattern are in the order and the direction in
+// which they have to be laid.
+[[nodiscard]] std::vector<Road> surface_roads(const Region& surface, RoadKind kind,
+                                              LayerIndex layer, Length height,
+                                              const Settings& settings);
+
+// Rows over a top, so near to one another and of so little flow that they smooth it.
+[[nodiscard]] std::vector<Road> ironing_roads(const Region& top, LayerIndex layer, Length height,
+                                              const Settings& settings);
+
 }  // namespace core

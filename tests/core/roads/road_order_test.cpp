@@ -123,3 +123,28 @@ TEST_CASE("the same roads give the same order") {
   REQUIRE_EQ(once.size(), again.size());
   for (std::size_t i = 0; i < once.size(); ++i) CHECK_EQ(once[i].points, again[i].points);
 }
+
+TEST_CASE("tops, bottoms and ironing keep their order and their way round") {
+  const Region slice = test::region_from_text("0:0 60:0 60:60 0:60");
+  std::vector<Road> roads;
+  for (const std::int32_t y : {500, 100, 400, 200, 300}) {
+    for (const RoadKind kind : {RoadKind::kIroning, RoadKind::kTopSolid, RoadKind::kBottomSolid}) {
+      roads.push_back(line(kind, {y % 200 == 0 ? 0 : 1'000, y * 1'000}, {2'000, y * 1'000}));
+    }
+    roads.push_back(line(RoadKind::kLoose, {0, y}, {10, y}));
+  }
+  LayerRoads layer;
+  layer.islands = by_island(roads, slice);
+  const std::vector<Road> ordered = printing_order(std::move(layer));
+  REQUIRE_EQ(ordered.size(), 20);
+  std::size_t at = 0;
+  for (const RoadKind kind :
+       {RoadKind::kBottomSolid, RoadKind::kLoose, RoadKind::kTopSolid, RoadKind::kIroning}) {
+    for (const Road& road : roads) {
+      if (road.kind != kind) continue;
+      CHECK_EQ(ordered[at].kind, kind);
+      if (kind != RoadKind::kLoose) CHECK_EQ(ordered[at].points, road.points);
+      ++at;
+    }
+  }
+}
