@@ -179,8 +179,8 @@ int resume_command(const Options& told, Reporter& reporter) {
   keeper.take_up(std::move(journal).value());
   Resumption resumption{record, boot_name() == head.boot, z_um.value()};
   const std::string usb = options.link.port == "virtual" ? "" : usb_of(options.link.port);
-  return run_print(options, print_plan.value(), keeper, {usb, space, resumption},
-                   started_s, reporter);
+  return run_print(options, print_plan.value(), keeper, {usb, space, resumption}, started_s,
+                   reporter);
 }
 
 }  // namespace host
