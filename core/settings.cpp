@@ -17,4 +17,14 @@ bool wall_counts_layers(const Settings& settings) {
   return settings.wall_shape == WallShape::kCylinder || settings.style == BuildStyle::kFast;
 }
 
+Settings first_layer_settings(Settings settings) {
+  if (settings.first_layer_width > Length()) settings.road_width = settings.first_layer_width;
+  return settings;
+}
+
+double bed_first_layer_celsius(const Settings& settings) {
+  return settings.bed_first_layer_celsius < 0 ? settings.bed_celsius
+                                              : settings.bed_first_layer_celsius;
+}
+
 }  // namespace core

@@ -44,6 +44,9 @@ enum class SolidPattern { kRectilinear, kMonotonic, kConcentric };
 // Steps of the share of a road that the layer below holds: over 3/4, over 1/2, over 1/4, less.
 inline constexpr std::size_t kOverhangSteps = 4;
 
+// Which contours of the first layer get a brim.
+enum class BrimPlace { kOuter, kBoth, kInner };
+
 struct Settings {
   // Layers and the wall.
   Length layer_height = Length::from_units(2'000);
@@ -77,7 +80,17 @@ struct Settings {
   Length ironing_spacing = Length::from_units(1'000);
   SeamPosition seam = SeamPosition::kAligned;
   Length seam_gap = Length::from_units(600);  // between a closed road's end and its start
+
+  // The first layer. Lengths of 0: like the other layers.
+  Length first_layer_height;
+  Length first_layer_width;
+  double first_layer_flow = 1;
+  Length elephant_foot_compensation;  // how much smaller it is, where it stays wide enough
+  Length brim_width;                  // 0: none
+  Length brim_gap;                    // between the part and its brim
+  BrimPlace brim_place = BrimPlace::kOuter;
   int skirt_loops = 1;
+  Length skirt_length_min;  // more loops until the skirt is as long
   Length skirt_distance = Length::from_units(30'000);
 
   // Bridges and overhangs.
@@ -85,6 +98,10 @@ struct Settings {
   Length bridge_max = Length::from_units(100'000);  // longer spans are told
   double bridge_flow = 1;
   double internal_bridge_flow = 1;
+
+  // How much larger contours are made, to make up for how the printer prints.
+  Length contour_compensation;
+  Length hole_compensation;  // negative: larger holes
 
   // Slicing.
   Length simplify_tolerance = Length::from_units(50);  // 5 µm
@@ -143,6 +160,7 @@ struct Settings {
   double nozzle_celsius = 210;
   double nozzle_first_layer_celsius = 210;
   double bed_celsius = 60;
+  double bed_first_layer_celsius = -1;  // negative: like the other layers
 
   // Cooling (cooling.h).
   bool cool_short_layers = true;
@@ -168,5 +186,10 @@ struct Settings {
 // Whether the window is T layers up and T down, whatever their heights: a cylinder's, and the fast
 // style's. Otherwise it is a ball's.
 [[nodiscard]] bool wall_counts_layers(const Settings& settings);
+
+// With the road's width of the first layer.
+[[nodiscard]] Settings first_layer_settings(Settings settings);
+
+[[nodiscard]] double bed_first_layer_celsius(const Settings& settings);
 
 }  // namespace core

@@ -48,7 +48,7 @@ void MotionBuilder::resume_from(const MotionState& state) {
 void MotionBuilder::preheat(const Sink& sink) {
   RIND_CHECK(!state_.preheated && !state_.started);
   state_.preheated = true;
-  sink(SetBedTemperature{settings_.bed_celsius, false});
+  sink(SetBedTemperature{bed_first_layer_celsius(settings_), false});
   sink(SetNozzleTemperature{settings_.nozzle_first_layer_celsius, false});
 }
 
@@ -57,7 +57,8 @@ void MotionBuilder::preamble(const Sink& sink) {
   state_.started = true;
   state_.nozzle_celsius = settings_.nozzle_first_layer_celsius;
   for (const std::string& line : settings_.start_gcode) sink(Verbatim{line});
-  sink(SetBedTemperature{settings_.bed_celsius, true});
+  state_.bed_celsius = bed_first_layer_celsius(settings_);
+  sink(SetBedTemperature{state_.bed_celsius, true});
   sink(SetNozzleTemperature{state_.nozzle_celsius, true});
   sink(SetFan{0});
 }
@@ -77,6 +78,9 @@ void MotionBuilder::set_up_layer(double fan_share, const Sink& sink) {
       index_ == 0 ? settings_.nozzle_first_layer_celsius : settings_.nozzle_celsius;
   if (celsius != state_.nozzle_celsius) sink(SetNozzleTemperature{celsius, false});
   state_.nozzle_celsius = celsius;
+  const double bed = index_ == 0 ? bed_first_layer_celsius(settings_) : settings_.bed_celsius;
+  if (bed != state_.bed_celsius) sink(SetBedTemperature{bed, false});
+  state_.bed_celsius = bed;
 }
 
 void MotionBuilder::layer(const Slice& slice, const std::vector<Road>& roads, const Sink& sink) {
@@ -115,8 +119,9 @@ void MotionBuilder::road(const Road& road, double slowdown, const Sink& sink) {
 void MotionBuilder::lay(const WidthStretch& stretch, RoadKind kind, double speed,
                         const Sink& sink) {
   const double d = settings_.filament_diameter.mm();
-  const double filament_per_mm =
-      settings_.extrusion_multiplier * stretch.area_mm2 / (std::numbers::pi * d * d / 4);
+  const double filament_per_mm = settings_.extrusion_multiplier *
+                                 (index_ == 0 ? settings_.first_layer_flow : 1) * stretch.area_mm2 /
+                                 (std::numbers::pi * d * d / 4);
   if (stretch.points.size() > 2) {
     ArcFitter& fitter = state_.arcs.value_or(false) ? fitter_ : segments_;
     pieces_ = fitter.pieces(stretch.points, stretch.closed);

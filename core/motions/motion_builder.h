@@ -46,6 +46,7 @@ struct MotionState {
   std::optional<Length> nozzle_z;  // likewise
   double fan = 0;
   double nozzle_celsius = 0;
+  double bed_celsius = 0;
   std::optional<bool> arcs;  // whether round roads become arcs; nothing: not decided
 };
 

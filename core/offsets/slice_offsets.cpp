@@ -26,19 +26,19 @@ Length narrow_half(const Settings& settings, Length layer_height) {
 
 std::int64_t OffsetCutter::fill(const Slice& slice, SliceOffsets& cut) const {
   if (slice.region.empty()) return 0;
+  const Settings& settings = slice.index == 0 ? first_settings_ : settings_;
   thread_local PolygonOffsetter offsetter;
   const Length half_spacing =
-      Length::from_units(perimeter_spacing(settings_, slice.height).units() / 2);
-  const Length half_narrow = narrow_half(settings_, slice.height);
-  const std::vector<Length> walls = wall_depths(settings_, slice.height);
+      Length::from_units(perimeter_spacing(settings, slice.height).units() / 2);
+  const Length half_narrow = narrow_half(settings, slice.height);
+  const std::vector<Length> walls = wall_depths(settings, slice.height);
   // The wall's depths; centre line and core of each perimeter; the interior's.
   std::vector<Length> depths = walls;
   // Without perimeters, rows that end kRowEndShare below the interior's edge stay within the part.
-  Length inner_edge =
-      Length::from_mm(settings_.road_width.mm() / 2 -
-                      kRowEndShare * perimeter_spacing(settings_, slice.height).mm());
-  for (int number = 1; number <= settings_.perimeters; ++number) {
-    const Length depth = perimeter_depth(settings_, slice.height, number);
+  Length inner_edge = Length::from_mm(
+      settings.road_width.mm() / 2 - kRowEndShare * perimeter_spacing(settings, slice.height).mm());
+  for (int number = 1; number <= settings.perimeters; ++number) {
+    const Length depth = perimeter_depth(settings, slice.height, number);
     depths.push_back(depth);
     depths.push_back(depth + half_narrow);
     inner_edge = depth + half_spacing;
@@ -49,7 +49,7 @@ std::int64_t OffsetCutter::fill(const Slice& slice, SliceOffsets& cut) const {
   const std::int64_t tries_before = offsetter.retries() + offsetter.fallbacks();
   offsetter.offset(slice.region, depths, contours);
 
-  const auto flat = [&](const OffsetContours& at) { return flatten(at, settings_.arc_tolerance); };
+  const auto flat = [&](const OffsetContours& at) { return flatten(at, settings.arc_tolerance); };
   for (std::size_t i = 0; i < walls.size(); ++i) {
     cut.wall_inners.push_back({walls[i], flat(contours[i])});
   }
@@ -62,7 +62,9 @@ std::int64_t OffsetCutter::fill(const Slice& slice, SliceOffsets& cut) const {
 }
 
 OffsetCutter::Reservation OffsetCutter::reserve(const Slice& slice) {
-  if (last_ && slice.height == last_height_ && slice.region == last_region_) {
+  const Length width = (slice.index == 0 ? first_settings_ : settings_).road_width;
+  if (last_ && slice.height == last_height_ && width == last_width_ &&
+      slice.region == last_region_) {
     ++reused_;
     return {last_, false};
   }
@@ -70,6 +72,7 @@ OffsetCutter::Reservation OffsetCutter::reserve(const Slice& slice) {
   offsets->content = last_ ? last_->content + 1 : 0;
   last_region_ = slice.region;
   last_height_ = slice.height;
+  last_width_ = width;
   last_ = std::move(offsets);
   return {last_, true};
 }

@@ -55,7 +55,8 @@ class OffsetCutter {
   };
 
   // REQUIRES: settings in their ranges.
-  explicit OffsetCutter(const Settings& settings) : settings_(settings) {}
+  explicit OffsetCutter(const Settings& settings)
+      : settings_(settings), first_settings_(first_layer_settings(settings)) {}
 
   // COSTS: a comparison.
   [[nodiscard]] Reservation reserve(const Slice& slice);
@@ -73,8 +74,10 @@ class OffsetCutter {
 
  private:
   Settings settings_;
+  Settings first_settings_;  // of the first layer
   Region last_region_;
   Length last_height_;
+  Length last_width_;  // of its roads
   std::shared_ptr<SliceOffsets> last_;
   std::int64_t reused_ = 0;
 };

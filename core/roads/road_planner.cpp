@@ -8,6 +8,7 @@
 #include "core/booleans/simplified.h"       // simplified
 #include "core/offsets/offset_contours.h"   // flatten
 #include "core/offsets/voronoi_mountain.h"  // offset
+#include "core/roads/brim.h"                // brim_roads
 #include "core/roads/gap_fill.h"            // gap_fill_roads
 #include "core/roads/loose_fill.h"          // loose_roads
 #include "core/roads/perimeters.h"          // perimeters
@@ -52,29 +53,33 @@ std::vector<Road> solid_roads(const SolidAreas& areas, const Slice& slice,
 
 }  // namespace
 
-RoadPlanner::RoadPlanner(const Settings& settings) : settings_(settings) {}
+RoadPlanner::RoadPlanner(const Settings& settings)
+    : settings_(settings), first_settings_(first_layer_settings(settings)) {}
 
 LayerRoads RoadPlanner::plan(const SplitLayer& layer) const {
   const Slice& slice = layer.slice;
+  const Settings& settings = slice.index == 0 ? first_settings_ : settings_;
   const SliceOffsets& offsets = *layer.offsets;
   const Length height = slice.height;
-  Perimeters around = perimeters(slice, offsets, settings_);
+  Perimeters around = perimeters(slice, offsets, settings);
   std::vector<Road> roads = std::move(around.roads);
-  append(gap_fill_roads(around.gaps, GapBoundary::kPart, height, settings_), roads);
-  const Region loose = simplified(layer.loose, settings_.simplify_tolerance);
-  append(
-      solid_roads(solid_areas(wall_to_fill(offsets.interior, loose, settings_), layer, settings_),
-                  slice, settings_),
-      roads);
+  append(gap_fill_roads(around.gaps, GapBoundary::kPart, height, settings), roads);
+  const Region loose = simplified(layer.loose, settings.simplify_tolerance);
+  append(solid_roads(solid_areas(wall_to_fill(offsets.interior, loose, settings), layer, settings),
+                     slice, settings),
+         roads);
   if (!loose.empty()) {
-    append(loose_roads(intersect(loose, offsets.interior), road_room(layer, settings_), slice,
-                       settings_),
+    append(loose_roads(intersect(loose, offsets.interior), road_room(layer, settings), slice,
+                       settings),
            roads);
   }
   LayerRoads planned;
   if (roads.empty()) return planned;
   planned.from = slice.region.box().min;
-  if (slice.index == 0) planned.first = skirt_roads(slice.region, height, settings_);
+  if (slice.index == 0) {
+    planned.first = skirt_roads(slice.region, height, settings);
+    append(brim_roads(slice.region, height, settings), planned.first);
+  }
   planned.islands = by_island(std::move(roads), slice.region);
   return planned;
 }

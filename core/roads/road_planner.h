@@ -38,6 +38,7 @@ class RoadPlanner {
 
  private:
   Settings settings_;
+  Settings first_settings_;  // of the first layer
 };
 
 }  // namespace core

@@ -78,15 +78,9 @@ std::vector<Ring> in_one_order(std::vector<Ring> rings) {
 
 }  // namespace
 
-LayerIndex layer_count(Length height, Length layer_height) {
-  const std::int64_t h = layer_height.units();
-  RIND_CHECK(h > 0);
-  return std::max<LayerIndex>(0, (2 * height.units() + h) / (2 * h));
-}
-
 PlaneSweep::PlaneSweep(const Options& options, TriangleSource source)
     : options_(options), source_(std::move(source)) {
-  RIND_CHECK(options.layer_height.units() > 0);
+  RIND_CHECK(options.heights.first > Length() && options.heights.rest > Length());
   RIND_CHECK(options.simplify_tolerance.units() >= 0);
   RIND_CHECK(options.chain_gap_max.units() >= 0);
 }
@@ -117,7 +111,7 @@ std::vector<Segment> PlaneSweep::cut(std::int64_t doubled_z) const {
 
 Result<bool> PlaneSweep::advance() {
   if (options_.layers && next_index_ == *options_.layers) return false;
-  doubled_z_ = (2 * next_index_ + 1) * options_.layer_height.units();
+  doubled_z_ = options_.heights.doubled_plane(next_index_);
   if (Status taken = take_triangles_below(doubled_z_); !taken.ok()) return taken.error();
   const bool over = held_.empty() && !waiting_ && source_ended_;
   if (!options_.layers && over) return false;
@@ -170,8 +164,8 @@ Result<std::optional<Slice>> PlaneSweep::next() {
   if (!more.value()) return std::optional<Slice>();
   Slice slice;
   slice.index = next_index_ - 1;
-  slice.bottom = options_.layer_height * slice.index;
-  slice.height = options_.layer_height;
+  slice.bottom = options_.heights.bottom(slice.index);
+  slice.height = options_.heights.height(slice.index);
   SliceRings contours = rings(slice.defects);
   for (std::vector<Ring>* kind : {&contours.rings, &contours.cancelled}) {
     for (Ring& ring : *kind) ring = simplify(ring, options_.simplify_tolerance);

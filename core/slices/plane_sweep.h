@@ -1,7 +1,7 @@
 // Cuts a mesh into slices, plane by plane from the bed up, with only the triangles that cross the
 // plane in memory.
 //
-//     layer i spans i·h … (i + 1)·h and is cut halfway, at (i + ½)·h
+//     each layer is cut halfway up (layer_heights.h)
 //
 //        a corner on the plane counts as above it, so every triangle that is cut has exactly two
 //     ──/──\──  edges that cross, and leaves one segment, with the part on its left;
@@ -22,19 +22,17 @@
 
 #include "core/geometry.h"               // Triangle, Segment
 #include "core/result.h"                 // Result
+#include "core/slices/layer_heights.h"   // LayerHeights
 #include "core/slices/segment_chains.h"  // SliceRings
 #include "core/slices/slice.h"           // Slice, SliceDefects
 #include "core/units.h"                  // LayerIndex, Length
 
 namespace core {
 
-// Layers of a part that reaches from 0 up to `height`: those whose plane is not above it.
-[[nodiscard]] LayerIndex layer_count(Length height, Length layer_height);
-
 class PlaneSweep {
  public:
   struct Options {
-    Length layer_height;  // REQUIRES: > 0
+    LayerHeights heights;
     // How many slices there are to be; nothing: until no triangle reaches the plane.
     std::optional<LayerIndex> layers;
     Length simplify_tolerance;  // REQUIRES: >= 0

@@ -8,7 +8,7 @@
 
 #include "core/booleans/boolean.h"    // unite, intersect, subtract
 #include "core/limits.h"              // kCoordinateMax
-#include "core/slices/plane_sweep.h"  // PlaneSweep, layer_count
+#include "core/slices/plane_sweep.h"  // PlaneSweep
 #include "host/part/bed_placing.h"    // shift_to_bed, check_on_bed
 #include "host/part/edge_ledger.h"    // EdgeLedger
 #include "host/part/mesh_sorter.h"    // MeshSorter
@@ -69,7 +69,7 @@ class BooleanLayers : public LayerSource {
       if (Status read = read_operand(shells, *operands_.back()); !read.ok()) return read.error();
     }
     if (Status placed = place(); !placed.ok()) return placed.error();
-    core::PlaneSweep::Options sweep{settings_.layer_height,
+    core::PlaneSweep::Options sweep{layer_heights(settings_),
                                     summary_.layers,
                                     settings_.simplify_tolerance,
                                     settings_.chain_gap_max,
@@ -157,7 +157,7 @@ class BooleanLayers : public LayerSource {
                      "the booleans leave nothing that has a height; check the part");
     }
     summary_.height = Length::from_units(extent.highest_z - extent.lowest_z);
-    summary_.layers = core::layer_count(summary_.height, settings_.layer_height);
+    summary_.layers = layer_heights(settings_).count(summary_.height);
     if (summary_.layers == 0) {
       return refused(ErrorCode::kBadPart,
                      "the part is " + mm_text(summary_.height.units()) +

@@ -6,8 +6,8 @@
 #include <optional>
 #include <utility>
 
-#include "core/slices/plane_sweep.h"  // layer_count
-#include "host/part/bed_placing.h"    // mm_text
+#include "core/slices/layer_heights.h"
+#include "host/part/bed_placing.h"  // mm_text
 
 namespace host {
 namespace {
@@ -26,7 +26,7 @@ struct Height {
 
 Height height_of(const MeshSurvey& survey, const core::Settings& settings) {
   const std::int64_t low = survey.extent().lowest_z, high = *survey.highest_cut();
-  return {low, high, core::layer_count(Length::from_units(high - low), settings.layer_height)};
+  return {low, high, layer_heights(settings).count(Length::from_units(high - low))};
 }
 
 Error asked(const std::string& name, const Height& height, const std::string& cause) {
@@ -99,8 +99,7 @@ Status check_height(MeshSurvey& survey, const core::Settings& settings, const st
 Status check_height_so_far(const MeshSurvey& survey, const core::Settings& settings,
                            const std::string& name) {
   const MeshSurvey::TallFacet& facet = survey.tallest();
-  const core::LayerIndex layers =
-      core::layer_count(Length::from_units(facet.span), settings.layer_height);
+  const core::LayerIndex layers = layer_heights(settings).count(Length::from_units(facet.span));
   if (layers <= kLayersUnasked) return {};
   return Error{ErrorCode::kOutOfBounds, name + ": " + corner_text(facet.corner) +
                                             ", and alone is " + mm_text(facet.span) + " mm high, " +

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/roads/gap_fill.h"       // kRoomSlack
-#include "core/slices/plane_sweep.h"   // PlaneSweep, layer_count
+#include "core/slices/plane_sweep.h"   // PlaneSweep
 #include "host/part/bed_placing.h"     // shift_to_bed, check_on_bed
 #include "host/part/height_check.h"    // check_height
 #include "host/part/mesh_sorter.h"     // MeshSorter
@@ -221,7 +221,7 @@ class MeshLayers : public LayerSource {
     batch_.clear();
     next_in_batch_ = 0;
     core::PlaneSweep::Options options{
-        settings_.layer_height, layers, settings_.simplify_tolerance, settings_.chain_gap_max, {}};
+        heights_, layers, settings_.simplify_tolerance, settings_.chain_gap_max, {}};
     if (const auto turned = streaming_ ? std::nullopt : survey_.turned()) {
       options.unsure = turned->placed ? shifted(turned->box, shift_) : core::Box();
     }
@@ -240,12 +240,12 @@ class MeshLayers : public LayerSource {
                      "the part is flat, it has no height; export it as a solid");
     }
     summary_.height = Length::from_units(*survey_.highest_cut() - extent.lowest_z);
-    summary_.layers = core::layer_count(summary_.height, settings_.layer_height);
+    summary_.layers = heights_.count(summary_.height);
     if (summary_.layers == 0) {
       const std::optional<std::string> unit = unit_question(extent);
       return refused(ErrorCode::kBadPart, "the part is " + mm_text(summary_.height.units()) +
                                               " mm high, less than half a layer of " +
-                                              mm_text(settings_.layer_height.units()) + " mm; " +
+                                              mm_text(heights_.first.units()) + " mm; " +
                                               (unit ? *unit + " Otherwise" : "check its unit, or") +
                                               " lower layer_height");
     }
@@ -288,7 +288,7 @@ class MeshLayers : public LayerSource {
     if (const auto turned = survey_.turned()) {
       summary_.warnings.push_back(mesh_.name + ": " + turned_text(*turned));
     }
-    const MeshSurvey::EmptyLayers empty = survey_.empty_layers(settings_.layer_height);
+    const MeshSurvey::EmptyLayers empty = survey_.empty_layers(heights_);
     if (empty.count > 0) {
       summary_.warnings.push_back(
           mesh_.name + ": " + std::to_string(empty.count) + " layers hold nothing, from layer " +
@@ -339,10 +339,9 @@ class MeshLayers : public LayerSource {
         mesh_.name + ": near facet " + std::to_string(mesh_.triangles->facets());
     if (Status fits = check_on_bed(extent, shift_, settings_, name); !fits.ok()) return fits;
     const std::int64_t low = triangle.lowest_z() + shift_.z;
-    const core::LayerIndex first_cut =
-        core::layer_count(Length::from_units(low), settings_.layer_height);
-    const core::LayerIndex cut_below = core::layer_count(
-        Length::from_units(triangle.highest_z() + shift_.z), settings_.layer_height);
+    const core::LayerIndex first_cut = heights_.count(Length::from_units(low));
+    const core::LayerIndex cut_below =
+        heights_.count(Length::from_units(triangle.highest_z() + shift_.z));
     if (low >= 0 && (first_cut >= slices_ || first_cut == cut_below)) return {};
     return Error{ErrorCode::kBadPart,
                  name + ": it reaches down to " + mm_text(low) + " mm, below layer " +
@@ -353,6 +352,7 @@ class MeshLayers : public LayerSource {
 
   MeshInput mesh_;
   core::Settings settings_;
+  core::LayerHeights heights_ = layer_heights(settings_);
   OpenOptions options_;
   std::size_t window_;
   MeshSurvey survey_;

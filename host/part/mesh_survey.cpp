@@ -2,9 +2,8 @@
 
 #include <algorithm>
 
-#include "core/slices/plane_sweep.h"  // layer_count
-#include "host/part/bed_placing.h"    // mm_text
-#include "host/system/limits.h"       // kHeightGapsMax
+#include "host/part/bed_placing.h"  // mm_text
+#include "host/system/limits.h"     // kHeightGapsMax
 
 namespace host {
 namespace {
@@ -78,13 +77,13 @@ void MeshSurvey::unite_spans() {
   united_ = spans_.size();
 }
 
-MeshSurvey::EmptyLayers MeshSurvey::empty_layers(core::Length layer_height) {
+MeshSurvey::EmptyLayers MeshSurvey::empty_layers(const core::LayerHeights& heights) {
   unite_spans();
   EmptyLayers empty;
   for (std::size_t i = 1; i < spans_.size(); ++i) {
     // Planes above the lower span and not above the start of the upper one.
     const auto planes_up_to = [&](std::int64_t z) {
-      return core::layer_count(core::Length::from_units(z - extent_.lowest_z), layer_height);
+      return heights.count(core::Length::from_units(z - extent_.lowest_z));
     };
     const core::LayerIndex first = planes_up_to(spans_[i - 1].high);
     const core::LayerIndex count = planes_up_to(spans_[i].low) - first;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/geometry.h"                // Triangle
+#include "core/slices/layer_heights.h"     // LayerHeights
 #include "core/units.h"                   // LayerIndex, Length
 #include "host/formats/mesh_extent.h"     // MeshExtent
 #include "host/part/edge_ledger.h"        // EdgeLedger
@@ -49,7 +50,7 @@ class MeshSurvey {
     core::LayerIndex count = 0;
     core::LayerIndex first = 0;  // counted from 0
   };
-  [[nodiscard]] EmptyLayers empty_layers(core::Length layer_height);
+  [[nodiscard]] EmptyLayers empty_layers(const core::LayerHeights& heights);
 
   // The longest stretch of height above the lowest point that no facet reaches.
   struct Gap {

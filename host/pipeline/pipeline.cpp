@@ -10,6 +10,7 @@
 
 #include "core/motions/motion_builder.h"
 #include "core/motions/motion_clock.h"
+#include "core/offsets/compensation.h"
 #include "core/offsets/slice_offsets.h"
 #include "core/roads/layer_planner.h"
 #include "core/walls/layer_neighbours.h"
@@ -118,6 +119,7 @@ class Pipeline {
       batch.pause = std::move(pause).value();
     } while (below_start(*found));
     core::Slice& slice = *found;
+    if (core::compensates(settings_)) slice.region = core::compensated(slice, settings_);
     signals_.slices_cut.fetch_add(1);
     ++statistics_.layers;
     statistics_.defects.add(slice);

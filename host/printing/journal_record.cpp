@@ -91,6 +91,7 @@ void pass(Stream& stream, core::MotionState& motions) {
   if (Stream::kReads && decided) motions.arcs = arcs;
   stream.real(motions.fan);
   stream.real(motions.nozzle_celsius);
+  stream.real(motions.bed_celsius);
 }
 
 // Both ways, so that what is written is what is read.

@@ -46,7 +46,7 @@ MachineState state_at(const Checkpoint& checkpoint, const core::Settings& settin
     state.drawn_back_10nm = filament_10nm(settings.retraction_mm);
   }
   state.nozzle_tenths = celsius_tenths(checkpoint.motions.nozzle_celsius);
-  state.bed_tenths = celsius_tenths(settings.bed_celsius);
+  state.bed_tenths = celsius_tenths(checkpoint.motions.bed_celsius);
   state.fan = fan_power(checkpoint.motions.fan);
   return state;
 }

@@ -27,6 +27,8 @@ enum class Kind {
   kGcode,
   kBed,
   kCooling,
+  kAllContours,  // the same for outer contours and holes
+  kBrim,         // which contours have one
 };
 
 struct Alias {
@@ -52,6 +54,14 @@ constexpr std::array kAliases = {
     Alias{"ironing_speed", "ironing_speed_mm_s", Kind::kSpeed},
     Alias{"gcode_resolution", "segment_tolerance"},
     Alias{"infill_anchor_max", "infill_anchor_max"},
+    Alias{"first_layer_height", "first_layer_height"},
+    Alias{"first_layer_extrusion_width", "first_layer_width", Kind::kWidth},
+    Alias{"elefant_foot_compensation", "elephant_foot_compensation"},
+    Alias{"xy_size_compensation", "contour_compensation", Kind::kAllContours},
+    Alias{"brim_width", "brim_width"},
+    Alias{"brim_separation", "brim_gap"},
+    Alias{"brim_type", "brim_place", Kind::kBrim},
+    Alias{"min_skirt_length", "skirt_length_min"},
     Alias{"skirts", "skirt_loops"},
     Alias{"skirt_distance", "skirt_distance"},
     Alias{"perimeter_speed", "perimeter_speed_mm_s", Kind::kSpeed},
@@ -72,6 +82,7 @@ constexpr std::array kAliases = {
     Alias{"temperature", "nozzle_celsius"},
     Alias{"first_layer_temperature", "nozzle_first_layer_celsius"},
     Alias{"bed_temperature", "bed_celsius"},
+    Alias{"first_layer_bed_temperature", "bed_first_layer_celsius"},
     Alias{"cooling", "cool_short_layers", Kind::kCooling},
     Alias{"fan_always_on", "fan_always_on"},
     Alias{"min_fan_speed", "fan_share_min", Kind::kPercent},
@@ -109,6 +120,13 @@ Translated bed_settings(const std::optional<BedRectangle>& bed) {
           {"bed_origin_y", write_number(bed->front)}};
 }
 
+Translated brim_settings(std::string_view type) {
+  if (type == "no_brim") return {{"brim_width", "0"}};
+  if (type == "outer_only") return {{"brim_place", "outer"}};
+  if (type == "inner_only") return {{"brim_place", "inner"}};
+  return {{"brim_place", "both"}};
+}
+
 Translated translate(const Alias& alias, std::string_view text) {
   const std::string ours(alias.ours);
   if (alias.kind == Kind::kBed) return bed_settings(rectangular_bed(text));
@@ -117,6 +135,7 @@ Translated translate(const Alias& alias, std::string_view text) {
   }
   const std::string_view first = trimmed(text.substr(0, text.find(',')));
   if (alias.kind == Kind::kShare) return {{ours, std::string(first)}};
+  if (alias.kind == Kind::kBrim) return brim_settings(first);
   if (first.ends_with('%')) return {};
   const core::Result<double> number = read_number(first, "");
   // Text that is no number is passed on: the setting reports the error.
@@ -135,6 +154,8 @@ Translated translate(const Alias& alias, std::string_view text) {
       break;
     case Kind::kPercent:
       return {{ours, write_number(number.value() / 100)}};
+    case Kind::kAllContours:
+      return {{ours, std::string(first)}, {"hole_compensation", std::string(first)}};
     case Kind::kLayersAfter:
       return {{ours, write_number(number.value() + 1)}};
     default:

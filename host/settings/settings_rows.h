@@ -55,6 +55,7 @@ struct NumberWord {
 using NumberWords = std::array<NumberWord, 2>;  // "" after the last
 
 inline constexpr NumberWords kAutoIsZero = {NumberWord{"auto", 0}};
+inline constexpr NumberWords kAutoIsNegative = {NumberWord{"auto", -1}};
 inline constexpr NumberWords kOffIsZero = {NumberWord{"off", 0}};
 inline constexpr NumberWords kAutoOrOff = {NumberWord{"auto", 0}, NumberWord{"off", 0.001}};
 
@@ -130,10 +131,29 @@ inline constexpr std::array kSettings = {
             "filament of ironing, as a fraction of a dense layer's"},
     Setting{"ironing_spacing", &PrintSettings::ironing_spacing, "mm", 0.02, 2,
             "distance of the rows of ironing"},
+    Setting{"first_layer_height", &PrintSettings::first_layer_height, "mm", 0.01, 2,
+            "height of the first layer; auto: layer_height", kAutoIsZero},
+    Setting{"first_layer_width", &PrintSettings::first_layer_width, "mm", 0.05, 10,
+            "width of the first layer's roads; auto: road_width", kAutoIsZero},
+    Setting{"first_layer_flow", &PrintSettings::first_layer_flow, "×", 0.1, 10,
+            "factor for the filament of the first layer's roads"},
+    Setting{"elephant_foot_compensation", &PrintSettings::elephant_foot_compensation, "mm", 0, 5,
+            "how much smaller the first layer is made all round, where it stays as wide as a road"},
+    Setting{"contour_compensation", &PrintSettings::contour_compensation, "mm", -5, 5,
+            "how far outer contours are moved outwards"},
+    Setting{"hole_compensation", &PrintSettings::hole_compensation, "mm", -5, 5,
+            "how far the contours of holes are moved inwards; negative: holes get larger"},
+    Setting{"brim_width", &PrintSettings::brim_width, "mm", 0, 100,
+            "width of the brim, loops on the bed that hold the first layer; 0: none"},
+    Setting{"brim_gap", &PrintSettings::brim_gap, "mm", 0, 5, "distance from the part to its brim"},
+    Setting{"brim_place", choice<&PrintSettings::brim_place>("outer", "both", "inner"), "", 0, 0,
+            "contours of the first layer that get a brim"},
     Setting{"skirt_loops", &PrintSettings::skirt_loops, "", 0, 50,
             "number of loops around the first layer; 0: none"},
+    Setting{"skirt_length_min", &PrintSettings::skirt_length_min, "mm", 0, 10'000,
+            "least length of the skirt; shorter ones get more loops"},
     Setting{"skirt_distance", &PrintSettings::skirt_distance, "mm", 0, 200,
-            "distance from the part to the skirt"},
+            "distance from the part and its brim to the skirt"},
     Setting{"simplify_tolerance", &PrintSettings::simplify_tolerance, "mm", 0, 0.5,
             "largest distance that a slice's contours are moved to save points"},
     Setting{"arc_tolerance", &PrintSettings::arc_tolerance, "mm", 0.0005, 0.5,
@@ -219,6 +239,8 @@ inline constexpr std::array kSettings = {
             "temperature of the nozzle on the first layer; 0: not heated"},
     Setting{"bed_celsius", &PrintSettings::bed_celsius, "°C", 0, 200,
             "temperature of the bed; 0: not heated"},
+    Setting{"bed_first_layer_celsius", &PrintSettings::bed_first_layer_celsius, "°C", 0, 200,
+            "temperature of the bed on the first layer; auto: bed_celsius", kAutoIsNegative},
     Setting{"cool_short_layers", &PrintSettings::cool_short_layers, "", 0, 1,
             "whether short layers are slowed down and get more of the fan"},
     Setting{"fan_share", &PrintSettings::fan_share, "%", 0, 1,

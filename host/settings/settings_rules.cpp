@@ -37,25 +37,40 @@ Status wall_fits_window(const PrintSettings& settings) {
       settings.wall_thickness.mm(), layers, settings.layer_height.mm(), core::kWallLayersMax));
 }
 
-Status road_fits_nozzle(const PrintSettings& settings) {
-  const double height = settings.layer_height.mm();
+// Names and values of a layer's height and of its roads' width.
+Status road_fits_nozzle(const PrintSettings& settings, std::string_view height_key,
+                        core::Length layer_height, std::string_view width_key,
+                        core::Length road_width) {
   const double nozzle = settings.nozzle_diameter.mm();
-  const double width = settings.road_width.mm();
+  const double height = layer_height.mm(), width = road_width.mm();
   if (height > nozzle) {
     return bad(fmt::format(
-        "layer_height = {} mm is more than nozzle_diameter = {} mm: such roads are not pressed "
-        "onto the layer below",
-        height, nozzle));
+        "{} = {} mm is more than nozzle_diameter = {} mm: such roads are not pressed onto the "
+        "layer below",
+        height_key, height, nozzle));
   }
   if (width <= height || width > kRoadPerNozzleMax * nozzle) {
     return bad(fmt::format(
-        "road_width = {} mm must be more than layer_height = {} mm and at most {} times "
-        "nozzle_diameter = {} mm",
-        width, height, kRoadPerNozzleMax, nozzle));
+        "{} = {} mm must be more than {} = {} mm and at most {} times nozzle_diameter = {} mm",
+        width_key, width, height_key, height, kRoadPerNozzleMax, nozzle));
   }
+  return {};
+}
+
+Status roads_fit_nozzle(const PrintSettings& settings) {
+  const core::Length height = settings.layer_height, width = settings.road_width;
+  Status fits = road_fits_nozzle(settings, "layer_height", height, "road_width", width);
+  if (!fits.ok()) return fits;
+  const bool own_height = settings.first_layer_height > core::Length();
+  const bool own_width = settings.first_layer_width > core::Length();
+  fits = road_fits_nozzle(settings, own_height ? "first_layer_height" : "layer_height",
+                          own_height ? settings.first_layer_height : height,
+                          own_width ? "first_layer_width" : "road_width",
+                          own_width ? settings.first_layer_width : width);
+  if (!fits.ok()) return fits;
   if (settings.road_width_min > settings.road_width) {
     return bad(fmt::format("road_width_min = {} mm is more than road_width = {} mm",
-                           settings.road_width_min.mm(), width));
+                           settings.road_width_min.mm(), width.mm()));
   }
   return {};
 }
@@ -81,7 +96,7 @@ Status part_has_a_place(const PrintSettings& settings) {
 
 Status validate_settings(const PrintSettings& settings) {
   for (const auto rule :
-       {every_value_in_range, wall_fits_window, road_fits_nozzle, part_has_a_place}) {
+       {every_value_in_range, wall_fits_window, roads_fit_nozzle, part_has_a_place}) {
     Status status = rule(settings);
     if (!status.ok()) return status;
   }

@@ -52,7 +52,9 @@ std::optional<std::string> known_besides(std::string_view name, std::size_t inde
                                                      "has_wipe_tower",
                                                      "has_single_extruder_multi_material_priming"};
   if (std::find(kNone.begin(), kNone.end(), name) != kNone.end()) return "0";
-  if (name == "first_layer_bed_temperature") return write_number(settings.bed_celsius);
+  if (name == "first_layer_bed_temperature") {
+    return write_number(core::bed_first_layer_celsius(settings));
+  }
   return std::nullopt;
 }
 

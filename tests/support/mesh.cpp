@@ -36,7 +36,7 @@ SweepResult sweep(std::vector<Triangle> triangles, core::PlaneSweep::Options opt
   });
   std::int64_t height = 0;
   for (const Triangle& triangle : triangles) height = std::max(height, triangle.highest_z());
-  options.layers = core::layer_count(core::Length::from_units(height), options.layer_height);
+  options.layers = options.heights.count(core::Length::from_units(height));
   std::size_t next = 0;
   core::PlaneSweep sweeper(options, [&]() -> core::Result<std::optional<Triangle>> {
     if (next == triangles.size()) return std::optional<Triangle>();
@@ -55,7 +55,7 @@ SweepResult sweep(std::vector<Triangle> triangles, core::PlaneSweep::Options opt
 
 core::PlaneSweep::Options exact_options() {
   core::PlaneSweep::Options options;
-  options.layer_height = core::Length::from_units(2'000);
+  options.heights.first = options.heights.rest = core::Length::from_units(2'000);
   options.simplify_tolerance = core::Length::from_units(1);
   options.chain_gap_max = core::Length::from_units(20'000);
   return options;

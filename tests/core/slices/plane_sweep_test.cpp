@@ -67,18 +67,6 @@ double polygon_area(double radius, int corners) {
 
 }  // namespace
 
-TEST_CASE("a layer is there if its plane, halfway up, is not above the part") {
-  const Length h = Length::from_units(2'000);
-  CHECK_EQ(core::layer_count(Length::from_units(0), h), 0);
-  CHECK_EQ(core::layer_count(Length::from_units(999), h), 0);
-  CHECK_EQ(core::layer_count(Length::from_units(1'000), h), 1);
-  CHECK_EQ(core::layer_count(Length::from_units(2'999), h), 1);
-  CHECK_EQ(core::layer_count(Length::from_units(3'000), h), 2);
-  // Odd layer heights: the plane is between two units.
-  CHECK_EQ(core::layer_count(Length::from_units(2), Length::from_units(5)), 0);
-  CHECK_EQ(core::layer_count(Length::from_units(3), Length::from_units(5)), 1);
-}
-
 TEST_CASE("a box gives the same four points in every layer") {
   const std::vector<Slice> slices = slices_of(parts::box({1, 2, 3}, 20, 15, 10));
   REQUIRE_EQ(slices.size(), 50);
@@ -327,7 +315,7 @@ TEST_CASE("a part 500 km tall: heights have no bound") {
   const double far_up_mm = 5e8;
   std::vector<Triangle> triangles = triangles_of(parts::pyramid(far_up_mm));
   PlaneSweep::Options options = exact_options();
-  options.layer_height = Length::from_mm(1e8);
+  options.heights.first = options.heights.rest = Length::from_mm(1e8);
   const std::vector<Slice> slices = sweep(triangles, options).slices;
   REQUIRE_EQ(slices.size(), 5);
   for (std::size_t i = 0; i < 5; ++i) {

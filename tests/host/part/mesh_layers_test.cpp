@@ -42,7 +42,7 @@ std::vector<Slice> reference(std::vector<Triangle> triangles, const Settings& se
     for (core::Vertex& v : t.corners) v = {v.x - least.x, v.y - least.y, v.z - least.z};
   }
   std::erase_if(triangles, [](const Triangle& t) { return !host::can_be_cut(t); });
-  return test::sweep(triangles, {settings.layer_height, 0, settings.simplify_tolerance,
+  return test::sweep(triangles, {layer_heights(settings), 0, settings.simplify_tolerance,
                                  settings.chain_gap_max})
       .slices;
 }
@@ -265,7 +265,7 @@ TEST_CASE("a part 100 km high, in a file and in a pipe") {
   apart.insert(apart.end(), upper.begin(), upper.end());
   host::MeshSurvey survey(8);
   for (const Triangle& t : apart) survey.add(t);
-  CHECK_EQ(survey.empty_layers(settings.layer_height).count, 500'000'000 - 5);
+  CHECK_EQ(survey.empty_layers(layer_heights(settings)).count, 500'000'000 - 5);
 }
 
 TEST_CASE("whether a pipe is in order is guessed from its first triangles, unless somebody knows") {
