@@ -46,15 +46,20 @@ core::Status check_on_bed(const std::string& part, const core::Slice& slice,
                           point.y >= reach && point.y + reach <= settings.bed_y.units();
       if (inside) continue;
       const bool skirt = road.kind == core::RoadKind::kSkirt;
+      const bool brim = road.kind == core::RoadKind::kBrim;
       return core::Error{
           core::ErrorCode::kOutOfBounds,
           fmt::format(
               "{}, layer {}: {} at ({:.2f}, {:.2f}) mm leaves the bed of {:g} x {:g} mm; {}", part,
-              slice.index + 1, skirt ? "the skirt" : "a road",
+              slice.index + 1,
+              skirt  ? "the skirt"
+              : brim ? "the brim"
+                     : "a road",
               core::Length::from_units(point.x).mm(), core::Length::from_units(point.y).mm(),
               settings.bed_x.mm(), settings.bed_y.mm(),
-              skirt ? "set skirt_loops=0 or a smaller skirt_distance"
-                    : "move the part or set bed_x and bed_y")};
+              skirt  ? "set skirt_loops=0 or a smaller skirt_distance"
+              : brim ? "set a smaller brim_width"
+                     : "move the part or set bed_x and bed_y")};
     }
   }
   return {};

@@ -14,7 +14,6 @@
 using core::Region;
 using core::Ring;
 using core::VoronoiDiagram;
-using core::VoronoiEdge;
 
 namespace {
 

@@ -13,7 +13,6 @@
 #include "tests/support/region_checks.h"
 #include "tests/support/region_text.h"
 
-using core::Chains;
 using core::Length;
 using core::Point;
 using core::Region;
@@ -92,7 +91,7 @@ TEST_CASE("some flipped segments do not matter, and are counted") {
     Ring ring = test::random_blob(random, 100, 0, 0, 5, 0.3);
     std::vector<Segment> segments = segments_of({ring});
     for (int i = 0; i < 10; ++i) {
-      Segment& s = segments[static_cast<std::size_t>(i * 9)];
+      Segment& s = segments[static_cast<std::size_t>(i) * 9];
       std::swap(s.from, s.to);
     }
     shuffle(segments, random);

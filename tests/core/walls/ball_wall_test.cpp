@@ -21,7 +21,6 @@
 #include "tests/support/region_checks.h"
 #include "tests/support/region_text.h"
 
-using core::Layer;
 using core::Length;
 using core::Region;
 using core::Settings;

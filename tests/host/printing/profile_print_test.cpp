@@ -141,7 +141,7 @@ TEST_CASE("whatever modes the start G-code leaves, the part is the same") {
   const GcodeMachine right = asked.made(settings);
   CHECK_GT(right.filament_mm, 50);
   CHECK_EQ(right.x_min + right.x_max, doctest::Approx(250));
-  CHECK_EQ(right.z_max, doctest::Approx(2));
+  CHECK_EQ(right.z_max, doctest::Approx(2.1));  // 0.3 and 9 times 0.2
   for (const char* start :
        {"", "G28\nM82", "G28\nM82\nG92 E0\nG1 Z5 F5000", "G20\nG28", "G28\nG20\nG1 X2 F100",
         "G28\nG91\nG1 Z10 F600", "G28\nG91\nM82\nG1 X50 Y20 E5", "G91", "G28\nG18", "G28\nG19",
