@@ -12,6 +12,7 @@ namespace core {
 struct PatternPlace {
   Box box;              // of what is filled
   double distance = 0;  // units: a layer has a unit of length for each `distance` square units
+  double width = 0;     // units: of a road
   double angle_degrees = 0;
   LayerIndex layer = 0;
   Length middle;  // height of the layer's middle over the bed

@@ -21,7 +21,8 @@ bool alike(const SplitLayer& a, const SplitLayer& b) {
 
 LayerPlanner::Reservation LayerPlanner::reserve(SplitLayer split) {
   std::shared_ptr<LayerPlan>& last = last_[static_cast<std::size_t>(split.slice.index % 2)];
-  if (last && alike(last->split, split)) {
+  const bool anew = loose_changes_ && !split.loose.empty();
+  if (last && !anew && alike(last->split, split)) {
     ++reused_;
     return {last, false};
   }

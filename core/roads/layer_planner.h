@@ -12,6 +12,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/roads/loose_fill.h"    // changes_with_height
 #include "core/roads/road.h"          // Road
 #include "core/roads/road_planner.h"  // RoadPlanner
 #include "core/settings.h"            // Settings
@@ -35,7 +36,10 @@ class LayerPlanner {
   };
 
   // REQUIRES: with_style() was applied.
-  explicit LayerPlanner(const Settings& settings) : style_(settings), roads_(settings) {}
+  explicit LayerPlanner(const Settings& settings)
+      : style_(settings),
+        roads_(settings),
+        loose_changes_(changes_with_height(settings.loose_pattern)) {}
 
   // COSTS: a comparison.
   [[nodiscard]] Reservation reserve(SplitLayer split);
@@ -49,6 +53,7 @@ class LayerPlanner {
  private:
   WallStyle style_;
   RoadPlanner roads_;
+  bool loose_changes_;  // from layer to layer, whatever the layers are like
   std::array<std::shared_ptr<LayerPlan>, 2> last_;  // of even and odd layers
   std::int64_t reused_ = 0;
 };

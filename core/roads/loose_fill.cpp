@@ -7,13 +7,15 @@
 #include <numbers>
 #include <utility>
 
-#include "core/booleans/simplified.h"     // simplified
-#include "core/offsets/polygon_offset.h"  // PolygonOffsetter
-#include "core/offsets/slice_offsets.h"   // perimeter_spacing
-#include "core/regions/polyline.h"        // between, distance_units, length_mm
-#include "core/roads/boundary_joins.h"    // join_along_boundary
-#include "core/roads/line_clip.h"         // LineClipper
-#include "core/roads/straight_pattern.h"  // StraightPattern
+#include "core/booleans/simplified.h"      // simplified
+#include "core/offsets/polygon_offset.h"   // PolygonOffsetter
+#include "core/offsets/slice_offsets.h"    // perimeter_spacing
+#include "core/regions/polyline.h"         // between, distance_units, length_mm
+#include "core/roads/boundary_joins.h"     // join_along_boundary
+#include "core/roads/gyroid_pattern.h"     // GyroidPattern
+#include "core/roads/honeycomb_pattern.h"  // HoneycombPattern
+#include "core/roads/line_clip.h"          // LineClipper
+#include "core/roads/straight_pattern.h"   // StraightPattern
 
 namespace core {
 namespace {
@@ -29,9 +31,26 @@ constexpr double kWidthMax = 1.15;
 // A free end is drawn on over at most this many road distances of the inside.
 constexpr double kEndReachDistances = 1.5;
 
-std::unique_ptr<FillPattern> pattern_of(const Settings& settings) {
-  static_cast<void>(settings);
-  return std::make_unique<StraightPattern>(StraightPattern::Kind::kLines);
+// Null for rings, which are no pattern of the plane.
+std::unique_ptr<FillPattern> pattern_of(LoosePattern pattern) {
+  using Kind = StraightPattern::Kind;
+  switch (pattern) {
+    case LoosePattern::kLines:
+      return std::make_unique<StraightPattern>(Kind::kLines);
+    case LoosePattern::kGrid:
+      return std::make_unique<StraightPattern>(Kind::kGrid);
+    case LoosePattern::kTriangles:
+      return std::make_unique<StraightPattern>(Kind::kTriangles);
+    case LoosePattern::kCubic:
+      return std::make_unique<StraightPattern>(Kind::kCubic);
+    case LoosePattern::kHoneycomb:
+      return std::make_unique<HoneycombPattern>();
+    case LoosePattern::kGyroid:
+      return std::make_unique<GyroidPattern>();
+    case LoosePattern::kConcentric:
+      break;
+  }
+  return nullptr;
 }
 
 class LooseFill {
@@ -41,7 +60,7 @@ class LooseFill {
         settings_(settings),
         spacing_(perimeter_spacing(settings, slice.height)),
         bead_mm_(bead_area_mm2(settings.road_width, slice.height) / slice.height.mm()),
-        pattern_(pattern_of(settings)),
+        pattern_(pattern_of(settings.loose_pattern)),
         room_(within) {}
 
   void fill(const Region& piece) {
@@ -51,13 +70,18 @@ class LooseFill {
     if (middle.empty()) return;
     const double asked_mm = settings_.loose_density * piece.area_mm2() / bead_mm_;
     const LineClipper edge(piece), clipper(middle);
-    const auto lay = [&](int step) { return laid(middle.box(), clipper, edge, step); };
+    const auto lay = [&](int step) {
+      return pattern_ ? lines(middle.box(), clipper, edge, step) : rings(middle, step);
+    };
     int step = first_step(middle, asked_mm);
     Laid best = lay(step);
-    // How rows happen to meet a small piece is not in the formula.
-    for (; best.length_mm * kWidthMax < asked_mm && step > 0; --step) {
-      Laid denser = lay(step - 1);
-      if (misfit(denser, asked_mm) < misfit(best, asked_mm)) best = std::move(denser);
+    const auto take_better = [&](Laid other) {
+      if (misfit(other, asked_mm) < misfit(best, asked_mm)) best = std::move(other);
+    };
+    // How lines happen to meet a small piece is not in the formula.
+    for (; best.length_mm * kWidthMax < asked_mm && step > 0; --step) take_better(lay(step - 1));
+    for (; best.length_mm * kWidthMin > asked_mm && step < kDistanceSteps; ++step) {
+      take_better(lay(step + 1));
     }
     if (best.roads.empty()) return;
     const double h = slice_.height.mm(), w = settings_.road_width.mm();
@@ -95,16 +119,38 @@ class LooseFill {
     return step;
   }
 
-  [[nodiscard]] Laid laid(const Box& box, const LineClipper& clipper, const LineClipper& edge,
-                          int step) const {
-    double distance = bead_mm_ * kUnitsPerMm / settings_.loose_density;
-    for (int i = 0; i < step; ++i) distance *= kDistanceStep;
-    const PatternPlace place{box, distance, settings_.fill_angle_degrees, slice_.index,
-                             slice_.bottom + Length::from_units(slice_.height.units() / 2)};
-    std::vector<ClippedLine> lines;
-    for (const std::vector<Point>& line : pattern_->lines(place)) clipper.clip(line, lines);
+  [[nodiscard]] double distance(int step) const {
+    double units = bead_mm_ * kUnitsPerMm / settings_.loose_density;
+    for (int i = 0; i < step; ++i) units *= kDistanceStep;
+    return units;
+  }
+
+  // Rings at equal distances, the outermost one along the middle's edge.
+  [[nodiscard]] Laid rings(const Region& middle, int step) {
     Laid laid;
-    JoinedLines joined = join_along_boundary(lines, clipper, settings_.infill_anchor_max);
+    const Length apart = Length::from_units(std::llround(distance(step)));
+    for (Length depth; true; depth += apart) {
+      const Region inner = flatten(offsetter_.offset(middle, depth), settings_.arc_tolerance);
+      if (inner.empty()) return laid;
+      for (const Ring& ring : inner.rings()) {
+        laid.roads.push_back({RoadKind::kLoose, settings_.road_width, true, ring});
+        laid.length_mm += length_mm(ring, true);
+      }
+    }
+  }
+
+  [[nodiscard]] Laid lines(const Box& box, const LineClipper& clipper, const LineClipper& edge,
+                           int step) const {
+    const PatternPlace place{box,
+                             distance(step),
+                             static_cast<double>(settings_.road_width.units()),
+                             settings_.fill_angle_degrees,
+                             slice_.index,
+                             slice_.bottom + Length::from_units(slice_.height.units() / 2)};
+    std::vector<ClippedLine> clipped;
+    for (const std::vector<Point>& line : pattern_->lines(place)) clipper.clip(line, clipped);
+    Laid laid;
+    JoinedLines joined = join_along_boundary(clipped, clipper, settings_.infill_anchor_max);
     for (std::vector<Point>& points : joined.ways) {
       draw_on(points, edge);
       std::reverse(points.begin(), points.end());
@@ -140,6 +186,10 @@ class LooseFill {
 };
 
 }  // namespace
+
+bool changes_with_height(LoosePattern pattern) {
+  return pattern == LoosePattern::kGyroid || pattern == LoosePattern::kCubic;
+}
 
 std::vector<Road> loose_roads(const Region& inside, const Region& within, const Slice& slice,
                               const Settings& settings) {

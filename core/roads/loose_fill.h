@@ -11,6 +11,8 @@
 //
 //     A / p + U / 2 = density · A / a
 //
+// Rings at equal distances (concentric) are not lines of the plane: they are cut from the region.
+//
 // p is the nearest of a few steps, so that it changes seldom from layer to layer and rows lie over
 // those below. The roads' width makes up for what is left.
 #pragma once
@@ -23,6 +25,9 @@
 #include "core/slices/slice.h"    // Slice
 
 namespace core {
+
+// Whether a pattern is another one at every height, so that no layer's roads fit a later layer.
+[[nodiscard]] bool changes_with_height(LoosePattern pattern);
 
 // `inside`: what is to be filled; `within`: where centre lines may go that are drawn on.
 // COSTS: O(points + lines · log), and an offset of the inside.

@@ -1,12 +1,13 @@
 // The plane turned so that the rows of a fill are horizontal.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
 
-#include "core/geometry.h"      // Point
+#include "core/geometry.h"      // Box, Point
 #include "core/trigonometry.h"  // cosine, sine
 
 namespace core {
@@ -31,5 +32,24 @@ class RowTurn {
   double cosine_;
   double sine_;
 };
+
+// The turned box round a box.
+struct TurnedBox {
+  double low = 0, high = 0;    // along the rows
+  double bottom = 0, top = 0;  // across
+};
+
+[[nodiscard]] inline TurnedBox turned_box(const Box& box, const RowTurn& turn) {
+  const auto [along, across] = turn.to_rows(box.min);
+  TurnedBox turned{along, along, across, across};
+  for (const Point corner : {Point{box.max.x, box.min.y}, box.max, Point{box.min.x, box.max.y}}) {
+    const auto [x, y] = turn.to_rows(corner);
+    turned.low = std::min(turned.low, x);
+    turned.high = std::max(turned.high, x);
+    turned.bottom = std::min(turned.bottom, y);
+    turned.top = std::max(turned.top, y);
+  }
+  return turned;
+}
 
 }  // namespace core

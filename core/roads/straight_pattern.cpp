@@ -1,11 +1,9 @@
 #include "core/roads/straight_pattern.h"
 
-#include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
-#include "core/roads/row_turn.h"  // RowTurn
+#include "core/roads/row_turn.h"  // RowTurn, turned_box
 
 namespace core {
 namespace {
@@ -24,16 +22,7 @@ void add_rows(const Box& box, double degrees, double distance, double shift, Pat
 std::vector<PatternRow> rows_over(const Box& box, double degrees, double distance, double shift) {
   std::vector<PatternRow> rows;
   const RowTurn turn(degrees);
-  double low = std::numeric_limits<double>::max(), high = std::numeric_limits<double>::lowest();
-  double bottom = low, top = high;
-  for (const Point corner :
-       {box.min, box.max, Point{box.min.x, box.max.y}, Point{box.max.x, box.min.y}}) {
-    const auto [along, across] = turn.to_rows(corner);
-    low = std::min(low, along);
-    high = std::max(high, along);
-    bottom = std::min(bottom, across);
-    top = std::max(top, across);
-  }
+  const auto [low, high, bottom, top] = turned_box(box, turn);
   const auto first = static_cast<std::int64_t>(std::ceil((bottom - shift) / distance - 0.5));
   const auto last = static_cast<std::int64_t>(std::floor((top - shift) / distance - 0.5));
   for (std::int64_t row = first; row <= last; ++row) {

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "firmware_link/wire/gcode_words.h"  // commands_in
+#include "host/settings/settings_prusa.h"    // from_prusa
 #include "host/settings/settings_text.h"     // read_number, unescaped_lines, trimmed
 
 namespace host {
@@ -19,7 +20,7 @@ enum class When {
   kGcode,      // a command that does something
   kUnlike,     // another value than that of `other`
   kUnlikeOn,   // likewise, except 0, which is automatic
-  kNotALine,   // a pattern of fill other than lines
+  kNoPattern,  // a pattern of fill that there is not
   kNotMarlin,  // a firmware with other commands
 };
 
@@ -46,12 +47,10 @@ constexpr std::array kLeftOut = {
     LeftOut{"external_perimeter_extrusion_width", When::kUnlikeOn, kOneWidth, "extrusion_width"},
     LeftOut{"infill_extrusion_width", When::kUnlikeOn, kOneWidth, "extrusion_width"},
     LeftOut{"solid_infill_extrusion_width", When::kUnlikeOn, kOneWidth, "extrusion_width"},
-    LeftOut{"top_infill_extrusion_width", When::kUnlikeOn, kOneWidth, "extrusion_width"},
     LeftOut{"top_solid_layers", When::kOn, "the top is as thick as wall_thickness"},
     LeftOut{"bottom_solid_layers", When::kOn, "the bottom is as thick as wall_thickness"},
-    LeftOut{"fill_pattern", When::kNotALine, "the inside is filled with lines"},
+    LeftOut{"fill_pattern", When::kNoPattern, "the inside is filled with lines"},
     LeftOut{"spiral_vase", When::kOn, "every layer is laid by itself"},
-    LeftOut{"ironing", When::kOn, "nothing is ironed"},
     LeftOut{"fuzzy_skin", When::kOn, "the surface is smooth"},
     LeftOut{"infill_every_layers", When::kAboveOne, "every layer is filled"},
     LeftOut{"z_offset", When::kOn, "heights are as they are computed"},
@@ -62,8 +61,6 @@ constexpr std::array kLeftOut = {
     LeftOut{"enable_dynamic_fan_speeds", When::kOn, "overhangs are cooled as any other road"},
     LeftOut{"small_perimeter_speed", When::kUnlikeOn, "small perimeters are as fast as others",
             "perimeter_speed"},
-    LeftOut{"top_solid_infill_speed", When::kUnlikeOn, "the top is as fast as other dense fill",
-            "solid_infill_speed"},
     LeftOut{"max_volumetric_speed", When::kOn, kAnyFlow},
     LeftOut{"filament_max_volumetric_speed", When::kOn, kAnyFlow},
     LeftOut{"retract_restart_extra", When::kOn, "as much filament comes back as was drawn back"},
@@ -128,8 +125,8 @@ bool asks(const LeftOut& row, std::string_view value, const ProfileValues& profi
       return unlike && first != "100%";
     case When::kUnlikeOn:
       return !off && unlike;
-    case When::kNotALine:
-      return !is_one_of(first, {"rectilinear", "alignedrectilinear", "line", "zig-zag", ""});
+    case When::kNoPattern:
+      return !first.empty() && from_prusa("fill_pattern", first)->empty();
     case When::kNotMarlin:
       return is_one_of(first, {"makerware", "sailfish", "mach3", "machinekit", "no-extrusion"});
   }

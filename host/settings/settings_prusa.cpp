@@ -29,6 +29,8 @@ enum class Kind {
   kCooling,
   kAllContours,  // the same for outer contours and holes
   kBrim,         // which contours have one
+  kPattern,      // of the inside; one that has no counterpart is left out
+  kTopPattern,
 };
 
 struct Alias {
@@ -46,6 +48,8 @@ constexpr std::array kAliases = {
     Alias{"perimeters", "perimeters"},
     Alias{"fill_density", "loose_density", Kind::kShare},
     Alias{"fill_angle", "fill_angle_degrees"},
+    Alias{"fill_pattern", "loose_pattern", Kind::kPattern},
+    Alias{"top_fill_pattern", "top_pattern", Kind::kTopPattern},
     Alias{"top_infill_extrusion_width", "top_width", Kind::kWidth},
     Alias{"top_solid_infill_speed", "top_speed_mm_s", Kind::kSpeed},
     Alias{"ironing", "ironing"},
@@ -127,6 +131,33 @@ Translated brim_settings(std::string_view type) {
   return {{"brim_place", "both"}};
 }
 
+struct PatternName {
+  std::string_view theirs;
+  std::string_view ours;
+};
+
+constexpr std::array kPatterns = {
+    PatternName{"rectilinear", "lines"}, PatternName{"alignedrectilinear", "lines"},
+    PatternName{"line", "lines"},        PatternName{"zig-zag", "lines"},
+    PatternName{"grid", "grid"},         PatternName{"triangles", "triangles"},
+    PatternName{"cubic", "cubic"},       PatternName{"honeycomb", "honeycomb"},
+    PatternName{"gyroid", "gyroid"},     PatternName{"concentric", "concentric"},
+};
+
+constexpr std::array kTopPatterns = {
+    PatternName{"rectilinear", "rectilinear"}, PatternName{"alignedrectilinear", "rectilinear"},
+    PatternName{"monotonic", "monotonic"},     PatternName{"monotoniclines", "monotonic"},
+    PatternName{"concentric", "concentric"},
+};
+
+template <typename Names>
+Translated translate_pattern(const Names& names, std::string_view ours, std::string_view theirs) {
+  for (const PatternName& name : names) {
+    if (name.theirs == theirs) return {{std::string(ours), std::string(name.ours)}};
+  }
+  return {};
+}
+
 Translated translate(const Alias& alias, std::string_view text) {
   const std::string ours(alias.ours);
   if (alias.kind == Kind::kBed) return bed_settings(rectangular_bed(text));
@@ -134,6 +165,8 @@ Translated translate(const Alias& alias, std::string_view text) {
     return {{ours, std::string(text)}};
   }
   const std::string_view first = trimmed(text.substr(0, text.find(',')));
+  if (alias.kind == Kind::kPattern) return translate_pattern(kPatterns, ours, first);
+  if (alias.kind == Kind::kTopPattern) return translate_pattern(kTopPatterns, ours, first);
   if (alias.kind == Kind::kShare) return {{ours, std::string(first)}};
   if (alias.kind == Kind::kBrim) return brim_settings(first);
   if (first.ends_with('%')) return {};

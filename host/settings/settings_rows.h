@@ -26,7 +26,7 @@ using SettingLines = std::vector<std::string>;
 struct Choice {
   std::size_t (*get)(const PrintSettings& settings);
   void (*set)(PrintSettings& settings, std::size_t value);
-  std::array<std::string_view, 4> names;  // "" after the last
+  std::array<std::string_view, 8> names;  // "" after the last
 };
 
 template <auto kMember, typename... Names>
@@ -113,6 +113,10 @@ inline constexpr std::array kSettings = {
             "direction of fill on even layers; turned by 90° on odd layers"},
     Setting{"loose_anchor", &PrintSettings::loose_anchor, "mm", 0, 20,
             "overlap of the inside's roads into the wall, where their ends are not joined"},
+    Setting{"loose_pattern",
+            choice<&PrintSettings::loose_pattern>("lines", "grid", "triangles", "honeycomb",
+                                                  "gyroid", "cubic", "concentric"),
+            "", 0, 0, "pattern of the inside's fill"},
     Setting{"infill_anchor_max", &PrintSettings::infill_anchor_max, "mm", 0, 1'000,
             "longest join of the inside's roads along the wall; 0: none are joined"},
     Setting{"solid_pattern",

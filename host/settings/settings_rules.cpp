@@ -68,6 +68,10 @@ Status roads_fit_nozzle(const PrintSettings& settings) {
                           own_width ? "first_layer_width" : "road_width",
                           own_width ? settings.first_layer_width : width);
   if (!fits.ok()) return fits;
+  if (settings.top_width > core::Length()) {
+    fits = road_fits_nozzle(settings, "layer_height", height, "top_width", settings.top_width);
+    if (!fits.ok()) return fits;
+  }
   if (settings.road_width_min > settings.road_width) {
     return bad(fmt::format("road_width_min = {} mm is more than road_width = {} mm",
                            settings.road_width_min.mm(), width.mm()));

@@ -44,7 +44,7 @@ std::string profile(const std::map<std::string, std::string>& changed) {
       {"fan_below_layer_time", "100"},
       {"filament_diameter", "1.75"},
       {"fill_density", "15%"},
-      {"fill_pattern", "gyroid"},
+      {"fill_pattern", "hilbertcurve"},
       {"first_layer_bed_temperature", "65"},
       {"first_layer_extrusion_width", "0.42"},
       {"first_layer_height", "0.3"},
@@ -209,8 +209,7 @@ TEST_CASE("profile: cooling off, 5 % more filament, a hot bed") {
   CHECK_EQ(settings.brim_width, core::Length::from_mm(5));
   CHECK_EQ(settings.elephant_foot_compensation, core::Length::from_mm(0.2));
   const core::Result<host::WholeSettings> whole = asked.settings(abs);
-  for (const char* named :
-       {"gyroid", "top_solid_layers = 5", "settings taken"}) {
+  for (const char* named : {"hilbertcurve", "top_solid_layers = 5", "settings taken"}) {
     CAPTURE(named);
     CHECK(names(whole.value().notes, named));
   }
