@@ -130,7 +130,7 @@ TEST_CASE("PrusaSlicer's files load, known by their first line or by their keys"
     CHECK_EQ(result.gcode[0].key, "end_gcode");
     CHECK_EQ(result.gcode[0].text, "G1 X0\\nM84 ; off");
     CHECK_EQ(result.gcode[1].text, "M109 S[first_layer_temperature]\\nG28");
-    CHECK_EQ(result.set_count, 7);
+    CHECK_EQ(result.set_count, 8);
     // Neither automatic widths nor percentages have a counterpart: they are named.
     CHECK(lists(result.left_out, "extrusion_width = 0: rind's own value is used"));
     CHECK(lists(result.left_out, "first_layer_speed = 50%: rind's own value is used"));
@@ -140,7 +140,7 @@ TEST_CASE("PrusaSlicer's files load, known by their first line or by their keys"
                 "one's settings"));
     CHECK_EQ(result.settings.road_width, Settings().road_width);
     CHECK_EQ(result.settings.start_gcode, Settings().start_gcode);
-    CHECK_EQ(result.ignored.size(), 7);
+    CHECK_EQ(result.ignored.size(), 6);
     CHECK(lists(result.ignored, "extrusion_width = 0"));
     CHECK(lists(result.ignored, "first_layer_speed = 50%"));
     CHECK(lists(result.ignored, "post_process"));
