@@ -198,14 +198,16 @@ Ring simplify(const Ring& ring, Length tolerance) {
 
 std::vector<std::size_t> kept_points(const std::vector<Point>& line, Length tolerance) {
   if (line.empty()) return {};
-  ChordSplitter splitter(line, static_cast<double>(tolerance.units()));
-  const std::size_t last = line.size() - 1;
-  for (std::size_t i = 0; i < last; i += kSimplifyRunMax) {
-    splitter.keep(i);
-    splitter.split(i, std::min<std::size_t>(i + kSimplifyRunMax, last));
+  std::vector<std::size_t> kept{0};
+  Sleeve sleeve(line.front(), static_cast<double>(tolerance.units()));
+  for (std::size_t i = 1; i + 1 < line.size(); ++i) {
+    sleeve.take(line[i]);
+    if (sleeve.holds(line[i + 1])) continue;
+    kept.push_back(i);
+    sleeve = Sleeve(line[i], static_cast<double>(tolerance.units()));
   }
-  splitter.keep(last);
-  return splitter.kept();
+  if (line.size() > 1) kept.push_back(line.size() - 1);
+  return kept;
 }
 
 }  // namespace core

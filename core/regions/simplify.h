@@ -21,7 +21,9 @@ namespace core {
 // COSTS: O(n log n) on ordinary contours; at worst O(n · kSimplifyRunMax).
 [[nodiscard]] Ring simplify(const Ring& ring, Length tolerance);
 
-// The same for an open line, whose ends stay: the numbers of the points to keep, in their order.
+// For an open line, whose ends stay: the numbers of the points to keep, in their order. Each time
+// the farthest point to which a straight line passes all those between within the tolerance (cone
+// intersection; Williams 1978). COSTS: O(n).
 [[nodiscard]] std::vector<std::size_t> kept_points(const std::vector<Point>& line,
                                                    Length tolerance);
 
