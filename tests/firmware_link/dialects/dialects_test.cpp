@@ -9,7 +9,6 @@
 using firmware_link::Capabilities;
 using firmware_link::dialect_for;
 using firmware_link::Duration;
-using firmware_link::LinkRules;
 
 TEST_CASE("only a Marlin is asked how far its axes go") {
   CHECK_EQ(dialect_for("Marlin 2.1.2")->rules().travel_question, "M211");
