@@ -64,6 +64,7 @@ struct Settings {
   Length road_width = Length::from_units(4'500);
   Length road_width_min = Length::from_units(2'000);  // narrower rests are left out
   int perimeters = 2;
+  bool outer_perimeter_first = false;
   double road_overlap = 1;         // 1: neighbours fill the layer without voids; 0: they just touch
   double loose_density = 0.2;      // share of the inside's volume; 0: empty, 1: dense
   double fill_angle_degrees = 45;  // of even layers; odd ones are turned by 90°
@@ -126,9 +127,9 @@ struct Settings {
   double ironing_speed_mm_s = 15;
   double bridge_speed_mm_s = 30;
   double internal_bridge_speed_mm_s = 40;
-  std::array<double, kOverhangSteps> overhang_speed_mm_s{60, 45, 30, 20};
-  double small_perimeter_speed_mm_s = 0;  // 0: no difference
-  double volumetric_speed_max_mm3_s = 0;  // 0: no limit
+  std::array<double, kOverhangSteps> overhang_speed_mm_s{60, 45, 30, 20};  // 0: no difference
+  double small_perimeter_speed_mm_s = 0;                                   // 0: no difference
+  double volumetric_speed_max_mm3_s = 0;                                   // 0: no limit
   double first_layer_speed_mm_s = 30;
   double travel_speed_mm_s = 130;
   double lift_speed_mm_s = 10;

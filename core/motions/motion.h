@@ -23,8 +23,9 @@ struct RoadStart {
   Length width;
 };
 
-// The road at hand goes on with another width; nothing moves.
-struct RoadWidth {
+// The road at hand goes on with another width, or as another kind; nothing moves.
+struct RoadChange {
+  RoadKind kind = RoadKind::kSolid;
   Length width;
 };
 
@@ -83,7 +84,7 @@ struct Verbatim {
 };
 
 using Motion =
-    std::variant<LayerStart, RoadStart, RoadWidth, Travel, Lift, Extrude, ExtrudeArc, MoveFilament,
+    std::variant<LayerStart, RoadStart, RoadChange, Travel, Lift, Extrude, ExtrudeArc, MoveFilament,
                  SetFan, SetNozzleTemperature, SetBedTemperature, Verbatim>;
 
 }  // namespace core

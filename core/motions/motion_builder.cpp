@@ -7,10 +7,12 @@
 
 #include "core/check.h"                    // RIND_CHECK
 #include "core/motions/cooling.h"          // layer_cooling
+#include "core/motions/fan_plan.h"         // fan_plan
 #include "core/motions/park_height.h"      // park_height
+#include "core/motions/road_speeds.h"      // fan_share_least, full_speed_mm_s
 #include "core/motions/segment_merger.h"   // merge_short_pieces, sendable_speed
 #include "core/motions/simplify_pieces.h"  // simplify_pieces
-#include "core/regions/polyline.h"         // distance_mm
+#include "core/regions/polyline.h"         // distance_mm, length_mm
 #include "core/regions/segment_grid.h"     // SegmentGrid
 
 namespace core {
@@ -71,9 +73,13 @@ void MotionBuilder::start_layer(const Slice& slice, const Sink& sink) {
   sink(LayerStart{index_, top_, height_});
 }
 
+void MotionBuilder::set_fan(double share, const Sink& sink) {
+  if (share != state_.fan) sink(SetFan{share});
+  state_.fan = share;
+}
+
 void MotionBuilder::set_up_layer(double fan_share, const Sink& sink) {
-  if (fan_share != state_.fan) sink(SetFan{fan_share});
-  state_.fan = fan_share;
+  set_fan(fan_share, sink);
   const double celsius =
       index_ == 0 ? settings_.nozzle_first_layer_celsius : settings_.nozzle_celsius;
   if (celsius != state_.nozzle_celsius) sink(SetNozzleTemperature{celsius, false});
@@ -88,31 +94,50 @@ void MotionBuilder::layer(const Slice& slice, const std::vector<Road>& roads, co
   if (roads.empty()) return;
   if (!state_.started) preamble(sink);
   start_layer(slice, sink);
-  const LayerCooling cooling =
-      layer_cooling(settings_, index_, roads, [this](RoadKind kind) { return speed_mm_s(kind); });
-  set_up_layer(cooling.fan_share, sink);
-  const double factor = cooling.slowdown;
+  const std::vector<double> fan = plan_layer(roads);
+  set_up_layer(cooling_.fan_share, sink);
   Boundary boundary(slice.region);
+  std::size_t way = 0;
   for (const Road& each : roads) {
     RIND_CHECK(each.points.size() >= 2);
     travel(each.points.front(), boundary, sink);
-    road(each, factor, sink);
+    road(each, fan, way, sink);
   }
 }
 
-void MotionBuilder::road(const Road& road, double slowdown, const Sink& sink) {
-  const double speed =
-      slowed_speed_mm_s(speed_mm_s(road.kind), slowdown, settings_.slowed_speed_min_mm_s);
+// Sets the layer's cooling; returns the fan's share for each stretch of its roads.
+std::vector<double> MotionBuilder::plan_layer(const std::vector<Road>& roads) {
+  std::vector<LaidWay> ways;
+  std::vector<FanWish> wishes;
+  const double growth = fan_growth(settings_, index_);
+  for (const Road& road : roads) {
+    for (const WidthStretch& stretch : width_stretches(road, height_)) {
+      const double mm = length_mm(stretch.points, stretch.closed);
+      ways.push_back({mm, speed_mm_s(road, stretch), slowing_of(stretch.kind)});
+      const double least = fan_share_least(settings_, stretch.kind, stretch.hold);
+      wishes.push_back({mm, in_whole_percents(least * growth)});
+    }
+  }
+  cooling_ = layer_cooling(settings_, index_, travelling_s(settings_, roads), ways);
+  return fan_plan(cooling_.fan_share, wishes);
+}
+
+void MotionBuilder::road(const Road& road, const std::vector<double>& fan, std::size_t& way,
+                         const Sink& sink) {
   ++totals_.roads;
   bool first = true;
   for (const WidthStretch& stretch : width_stretches(road, height_)) {
+    set_fan(fan[way++], sink);
     if (first) {
-      sink(RoadStart{road.kind, stretch.width});
+      sink(RoadStart{stretch.kind, stretch.width});
     } else {
-      sink(RoadWidth{stretch.width});
+      sink(RoadChange{stretch.kind, stretch.width});
     }
     first = false;
-    lay(stretch, road.kind, speed, sink);
+    const double slowdown = slowdown_of(cooling_, slowing_of(stretch.kind));
+    const double speed =
+        slowed_speed_mm_s(speed_mm_s(road, stretch), slowdown, settings_.slowed_speed_min_mm_s);
+    lay(stretch, stretch.kind, speed, sink);
   }
 }
 
@@ -217,37 +242,8 @@ void MotionBuilder::finish(const Sink& sink) {
   for (const std::string& line : settings_.end_gcode) sink(Verbatim{line});
 }
 
-double MotionBuilder::speed_mm_s(RoadKind kind) const {
-  double speed = settings_.solid_speed_mm_s;
-  switch (kind) {
-    case RoadKind::kSkirt:
-    case RoadKind::kBrim:
-    case RoadKind::kPerimeter:
-      speed = settings_.perimeter_speed_mm_s;
-      break;
-    case RoadKind::kOuterPerimeter:
-    case RoadKind::kOverhangPerimeter:
-      speed = settings_.outer_perimeter_speed_mm_s;
-      break;
-    case RoadKind::kSolid:
-    case RoadKind::kBottomSolid:
-    case RoadKind::kBridge:
-    case RoadKind::kInternalBridge:
-      break;
-    case RoadKind::kTopSolid:
-      speed = settings_.top_speed_mm_s;
-      break;
-    case RoadKind::kIroning:
-      speed = settings_.ironing_speed_mm_s;
-      break;
-    case RoadKind::kGapFill:
-      speed = settings_.rest_speed_mm_s;
-      break;
-    case RoadKind::kLoose:
-      speed = settings_.loose_speed_mm_s;
-      break;
-  }
-  return index_ == 0 ? std::min(speed, settings_.first_layer_speed_mm_s) : speed;
+double MotionBuilder::speed_mm_s(const Road& road, const WidthStretch& stretch) const {
+  return full_speed_mm_s(settings_, index_, road, stretch.hold, stretch.area_mm2);
 }
 
 }  // namespace core

@@ -3,6 +3,7 @@
 //     preheat    heaters on, and nothing else: as soon as a print is likely
 //     preamble   once, before the first layer that has roads: heaters, start G-code
 //     layer      LayerStart, then for each road (retract) Lift Travel (return) RoadStart Extrude …
+//                (RoadChange Extrude …), where its width or what holds it changes
 //     finish     retract, lift, heaters and fan off, end G-code
 //
 // Filament laid by a piece of road:  length · bead area / (π d² / 4),  relative. An arc lays as
@@ -16,6 +17,7 @@
 #include <vector>
 
 #include "core/motions/arc_fit.h"          // ArcFitter
+#include "core/motions/cooling.h"          // LayerCooling
 #include "core/motions/motion.h"           // Motion
 #include "core/motions/width_stretches.h"  // WidthStretch
 #include "core/roads/road.h"               // Road, RoadKind
@@ -90,7 +92,9 @@ class MotionBuilder {
   void preamble(const Sink& sink);
   void start_layer(const Slice& slice, const Sink& sink);
   void set_up_layer(double fan_share, const Sink& sink);
-  void road(const Road& road, double slowdown, const Sink& sink);
+  [[nodiscard]] std::vector<double> plan_layer(const std::vector<Road>& roads);
+  void set_fan(double share, const Sink& sink);
+  void road(const Road& road, const std::vector<double>& fan, std::size_t& way, const Sink& sink);
   void lay(const WidthStretch& stretch, RoadKind kind, double speed, const Sink& sink);
   void lay(const RoadPiece& piece, RoadKind kind, double filament_per_mm, double speed,
            const Sink& sink);
@@ -98,7 +102,7 @@ class MotionBuilder {
   void retract(const Sink& sink);
   void unretract(const Sink& sink);
   void lift(Length to, const Sink& sink);
-  [[nodiscard]] double speed_mm_s(RoadKind kind) const;
+  [[nodiscard]] double speed_mm_s(const Road& road, const WidthStretch& stretch) const;
 
   Settings settings_;
   ArcFitter fitter_;
@@ -110,6 +114,7 @@ class MotionBuilder {
   Length top_;  // of the layer
   Length height_;
   LayerIndex index_ = 0;
+  LayerCooling cooling_;
 };
 
 }  // namespace core

@@ -11,16 +11,18 @@ namespace {
 
 class Stretches {
  public:
-  Stretches(Point start, Length height) : last_(start), height_(height) {}
+  Stretches(const Road& road, Length height)
+      : kind_(road.kind), last_(road.points.front()), height_(height) {}
 
   // On to a point, as the width changes from a to b.
-  void add(Point to, double a, double b) {
+  void add(Point to, double a, double b, Hold hold) {
     const double mm = distance_mm(last_, to);
     if (mm == 0) return;
     const double low = std::min(a, b), high = std::max(a, b);
-    if (done_.empty() || std::max(high, high_) > std::min(low, low_) * (1 + kWidthChangeShare)) {
+    const bool wider = std::max(high, high_) > std::min(low, low_) * (1 + kWidthChangeShare);
+    if (done_.empty() || done_.back().hold != hold || wider) {
       close();
-      done_.push_back({Length(), 0, false, {last_}});
+      done_.push_back({laid_as(kind_, hold), hold, Length(), 0, false, {last_}});
       low_ = low;
       high_ = high;
     } else {
@@ -30,10 +32,10 @@ class Stretches {
     done_.back().points.push_back(to);
     length_mm_ += mm;
     width_mm2_ += mm * (a + b) / 2;
-    volume_mm3_ +=
-        mm *
-        (bead_area_mm2(Length::from_mm(a), height_) + bead_area_mm2(Length::from_mm(b), height_)) /
-        2;
+    volume_mm3_ += mm *
+                   (road_area_mm2(kind_, Length::from_mm(a), height_) +
+                    road_area_mm2(kind_, Length::from_mm(b), height_)) /
+                   2;
     last_ = to;
   }
 
@@ -50,6 +52,7 @@ class Stretches {
     length_mm_ = width_mm2_ = volume_mm3_ = 0;
   }
 
+  RoadKind kind_;
   Point last_;
   Length height_;
   std::vector<WidthStretch> done_;
@@ -68,20 +71,24 @@ std::size_t pieces_of(double length_mm, double a, double b) {
 }  // namespace
 
 std::vector<WidthStretch> width_stretches(const Road& road, Length height) {
-  if (road.widths.empty()) {
-    return {{road.width, bead_area_mm2(road.width, height), road.closed, road.points}};
+  const Hold first = hold_from(road, 0);
+  const bool alike =
+      std::all_of(road.holds.begin(), road.holds.end(), [&](Hold hold) { return hold == first; });
+  if (road.widths.empty() && alike) {
+    const double area_mm2 = road_area_mm2(road.kind, road.width, height);
+    return {{laid_as(road.kind, first), first, road.width, area_mm2, road.closed, road.points}};
   }
-  Stretches stretches(road.points.front(), height);
+  Stretches stretches(road, height);
   const std::size_t count = road.points.size();
   for (std::size_t i = 0; i < (road.closed ? count : count - 1); ++i) {
     const std::size_t j = (i + 1) % count;
     const Point from = road.points[i], to = road.points[j];
-    const double a = road.widths[i].mm(), b = road.widths[j].mm();
+    const double a = width_at(road, i).mm(), b = width_at(road, j).mm();
     const std::size_t pieces = pieces_of(distance_mm(from, to), a, b);
     for (std::size_t k = 0; k < pieces; ++k) {
       const double t0 = static_cast<double>(k) / static_cast<double>(pieces);
       const double t1 = static_cast<double>(k + 1) / static_cast<double>(pieces);
-      stretches.add(between(from, to, t1), a + (b - a) * t0, a + (b - a) * t1);
+      stretches.add(between(from, to, t1), a + (b - a) * t0, a + (b - a) * t1, hold_from(road, i));
     }
   }
   return stretches.finish();

@@ -1,4 +1,5 @@
-// Cuts a road whose width changes along its way into stretches that are laid with one width each.
+// Cuts a road whose width changes along its way into stretches that are laid with one width each,
+// and where the layer below holds it otherwise (Road::holds).
 //
 //     ▁▁▁▂▂▃▃▄▄▄▄▄▄▄▃▃▂▂▁▁▁     the road's width
 //     ├──┼─┼─┼───────┼─┼─┼──┤   the stretches: each lays what its piece of the road holds
@@ -15,6 +16,8 @@
 namespace core {
 
 struct WidthStretch {
+  RoadKind kind = RoadKind::kSolid;  // kOverhangPerimeter where a perimeter is in the air
+  Hold hold = Hold::kWhole;
   Length width;
   double area_mm2 = 0;        // cross-section, in the mean
   bool closed = false;        // the whole of a closed road

@@ -14,7 +14,8 @@ bool alike(const Neighbour& a, const Neighbour& b) { return a == b || (a && b &&
 // What is solid follows from the slice and what is loose. The first layer has a skirt.
 bool alike(const SplitLayer& a, const SplitLayer& b) {
   return a.slice.index != 0 && a.slice.height == b.slice.height && a.loose == b.loose &&
-         a.slice.region == b.slice.region && alike(a.below, b.below) && alike(a.above, b.above);
+         a.slice.region == b.slice.region && alike(a.below, b.below) && alike(a.above, b.above) &&
+         alike(a.below_loose, b.below_loose) && a.below_height == b.below_height;
 }
 
 }  // namespace
@@ -35,7 +36,9 @@ void LayerPlanner::fill(LayerPlan& plan, bool with_roads) const {
   plan.layer = style_.apply(plan.split);
   const double moved_mm2 = plan.split.loose.area_mm2() - plan.layer.loose.area_mm2();
   plan.regularised_mm3 = style_.only_regularises() ? moved_mm2 * plan.layer.slice.height.mm() : 0;
-  if (with_roads) plan.roads = printing_order(roads_.plan(plan.layer));
+  if (!with_roads) return;
+  plan.hanging = hanging_places(plan.layer, settings_);
+  plan.roads = printing_order(roads_.plan(plan.layer));
 }
 
 }  // namespace core

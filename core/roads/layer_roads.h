@@ -14,6 +14,7 @@ struct LayerRoads {
   Point from;                        // where the nozzle is taken to come from
   std::vector<Road> first;           // skirt: printed before all others, in this order
   std::vector<IslandRoads> islands;  // each in any order
+  bool outer_first = false;          // outer perimeters before inner ones
 };
 
 }  // namespace core

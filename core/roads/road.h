@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "core/geometry.h"  // Point
@@ -28,6 +29,16 @@ enum class RoadKind {
 
 inline constexpr int kRoadKindCount = 13;
 
+// How far the layer below holds a stretch of a road: the share of its width that lies over the
+// slice below (overhangs.h). From kQuarter on, its centre line is in the air.
+enum class Hold : std::uint8_t {
+  kWhole,
+  kThreeQuarters,  // or more
+  kHalf,           // or more
+  kQuarter,        // or more
+  kLittle,         // less than a quarter, or nothing
+};
+
 struct Road {
   RoadKind kind = RoadKind::kSolid;
   Length width;               // all along; where there are `widths`, about their mean
@@ -36,6 +47,9 @@ struct Road {
 
   // Empty, or one for each point: between two points the width changes linearly.
   std::vector<Length> widths{};
+
+  // Empty: wholly held. Otherwise one for each point: of the stretch from it to the next one.
+  std::vector<Hold> holds{};
 };
 
 [[nodiscard]] double length_mm(const Road& road);
@@ -45,6 +59,13 @@ struct Road {
 }
 
 [[nodiscard]] Length widest(const Road& road);
+
+[[nodiscard]] inline Hold hold_from(const Road& road, std::size_t point) {
+  return road.holds.empty() ? Hold::kWhole : road.holds[point];
+}
+
+// Whether its centre line is in the air all along.
+[[nodiscard]] bool in_air(const Road& road);
 
 // Turns the road round.
 void reverse(Road& road);
@@ -58,5 +79,11 @@ void start_at(Road& road, std::size_t index);
 //      ╰──────────╯ h      w ≥ h; a narrower bead is taken as an ellipse, π w h / 4
 //       ←── w ──→
 [[nodiscard]] double bead_area_mm2(Length width, Length height);
+
+// That of a road of this kind. A bridge is round: nothing presses it flat.
+[[nodiscard]] double road_area_mm2(RoadKind kind, Length width, Length height);
+
+// As what a stretch of a road is laid: a perimeter whose centre line is in the air is an overhang.
+[[nodiscard]] RoadKind laid_as(RoadKind kind, Hold hold);
 
 }  // namespace core

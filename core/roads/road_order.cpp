@@ -18,35 +18,48 @@ namespace {
 constexpr double kCornerCosine = 0.87;
 
 // Island parts are printed in this order.
-constexpr int kStages = 7;
+constexpr int kStages = 9;
 
 // Roads of these stages are in order already (wall_fill.h): bottoms, tops, ironing.
-constexpr bool in_order(int stage) { return stage == 2 || stage >= 5; }
+constexpr bool in_order(int stage) { return stage == 3 || stage >= 7; }
 
-int stage(RoadKind kind) {
-  switch (kind) {
+// A hole's perimeter that nothing holds: the bridge beside it comes before.
+bool hole_in_air(const Road& road) {
+  return road.closed && in_air(road) && doubled_area_units(road.points) < 0;
+}
+
+// Whether its centre line is in the air somewhere.
+bool overhangs(const Road& road) {
+  return std::any_of(road.holds.begin(), road.holds.end(),
+                     [](Hold hold) { return hold >= Hold::kQuarter; });
+}
+
+// What overhangs hangs on the perimeter inside it, and comes after that.
+int stage(const Road& road, bool outer_first) {
+  if (hole_in_air(road)) return 5;
+  switch (road.kind) {
     case RoadKind::kSkirt:
     case RoadKind::kBrim:
     case RoadKind::kPerimeter:
-      return 0;
+      return 1;
     case RoadKind::kOuterPerimeter:
     case RoadKind::kOverhangPerimeter:
-      return 1;
+      return outer_first && !overhangs(road) ? 0 : 2;
     case RoadKind::kBottomSolid:
-      return 2;
+      return 3;
     case RoadKind::kBridge:
     case RoadKind::kInternalBridge:
     case RoadKind::kSolid:
     case RoadKind::kGapFill:
-      return 3;
-    case RoadKind::kLoose:
       return 4;
+    case RoadKind::kLoose:
+      return 6;
     case RoadKind::kTopSolid:
-      return 5;
+      return 7;
     case RoadKind::kIroning:
       break;
   }
-  return 6;
+  return 8;
 }
 
 bool corner(Point a, Point b, Point c) {
@@ -138,9 +151,10 @@ std::vector<IslandRoads> by_island(std::vector<Road> roads, const Region& slice)
   return all;
 }
 
-static void append_in_stages(IslandRoads island, Point& at, std::vector<Road>& ordered) {
+static void append_in_stages(IslandRoads island, bool outer_first, Point& at,
+                             std::vector<Road>& ordered) {
   std::vector<Road> stages[kStages];
-  for (Road& road : island) stages[stage(road.kind)].push_back(std::move(road));
+  for (Road& road : island) stages[stage(road, outer_first)].push_back(std::move(road));
   for (int number = 0; number < kStages; ++number) {
     std::vector<Road>& part = stages[number];
     if (part.empty()) continue;
@@ -159,7 +173,7 @@ std::vector<Road> printing_order(LayerRoads layer) {
   if (layer.islands.empty()) return ordered;
   Point at = ordered.empty() ? layer.from : ordered.back().points.front();
   if (layer.islands.size() == 1) {
-    append_in_stages(std::move(layer.islands.front()), at, ordered);
+    append_in_stages(std::move(layer.islands.front()), layer.outer_first, at, ordered);
     return ordered;
   }
   std::vector<NearestPoint::Entry> entries;
@@ -173,7 +187,7 @@ std::vector<Road> printing_order(LayerRoads layer) {
   NearestPoint islands_left(std::move(entries));
   while (const auto next = islands_left.nearest(at)) {
     islands_left.remove_owner(next->owner);
-    append_in_stages(std::move(layer.islands[next->owner]), at, ordered);
+    append_in_stages(std::move(layer.islands[next->owner]), layer.outer_first, at, ordered);
   }
   return ordered;
 }

@@ -25,9 +25,10 @@ namespace core {
 // COSTS: a look at each island's box for each road.
 [[nodiscard]] std::vector<IslandRoads> by_island(std::vector<Road> roads, const Region& slice);
 
-// All roads of a layer: its first ones, then island by island the inner perimeters, the outer ones,
-// bottoms, the wall with its gap fill, the inside, tops, ironing. Bottoms, tops and ironing keep
-// their order.
+// All roads of a layer: its first ones, then island by island the inner perimeters, the outer ones
+// (before them where wanted, but for those that overhang), bottoms, the wall with its bridges and
+// its gap fill, the perimeters of holes in bridges, the inside, tops, ironing. Bottoms, tops and
+// ironing keep their order.
 // COSTS: as nearest_order().
 [[nodiscard]] std::vector<Road> printing_order(LayerRoads layer);
 

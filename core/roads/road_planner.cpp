@@ -8,9 +8,11 @@
 #include "core/booleans/simplified.h"       // simplified
 #include "core/offsets/offset_contours.h"   // flatten
 #include "core/offsets/voronoi_mountain.h"  // offset
+#include "core/roads/bridges.h"             // bridges
 #include "core/roads/brim.h"                // brim_roads
 #include "core/roads/gap_fill.h"            // gap_fill_roads
 #include "core/roads/loose_fill.h"          // loose_roads
+#include "core/roads/overhangs.h"           // mark_holds
 #include "core/roads/perimeters.h"          // perimeters
 #include "core/roads/road_order.h"          // by_island
 #include "core/roads/skirt.h"               // skirt_roads
@@ -32,6 +34,12 @@ Region road_room(const SplitLayer& layer, const Settings& settings) {
   return flatten(offsets.perimeters.front(), settings.arc_tolerance);
 }
 
+// Where centre lines of bridges may run: up to the innermost perimeter's.
+Region bridge_room(const SliceOffsets& offsets, const Settings& settings) {
+  if (offsets.perimeters.empty()) return offsets.interior;
+  return flatten(offsets.perimeters.back(), settings.arc_tolerance);
+}
+
 // What of the interior is wall, and kWallGrace more where there is any.
 Region wall_to_fill(const Region& interior, const Region& loose, const Settings& settings) {
   Region wall = subtract(interior, loose);
@@ -51,6 +59,19 @@ std::vector<Road> solid_roads(const SolidAreas& areas, const Slice& slice,
   return roads;
 }
 
+// Returns what bridges leave of the wall. REQUIRES: layer.below.
+Region lay_bridges(const SplitLayer& layer, Region wall, const Settings& settings,
+                   std::vector<Road>& roads) {
+  const Slice& slice = layer.slice;
+  const Region room = bridge_room(*layer.offsets, settings);
+  const Region none;
+  const Region& below_loose = layer.below_loose ? *layer.below_loose : none;
+  Bridges over = bridges({slice.region, room, *layer.below, below_loose, slice.index, slice.height},
+                         std::move(wall), settings);
+  append(std::move(over.roads), roads);
+  return std::move(over.rest);
+}
+
 }  // namespace
 
 RoadPlanner::RoadPlanner(const Settings& settings)
@@ -63,11 +84,12 @@ LayerRoads RoadPlanner::plan(const SplitLayer& layer) const {
   const Length height = slice.height;
   Perimeters around = perimeters(slice, offsets, settings);
   std::vector<Road> roads = std::move(around.roads);
+  if (layer.below) mark_holds(slice.region, *layer.below, settings, roads);
   append(gap_fill_roads(around.gaps, GapBoundary::kPart, height, settings), roads);
   const Region loose = simplified(layer.loose, settings.simplify_tolerance);
-  append(solid_roads(solid_areas(wall_to_fill(offsets.interior, loose, settings), layer, settings),
-                     slice, settings),
-         roads);
+  Region wall = wall_to_fill(offsets.interior, loose, settings);
+  if (layer.below) wall = lay_bridges(layer, std::move(wall), settings, roads);
+  append(solid_roads(solid_areas(std::move(wall), layer, settings), slice, settings), roads);
   if (!loose.empty()) {
     append(loose_roads(intersect(loose, offsets.interior), road_room(layer, settings), slice,
                        settings),
@@ -80,6 +102,7 @@ LayerRoads RoadPlanner::plan(const SplitLayer& layer) const {
     planned.first = skirt_roads(slice.region, height, settings);
     append(brim_roads(slice.region, height, settings), planned.first);
   }
+  planned.outer_first = settings.outer_perimeter_first;
   planned.islands = by_island(std::move(roads), slice.region);
   return planned;
 }

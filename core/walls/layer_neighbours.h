@@ -13,7 +13,8 @@ namespace core {
 class LayerNeighbours {
  public:
   // Takes the next layer up; returns the one under it, with its neighbours, if there is one.
-  // COSTS: a copy of the slice, none where it equals the one under it. Holds three slices at most.
+  // COSTS: a copy of the slice and of what is loose, none where they equal those under it. Holds
+  // three slices at most.
   [[nodiscard]] std::optional<SplitLayer> push(SplitLayer layer);
 
   // No layer follows: returns the last one. Nothing when there is none.
@@ -22,6 +23,7 @@ class LayerNeighbours {
  private:
   std::optional<SplitLayer> last_;
   std::shared_ptr<const Region> slice_;  // of the last one
+  std::shared_ptr<const Region> loose_;  // of the last one
   std::optional<std::int64_t> content_;  // of the last one (layer_offsets.h)
 };
 

@@ -15,6 +15,8 @@ struct SplitLayer : Layer {
 
   // The slices under it and over it; null on the bed, and over the part's top.
   std::shared_ptr<const Region> below{}, above{};
+  std::shared_ptr<const Region> below_loose{};  // what the window says is loose in the layer below
+  Length below_height{};                        // of that layer
 };
 
 }  // namespace core

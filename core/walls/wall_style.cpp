@@ -20,6 +20,7 @@ SplitLayer WallStyle::apply(SplitLayer layer) const {
     case BuildStyle::kRegular:
       layer.solid = layer.slice.region;
       layer.loose = {};
+      layer.below_loose.reset();
       return layer;
     case BuildStyle::kFast:
       return fast(std::move(layer));
@@ -40,6 +41,7 @@ SplitLayer WallStyle::regularised(SplitLayer layer) const {
 
 // The window's depth is 0 here: its solid region is what some slice of the window does not cover.
 SplitLayer WallStyle::fast(SplitLayer layer) const {
+  layer.below_loose.reset();  // whether the layer below is hidden is not known here
   const Length half = Length::from_units(kHiddenSliverMax.units() / 2);
   const bool hidden =
       !layer.loose.empty() && offset(layer.solid, half, settings_.arc_tolerance).empty();

@@ -45,20 +45,28 @@ void GcodeWriter::write(const core::Motion& motion,
   const auto out = std::back_inserter(into);
   if (const auto* layer = std::get_if<core::LayerStart>(&motion)) {
     fmt::format_to(out, ";LAYER_CHANGE\n;Z:{}\n;HEIGHT:{}\n", layer->top.mm(), layer->height.mm());
+    layer_height_ = height_ = layer->height;
     kind_.reset();
   } else if (const auto* road = std::get_if<core::RoadStart>(&motion)) {
-    if (kind_ != road->kind) fmt::format_to(out, ";TYPE:{}\n", prusa_type_name(road->kind));
-    if (!kind_ || width_ != road->width) fmt::format_to(out, ";WIDTH:{}\n", road->width.mm());
-    kind_ = road->kind;
-    width_ = road->width;
-  } else if (const auto* change = std::get_if<core::RoadWidth>(&motion)) {
-    if (width_ != change->width) fmt::format_to(out, ";WIDTH:{}\n", change->width.mm());
-    width_ = change->width;
+    write_road(road->kind, road->width, into);
+  } else if (const auto* change = std::get_if<core::RoadChange>(&motion)) {
+    write_road(change->kind, change->width, into);
   }
   if (!command) return;
   firmware_link::TextBuffer text;
   into += firmware_link::encode(*command, text);
   into += '\n';
+}
+
+void GcodeWriter::write_road(core::RoadKind kind, core::Length width, std::string& into) {
+  const auto out = std::back_inserter(into);
+  const core::Length height = kind == core::RoadKind::kBridge ? width : layer_height_;
+  if (kind_ != kind) fmt::format_to(out, ";TYPE:{}\n", prusa_type_name(kind));
+  if (!kind_ || width_ != width) fmt::format_to(out, ";WIDTH:{}\n", width.mm());
+  if (height_ != height) fmt::format_to(out, ";HEIGHT:{}\n", height.mm());
+  kind_ = kind;
+  width_ = width;
+  height_ = height;
 }
 
 }  // namespace host

@@ -3,7 +3,7 @@
 //
 //     ;LAYER_CHANGE           ;TYPE:External perimeter
 //     ;Z:0.4                  ;WIDTH:0.45
-//     ;HEIGHT:0.2             G1 X10.5 Y3 E0.0123
+//     ;HEIGHT:0.2             G1 X10.5 Y3 E0.0123      a bridge is as high as it is wide: round
 //
 // Without its comments, the file is what `rind print` sends.
 #pragma once
@@ -24,8 +24,11 @@ class GcodeWriter {
              std::string& into);
 
  private:
+  void write_road(core::RoadKind kind, core::Length width, std::string& into);
+
   std::optional<core::RoadKind> kind_;  // as last written; nullopt at a layer's start
-  core::Length width_;
+  core::Length width_, height_;
+  core::Length layer_height_;
 };
 
 // PrusaSlicer's name for the kind, as in its ";TYPE:" comments.

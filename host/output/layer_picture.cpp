@@ -9,6 +9,7 @@
 
 #include "core/check.h"
 #include "core/motions/width_stretches.h"  // width_stretches
+#include "core/regions/polyline.h"         // length_mm
 #include "core/sections/wall_regions.h"
 #include "host/output/picture_style.h"
 
@@ -19,6 +20,18 @@ constexpr double kPanelPx = 640;  // longest side of a panel
 constexpr int kAreaRows = 7;      // of the left panel's legend, at most
 
 using Text = std::back_insert_iterator<std::string>;
+
+// Of each road, in printing order.
+using Stretches = std::vector<std::vector<core::WidthStretch>>;
+
+Stretches stretches_of(const LayerPicture& picture) {
+  Stretches all;
+  all.reserve(picture.roads->size());
+  for (const core::Road& road : *picture.roads) {
+    all.push_back(core::width_stretches(road, picture.window->layer().slice.height));
+  }
+  return all;
+}
 
 // Positions on the page, in pixels; the part itself is drawn in mm and scaled.
 struct Frame {
@@ -44,7 +57,7 @@ struct Frame {
   }
 };
 
-Frame frame_of(const LayerPicture& picture) {
+Frame frame_of(const LayerPicture& picture, const Stretches& roads) {
   Frame frame;
   core::Box box = picture.window->layer().slice.region.box();
   std::int64_t width_most = 0;
@@ -62,8 +75,10 @@ Frame frame_of(const LayerPicture& picture) {
   const double panel_px = frame.stacked ? 1.5 * kPanelPx : kPanelPx;
   frame.px_per_mm = panel_px / std::max(width_mm, height_mm);
   for (const KindStyle& style : kKindStyles) {
-    const bool there = std::any_of(picture.roads->begin(), picture.roads->end(),
-                                   [&](const core::Road& road) { return road.kind == style.kind; });
+    const bool there = std::any_of(roads.begin(), roads.end(), [&](const auto& road) {
+      return std::any_of(road.begin(), road.end(),
+                         [&](const core::WidthStretch& s) { return s.kind == style.kind; });
+    });
     frame.legend_rows += there ? 1 : 0;
   }
   frame.panel_width = std::max(kPanelPx, width_mm * frame.px_per_mm);
@@ -88,19 +103,17 @@ void append_region(Text out, const core::Region& region, const std::string& attr
 }
 
 // A bead: its shaded sides over the full width, then its lighter back.
-void append_road(Text out, const core::Road& road, core::Length height) {
-  const KindStyle& style = style_of(road.kind);
-  const std::vector<core::WidthStretch> stretches = core::width_stretches(road, height);
-  const auto append = [&](const char* colour, double share) {
-    for (const core::WidthStretch& stretch : stretches) {
+void append_road(Text out, const std::vector<core::WidthStretch>& road) {
+  const auto append = [&](const char* Colours::*colour, double share) {
+    for (const core::WidthStretch& stretch : road) {
       fmt::format_to(out, "<path d=\"");
       append_points(out, stretch.points, stretch.closed);
-      fmt::format_to(out, "\" stroke=\"{}\" stroke-width=\"{:.4g}\"/>", colour,
-                     stretch.width.mm() * share);
+      fmt::format_to(out, "\" stroke=\"{}\" stroke-width=\"{:.4g}\"/>",
+                     style_of(stretch.kind).colours.*colour, stretch.width.mm() * share);
     }
   };
-  append(style.colours.edge, 1);
-  append(style.colours.body, 0.74);
+  append(&Colours::edge, 1);
+  append(&Colours::body, 0.74);
   fmt::format_to(out, "\n");
 }
 
@@ -150,18 +163,18 @@ void append_area_legend(std::string& svg, const std::vector<Area>& areas,
   append_scale_bar(svg, x, y + kLegendRowPx, frame.px_per_mm, frame.panel_width / 3);
 }
 
-void append_road_legend(std::string& svg, const LayerPicture& picture, const Frame& frame) {
+void append_road_legend(std::string& svg, const Stretches& roads, const Frame& frame) {
   double y = frame.top(1) + frame.panel_height + kLegendRowPx * 1.4;
   for (const KindStyle& style : kKindStyles) {
     std::int64_t narrowest = INT64_MAX, widest = 0;
     double length = 0;
-    for (const core::Road& road : *picture.roads) {
-      if (road.kind != style.kind) continue;
-      for (std::size_t i = 0; i < road.points.size(); ++i) {
-        narrowest = std::min(narrowest, width_at(road, i).units());
-        widest = std::max(widest, width_at(road, i).units());
+    for (const std::vector<core::WidthStretch>& road : roads) {
+      for (const core::WidthStretch& stretch : road) {
+        if (stretch.kind != style.kind) continue;
+        narrowest = std::min(narrowest, stretch.width.units());
+        widest = std::max(widest, stretch.width.units());
+        length += core::length_mm(stretch.points, stretch.closed);
       }
-      length += length_mm(road);
     }
     if (widest == 0) continue;
     const std::string width =
@@ -185,7 +198,8 @@ std::string draw_layer(const LayerPicture& picture) {
   const core::Settings& settings = picture.window->settings();
   const core::WallRegions regions = core::wall_regions(*picture.window);
   const std::vector<Area> areas = areas_of(regions, layer, settings);
-  const Frame frame = frame_of(picture);
+  const Stretches roads = stretches_of(picture);
+  const Frame frame = frame_of(picture, roads);
   std::string svg;
   const Text out = std::back_inserter(svg);
   start_page(svg, frame.page_width(), frame.page_height());
@@ -212,12 +226,11 @@ std::string draw_layer(const LayerPicture& picture) {
   start_panel(out, frame, 1);
   append_region(out, slice.region, "fill=\"#f1eee8\"");
   svg += "<g fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n";
-  for (const core::Road& road : *picture.roads)
-    append_road(out, road, picture.window->layer().slice.height);
+  for (const std::vector<core::WidthStretch>& road : roads) append_road(out, road);
   svg += "</g></g>\n";
 
   append_area_legend(svg, areas, layer, frame);
-  append_road_legend(svg, picture, frame);
+  append_road_legend(svg, roads, frame);
   end_page(svg);
   return svg;
 }

@@ -32,10 +32,8 @@ struct LeftOut {
 };
 
 constexpr std::string_view kOneWidth = "every road that fits whole is as wide as extrusion_width";
-constexpr std::string_view kNoBridges = "bridges are laid as any other road";
 constexpr std::string_view kAccelerations = "accelerations are the printer's own";
 constexpr std::string_view kNotSent = "it is not sent";
-constexpr std::string_view kAnyFlow = "speeds are as they are set, whatever flow they take";
 
 constexpr std::array kLeftOut = {
     LeftOut{"support_material", When::kOn, "no supports are laid"},
@@ -54,15 +52,12 @@ constexpr std::array kLeftOut = {
     LeftOut{"fuzzy_skin", When::kOn, "the surface is smooth"},
     LeftOut{"infill_every_layers", When::kAboveOne, "every layer is filled"},
     LeftOut{"z_offset", When::kOn, "heights are as they are computed"},
-    LeftOut{"bridge_speed", When::kOn, kNoBridges},
-    LeftOut{"bridge_flow_ratio", When::kOn, kNoBridges},
-    LeftOut{"bridge_fan_speed", When::kOn, kNoBridges},
-    LeftOut{"enable_dynamic_overhang_speeds", When::kOn, "overhangs are laid as any other road"},
-    LeftOut{"enable_dynamic_fan_speeds", When::kOn, "overhangs are cooled as any other road"},
-    LeftOut{"small_perimeter_speed", When::kUnlikeOn, "small perimeters are as fast as others",
-            "perimeter_speed"},
-    LeftOut{"max_volumetric_speed", When::kOn, kAnyFlow},
-    LeftOut{"filament_max_volumetric_speed", When::kOn, kAnyFlow},
+    LeftOut{"thick_bridges", When::kOn, "bridges are as thick as bridge_flow_ratio says"},
+    LeftOut{"bridge_angle", When::kOn, "the direction of bridges is found for each"},
+    LeftOut{"enable_dynamic_overhang_speeds", When::kOn,
+            "the speed of overhangs is that of overhang_speed_mm_s"},
+    LeftOut{"enable_dynamic_fan_speeds", When::kOn,
+            "overhangs are cooled as overhang_fan_share says"},
     LeftOut{"retract_restart_extra", When::kOn, "as much filament comes back as was drawn back"},
     LeftOut{"use_firmware_retraction", When::kOn, "rind draws filament back itself"},
     LeftOut{"use_volumetric_e", When::kOn, "filament is counted by its length"},

@@ -24,6 +24,9 @@ enum class Kind {
   kShare,        // with "%"
   kPercent,      // a whole number of percent, without "%"
   kLayersAfter,  // number of layers before the first one with the effect
+  kBridgeSpeed,  // of bridges, and of perimeters whose centre line is in the air
+  kBridgeFlow,   // of both kinds of bridges
+  kBridgeFan,    // as kBridgeSpeed, in percent
   kGcode,
   kBed,
   kCooling,
@@ -46,6 +49,13 @@ constexpr std::array kAliases = {
     Alias{"extrusion_width", "road_width", Kind::kWidth},
     Alias{"extrusion_multiplier", "extrusion_multiplier"},
     Alias{"perimeters", "perimeters"},
+    Alias{"external_perimeters_first", "outer_perimeter_first"},
+    Alias{"bridge_speed", "bridge_speed_mm_s", Kind::kBridgeSpeed},
+    Alias{"bridge_flow_ratio", "bridge_flow", Kind::kBridgeFlow},
+    Alias{"bridge_fan_speed", "bridge_fan_share", Kind::kBridgeFan},
+    Alias{"small_perimeter_speed", "small_perimeter_speed_mm_s", Kind::kSpeed},
+    Alias{"max_volumetric_speed", "volumetric_speed_max_mm3_s", Kind::kSpeed},
+    Alias{"filament_max_volumetric_speed", "volumetric_speed_max_mm3_s", Kind::kSpeed},
     Alias{"fill_density", "loose_density", Kind::kShare},
     Alias{"fill_angle", "fill_angle_degrees"},
     Alias{"fill_pattern", "loose_pattern", Kind::kPattern},
@@ -185,6 +195,19 @@ Translated translate(const Alias& alias, std::string_view text) {
       // If 0, PrusaSlicer's fan is off unless fan_always_on is set.
       if (number.value() == 0) return {{ours, "0"}, {"fan_always_on", "0"}};
       break;
+    case Kind::kBridgeSpeed: {
+      if (number.value() == 0) return {};
+      const std::string speed(first);
+      return {{ours, speed},
+              {"internal_bridge_speed_mm_s", speed},
+              {"overhang_speed_mm_s", fmt::format("0,0,{0},{0}", speed)}};
+    }
+    case Kind::kBridgeFlow:
+      return {{ours, std::string(first)}, {"internal_bridge_flow", std::string(first)}};
+    case Kind::kBridgeFan: {
+      const std::string share = write_number(number.value() / 100);
+      return {{ours, share}, {"overhang_fan_share", fmt::format("0,0,{0},{0}", share)}};
+    }
     case Kind::kPercent:
       return {{ours, write_number(number.value() / 100)}};
     case Kind::kAllContours:

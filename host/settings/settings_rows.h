@@ -41,11 +41,14 @@ constexpr Choice choice(Names... names) {
           {names...}};
 }
 
+// A number for each step of what the layer below holds; one number is written for four equal ones.
+using OverhangSteps = std::array<double, core::kOverhangSteps>;
+
 // The setting's field. Its type decides how values are written.
 using SettingMember =
     std::variant<core::Length PrintSettings::*, double PrintSettings::*, int PrintSettings::*,
                  bool PrintSettings::*, std::string PrintSettings::*, SettingLines PrintSettings::*,
-                 Choice>;
+                 OverhangSteps PrintSettings::*, Choice>;
 
 // A word for a number with a special meaning.
 struct NumberWord {
@@ -105,6 +108,8 @@ inline constexpr std::array kSettings = {
             "width of the narrowest road of gap fill; narrower gaps are left empty"},
     Setting{"perimeters", &PrintSettings::perimeters, "", 0, 50,
             "number of closed roads along every contour"},
+    Setting{"outer_perimeter_first", &PrintSettings::outer_perimeter_first, "", 0, 1,
+            "whether outer perimeters come before inner ones, but for those that overhang"},
     Setting{"road_overlap", &PrintSettings::road_overlap, "%", 0, 1,
             "overlap of neighbouring roads; 1: the layer has no voids, 0: roads just touch"},
     Setting{"loose_density", &PrintSettings::loose_density, "%", 0, 1,
@@ -154,6 +159,14 @@ inline constexpr std::array kSettings = {
             "least length of the skirt; shorter ones get more loops"},
     Setting{"skirt_distance", &PrintSettings::skirt_distance, "mm", 0, 200,
             "distance from the part and its brim to the skirt"},
+    Setting{"overhang_angle_degrees", &PrintSettings::overhang_angle_degrees, "°", 0, 90,
+            "angle from the vertical; overhangs that are steeper are reported"},
+    Setting{"bridge_max", &PrintSettings::bridge_max, "mm", 0, 1'000,
+            "length of the longest bridge that is not reported"},
+    Setting{"bridge_flow", &PrintSettings::bridge_flow, "×", 0.1, 3,
+            "factor for the filament of bridges, which are round and touch one another"},
+    Setting{"internal_bridge_flow", &PrintSettings::internal_bridge_flow, "×", 0.1, 3,
+            "factor for the filament of bridges over the loose inside"},
     Setting{"contour_compensation", &PrintSettings::contour_compensation, "mm", -5, 5,
             "how far outer contours are moved outwards"},
     Setting{"hole_compensation", &PrintSettings::hole_compensation, "mm", -5, 5,
@@ -199,6 +212,20 @@ inline constexpr std::array kSettings = {
             "speed of the dense fill of tops"},
     Setting{"ironing_speed_mm_s", &PrintSettings::ironing_speed_mm_s, "mm/s", 0.1, 2'000,
             "speed of ironing"},
+    Setting{"bridge_speed_mm_s", &PrintSettings::bridge_speed_mm_s, "mm/s", 0.1, 2'000,
+            "speed of bridges"},
+    Setting{"internal_bridge_speed_mm_s", &PrintSettings::internal_bridge_speed_mm_s, "mm/s", 0.1,
+            2'000, "speed of bridges over the loose inside"},
+    Setting{"overhang_speed_mm_s", &PrintSettings::overhang_speed_mm_s, "mm/s", 0, 2'000,
+            "speed of perimeters of which the layer below holds more than 3/4, 1/2, 1/4 of the "
+            "width, and less; 0: no limit"},
+    Setting{"small_perimeter_speed_mm_s", &PrintSettings::small_perimeter_speed_mm_s, "mm/s", 0.1,
+            2'000, "speed of closed perimeters up to 40 mm long; off: as others", kOffIsZero},
+    Setting{"volumetric_speed_max_mm3_s", &PrintSettings::volumetric_speed_max_mm3_s, "mm3/s", 0.01,
+            10'000,
+            "filament that can be molten in a second; faster roads are slowed down; off: "
+            "not limited",
+            kOffIsZero},
     Setting{"first_layer_speed_mm_s", &PrintSettings::first_layer_speed_mm_s, "mm/s", 0.1, 2'000,
             "speed of the fastest road of the first layer"},
     Setting{"travel_speed_mm_s", &PrintSettings::travel_speed_mm_s, "mm/s", 0.1, 5'000,
@@ -249,6 +276,11 @@ inline constexpr std::array kSettings = {
             "whether short layers are slowed down and get more of the fan"},
     Setting{"fan_share", &PrintSettings::fan_share, "%", 0, 1,
             "speed of the part's fan on layers shorter than layer_time_min_s"},
+    Setting{"bridge_fan_share", &PrintSettings::bridge_fan_share, "%", 0, 1,
+            "speed of the part's fan on bridges, if it is more than the layer's"},
+    Setting{"overhang_fan_share", &PrintSettings::overhang_fan_share, "%", 0, 1,
+            "speed of the part's fan on perimeters of which the layer below holds more than 3/4, "
+            "1/2, 1/4 of the width, and less, if it is more than the layer's"},
     Setting{"fan_share_min", &PrintSettings::fan_share_min, "%", 0, 1,
             "speed of the part's fan on layers of fan_below_layer_time_s or longer; at most "
             "fan_share"},

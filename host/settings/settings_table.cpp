@@ -69,6 +69,10 @@ std::string range_text(const Setting& setting) {
   if (std::holds_alternative<std::string S::*>(setting.member)) {
     return "commands with commas between them";
   }
+  if (std::holds_alternative<OverhangSteps S::*>(setting.member)) {
+    return fmt::format("{}; one number, or {} with commas between them", number_range_text(setting),
+                       core::kOverhangSteps);
+  }
   if (std::holds_alternative<Lines S::*>(setting.member)) {
     return fmt::format("up to {} lines of {} bytes", kVerbatimLinesMax, kVerbatimBytesMax);
   }
@@ -111,6 +115,38 @@ std::string number_text(const Setting& setting, double number, WordUse use) {
   return word ? std::string(*word) : write_number(number);
 }
 
+// One number for all steps, or one for each.
+Status assign_steps(OverhangSteps& steps, const Setting& setting, std::string_view text) {
+  OverhangSteps read{};
+  std::size_t count = 0;
+  for (std::string_view rest = text; count < read.size(); ++count) {
+    const std::size_t comma = rest.find(',');
+    const core::Result<double> number = read_number(rest.substr(0, comma), setting.unit);
+    if (!number.ok()) return explain(setting, number.error());
+    if (Status fine = in_range(setting, number.value()); !fine.ok()) return fine;
+    read[count] = number.value();
+    if (comma == std::string_view::npos) break;
+    rest.remove_prefix(comma + 1);
+  }
+  const auto commas = static_cast<std::size_t>(std::count(text.begin(), text.end(), ','));
+  if (commas != 0 && commas + 1 != read.size()) {
+    return bad(
+        fmt::format("{} = {}: expected {}", setting.key, trimmed(text), range_text(setting)));
+  }
+  if (commas == 0) read.fill(read.front());
+  steps = read;
+  return {};
+}
+
+std::string steps_text(const OverhangSteps& steps) {
+  const bool alike =
+      std::all_of(steps.begin(), steps.end(), [&](double step) { return step == steps.front(); });
+  if (alike) return write_number(steps.front());
+  std::string text;
+  for (const double step : steps) text += (text.empty() ? "" : ",") + write_number(step);
+  return text;
+}
+
 Status assign(PrintSettings& settings, const Setting& setting, std::string_view text) {
   const std::optional<double> word = setting.number_of(trimmed(text));
   const auto assign_to = [&](auto& field, const auto& read) -> Status {
@@ -125,33 +161,35 @@ Status assign(PrintSettings& settings, const Setting& setting, std::string_view 
     return checked;
   };
   return std::visit(
-      Overloaded{[&](double S::*field) {
-                   return assign_to(settings.*field, read_number(text, setting.unit));
-                 },
-                 [&](int S::*field) { return assign_to(settings.*field, read_whole_number(text)); },
-                 [&](bool S::*field) { return assign_to(settings.*field, read_switch(text)); },
-                 [&](Length S::*field) -> Status {
-                   double mm = 0;
-                   Status status = assign_to(mm, read_number(text, setting.unit));
-                   if (status.ok()) settings.*field = Length::from_mm(mm);
-                   return status;
-                 },
-                 [&](const Choice& c) { return choose(settings, c, setting, text); },
-                 [&](std::string S::*field) -> Status {
-                   const std::string_view words = trimmed(text);
-                   if (!is_printable(words) || words.size() > kWordsBytesMax) {
-                     return bad(fmt::format("{}: expected {}, at most {} bytes", setting.key,
-                                            range_text(setting), kWordsBytesMax));
-                   }
-                   settings.*field = words;
-                   return {};
-                 },
-                 [&](Lines S::*field) -> Status {
-                   core::Result<Lines> lines = read_lines(text);
-                   if (!lines.ok()) return explain(setting, lines.error());
-                   settings.*field = std::move(lines).value();
-                   return {};
-                 }},
+      Overloaded{
+          [&](double S::*field) {
+            return assign_to(settings.*field, read_number(text, setting.unit));
+          },
+          [&](int S::*field) { return assign_to(settings.*field, read_whole_number(text)); },
+          [&](bool S::*field) { return assign_to(settings.*field, read_switch(text)); },
+          [&](Length S::*field) -> Status {
+            double mm = 0;
+            Status status = assign_to(mm, read_number(text, setting.unit));
+            if (status.ok()) settings.*field = Length::from_mm(mm);
+            return status;
+          },
+          [&](OverhangSteps S::*field) { return assign_steps(settings.*field, setting, text); },
+          [&](const Choice& c) { return choose(settings, c, setting, text); },
+          [&](std::string S::*field) -> Status {
+            const std::string_view words = trimmed(text);
+            if (!is_printable(words) || words.size() > kWordsBytesMax) {
+              return bad(fmt::format("{}: expected {}, at most {} bytes", setting.key,
+                                     range_text(setting), kWordsBytesMax));
+            }
+            settings.*field = words;
+            return {};
+          },
+          [&](Lines S::*field) -> Status {
+            core::Result<Lines> lines = read_lines(text);
+            if (!lines.ok()) return explain(setting, lines.error());
+            settings.*field = std::move(lines).value();
+            return {};
+          }},
       setting.member);
 }
 
@@ -162,6 +200,7 @@ std::string value_text(const PrintSettings& settings, const Setting& setting,
                  [&](int S::*f) { return number_text(setting, settings.*f, use); },
                  [&](bool S::*f) { return std::string(settings.*f ? "1" : "0"); },
                  [&](Length S::*f) { return number_text(setting, (settings.*f).mm(), use); },
+                 [&](OverhangSteps S::*f) { return steps_text(settings.*f); },
                  [&](const Choice& c) { return std::string(c.names[c.get(settings)]); },
                  [&](std::string S::*f) { return settings.*f; },
                  [&](Lines S::*f) { return write_lines(settings.*f); }},

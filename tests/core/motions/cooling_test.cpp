@@ -23,9 +23,8 @@ Settings usual() {
   return settings;
 }
 
-core::Road straight(double mm) {
-  const auto x = static_cast<std::int32_t>(Length::from_mm(mm).units());
-  return {core::RoadKind::kSolid, Length::from_mm(0.45), false, {{0, 0}, {x, 0}}};
+core::LaidWay straight(double mm, core::Slowing slowing = core::Slowing::kFirst) {
+  return {mm, 60, slowing};
 }
 
 }  // namespace
@@ -55,12 +54,11 @@ TEST_CASE("without cooling the fan has one speed, and nothing is slowed down") {
   settings.cool_short_layers = false;
   CHECK_EQ(core::fan_share(settings, kHigh, 1), doctest::Approx(0.35));
   CHECK_EQ(core::fan_share(settings, kHigh, 1'000), doctest::Approx(0.35));
-  const auto speed = [](core::RoadKind) { return 60.0; };
-  CHECK_EQ(core::layer_cooling(settings, kHigh, {straight(6)}, speed).slowdown, 1);
+  CHECK_EQ(core::layer_cooling(settings, kHigh, 0, {straight(6)}).slowdown, 1);
   settings.fan_always_on = false;
   CHECK_EQ(core::fan_share(settings, kHigh, 1), 0);
   settings.cool_short_layers = true;
-  CHECK_EQ(core::layer_cooling(settings, kHigh, {straight(6)}, speed).slowdown,
+  CHECK_EQ(core::layer_cooling(settings, kHigh, 0, {straight(6)}).slowdown,
            doctest::Approx(0.1 / 15));
 }
 
@@ -82,16 +80,39 @@ TEST_CASE("the first layers are without, the next ones get more and more") {
 TEST_CASE("the time is the one after slowing down") {
   Settings settings = usual();
   settings.slowed_speed_min_mm_s = 10;
-  const auto speed = [](core::RoadKind) { return 60.0; };
   // 600 mm in 10 s are slowed down to 15 s: the fan is at its most, but no more than by a hair.
-  const core::LayerCooling slowed = core::layer_cooling(settings, kHigh, {straight(600)}, speed);
+  const core::LayerCooling slowed = core::layer_cooling(settings, kHigh, 0, {straight(600)});
   CHECK_EQ(slowed.slowdown, doctest::Approx(10.0 / 15));
   CHECK_EQ(slowed.fan_share, 1);
   // 60 mm can't be slowed down beyond 6 s.
   settings.fan_below_layer_time_s = 0;
-  CHECK_EQ(core::layer_cooling(settings, kHigh, {straight(60)}, speed).fan_share, 1);
-  CHECK_EQ(core::layer_cooling(settings, kHigh, {straight(600)}, speed).fan_share,
+  CHECK_EQ(core::layer_cooling(settings, kHigh, 0, {straight(60)}).fan_share, 1);
+  CHECK_EQ(core::layer_cooling(settings, kHigh, 0, {straight(600)}).fan_share,
            doctest::Approx(0.35));
+}
+
+TEST_CASE("outer perimeters are slowed down last, bridges never") {
+  Settings settings = usual();
+  settings.slowed_speed_min_mm_s = 10;
+  using core::Slowing;
+  const auto cooled = [&](double first_mm, double last_mm, double never_mm) {
+    return core::layer_cooling(settings, kHigh, 0,
+                               {straight(first_mm), straight(last_mm, Slowing::kLast),
+                                straight(never_mm, Slowing::kNever)});
+  };
+  // 2 + 3 + 1 s: what may be slowed down first takes 11 s.
+  const core::LayerCooling some = cooled(120, 180, 60);
+  CHECK_EQ(some.slowdown, doctest::Approx(2.0 / 11));
+  CHECK_EQ(some.last_slowdown, 1);
+  // 1 + 3 + 1 s: it takes 6 s at most, so outer perimeters take 8 s.
+  const core::LayerCooling all = cooled(60, 180, 60);
+  CHECK_EQ(core::slowed_speed_mm_s(60, all.slowdown, 10), 10);
+  CHECK_EQ(all.last_slowdown, doctest::Approx(3.0 / 8));
+  CHECK_EQ(core::slowdown_of(all, Slowing::kNever), 1);
+  CHECK_EQ(all.fan_share, 1);
+  // A long layer stays as it is.
+  CHECK_EQ(cooled(600, 600, 600).slowdown, 1);
+  CHECK_EQ(cooled(600, 600, 600).last_slowdown, 1);
 }
 
 TEST_CASE("with our own settings the fan has its speed from its first layer on") {

@@ -279,3 +279,39 @@ TEST_CASE("what is as good as straight is one piece; what a line can't carry is 
   CHECK(fewer.size() - of_rough == 400);
   CHECK(fewer_mm == doctest::Approx(all_mm));
 }
+
+TEST_CASE("a perimeter goes on without travel where less of it is held: slower, and cooled more") {
+  Settings settings;
+  settings.fan_share = settings.fan_share_min = 0.4;
+  settings.overhang_fan_share = {0.4, 0.6, 0.8, 1};
+  settings.layer_time_min_s = 0;
+  MotionBuilder builder(settings);
+  Recorder recorder;
+  Road road{RoadKind::kOuterPerimeter,
+            Length::from_mm(0.45),
+            true,
+            {at_mm(0, 0), at_mm(40, 0), at_mm(40, 40), at_mm(0, 40)}};
+  road.holds = {Hold::kWhole, Hold::kLittle, Hold::kHalf, Hold::kWhole};
+  builder.layer(slice_of(10, kSquare), {road}, recorder.sink());
+  CHECK_EQ(recorder.all<RoadStart>().size(), 1);
+  CHECK_EQ(recorder.all<Travel>().size(), 1);
+  const auto changes = recorder.all<RoadChange>();
+  REQUIRE_EQ(changes.size(), 3);
+  CHECK_EQ(changes[0].kind, RoadKind::kOverhangPerimeter);
+  CHECK_EQ(changes[1].kind, RoadKind::kOuterPerimeter);
+  const auto laid = recorder.all<Extrude>();
+  REQUIRE_EQ(laid.size(), 4);
+  CHECK_EQ(laid[0].speed_mm_s, 60);
+  CHECK_EQ(laid[1].speed_mm_s, settings.overhang_speed_mm_s[3]);
+  CHECK_EQ(laid[2].speed_mm_s, settings.overhang_speed_mm_s[1]);
+  CHECK_EQ(laid[3].speed_mm_s, 60);
+  CHECK_EQ(laid[3].to, at_mm(0, 0));
+  // Off at first, the layer's, that of both stretches together, the layer's.
+  const auto fans = recorder.all<SetFan>();
+  REQUIRE_EQ(fans.size(), 4);
+  CHECK_EQ(fans[1].share, 0.4);
+  CHECK_EQ(fans[2].share, 1);
+  CHECK_EQ(fans[3].share, 0.4);
+  CHECK_EQ(builder.totals().filament_mm[static_cast<std::size_t>(RoadKind::kOverhangPerimeter)],
+           doctest::Approx(laid[1].filament_mm));
+}

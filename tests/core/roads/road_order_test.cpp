@@ -43,6 +43,38 @@ std::vector<std::vector<Point>> points_of(const std::vector<Road>& roads) {
 
 }  // namespace
 
+TEST_CASE("outer perimeters come first where wanted, but for those that overhang") {
+  const auto square = [](RoadKind kind, std::int32_t inset) {
+    const std::int32_t far = 100'000 - inset;
+    return Road{kind,
+                Length::from_mm(0.45),
+                true,
+                {{inset, inset}, {far, inset}, {far, far}, {inset, far}}};
+  };
+  Road outer = square(RoadKind::kOuterPerimeter, 2'000);
+  const Road inner = square(RoadKind::kPerimeter, 6'000);
+  const auto first_kind = [&](bool outer_first) {
+    return printing_order({{0, 0}, {}, {{inner, outer}}, outer_first}).front().kind;
+  };
+  CHECK_EQ(first_kind(false), RoadKind::kPerimeter);
+  CHECK_EQ(first_kind(true), RoadKind::kOuterPerimeter);
+  outer.holds.assign(4, Hold::kWhole);
+  outer.holds[2] = Hold::kQuarter;
+  CHECK_EQ(first_kind(true), RoadKind::kPerimeter);
+}
+
+TEST_CASE("the perimeter of a hole in a bridge comes after the bridge") {
+  Road hole{RoadKind::kOuterPerimeter,
+            Length::from_mm(0.45),
+            true,
+            {{0, 0}, {0, 50'000}, {50'000, 50'000}, {50'000, 0}}};
+  hole.holds.assign(4, Hold::kLittle);
+  const Road bridge{RoadKind::kBridge, Length::from_mm(0.32), false, {{-90'000, 0}, {-3'000, 0}}};
+  CHECK_EQ(printing_order({{0, 0}, {}, {{hole, bridge}}}).front().kind, RoadKind::kBridge);
+  std::reverse(hole.points.begin(), hole.points.end());  // an outer contour
+  CHECK_EQ(printing_order({{0, 0}, {}, {{hole, bridge}}}).front().kind, RoadKind::kOuterPerimeter);
+}
+
 TEST_CASE("every road is printed once, each from the nearest end that was left") {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     CAPTURE(seed);

@@ -14,7 +14,9 @@ namespace {
 SplitLayer layer_of(core::LayerIndex index, std::int32_t side) {
   SplitLayer layer;
   layer.slice.index = index;
+  layer.slice.height = Length::from_units(1'000 + index);
   layer.slice.region = Region::from_clean_rings({{{0, 0}, {side, 0}, {side, side}, {0, side}}});
+  layer.loose = Region::from_clean_rings({{{10, 10}, {side / 2, 10}, {side / 2, side / 2}}});
   return layer;
 }
 
@@ -39,6 +41,8 @@ TEST_CASE("each layer knows the slices under it and over it, in order") {
   for (std::size_t i = 0; i < settled.size(); ++i) {
     CHECK_EQ(settled[i].slice.index, static_cast<core::LayerIndex>(i));
     if (i > 0) CHECK(*settled[i].below == settled[i - 1].slice.region);
+    if (i > 0) CHECK(*settled[i].below_loose == settled[i - 1].loose);
+    if (i > 0) CHECK_EQ(settled[i].below_height, settled[i - 1].slice.height);
     if (i + 1 < settled.size()) CHECK(*settled[i].above == settled[i + 1].slice.region);
   }
 }

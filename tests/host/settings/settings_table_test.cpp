@@ -64,8 +64,9 @@ std::vector<std::string> fields_in(const std::string& path) {
   REQUIRE(header.good());
   const std::regex field(
       "^  "
-      "(?:double|int|bool|[A-Z][A-Za-z]+|std::string|std::vector<std::string>) "
-      "([a-z0-9_]+)(?: = .*)?(?:;.*)?$");
+      "(?:double|int|bool|[A-Z][A-Za-z]+|std::string|std::vector<std::string>|"
+      "std::array<double, kOverhangSteps>) "
+      "([a-z0-9_]+)(?: = .*|\\{.*\\})?(?:;.*)?$");
   std::vector<std::string> fields;
   for (std::string line; std::getline(header, line);) {
     std::smatch match;
@@ -261,6 +262,18 @@ TEST_CASE("PrusaSlicer's keys of the same meaning") {
   CHECK_EQ(centred.bed_origin_y.mm(), -90);
   CHECK_EQ(set_to("min_print_speed", "0").slowed_speed_min_mm_s, doctest::Approx(0.1));
   CHECK_EQ(set_to("extrusion_multiplier", "1.05").extrusion_multiplier, doctest::Approx(1.05));
+  CHECK(set_to("external_perimeters_first", "1").outer_perimeter_first);
+  CHECK_EQ(set_to("bridge_speed", "45").bridge_speed_mm_s, 45);
+  CHECK_EQ(set_to("bridge_speed", "45").internal_bridge_speed_mm_s, 45);
+  CHECK_EQ(set_to("bridge_speed", "45").overhang_speed_mm_s, std::array<double, 4>{0, 0, 45, 45});
+  CHECK_EQ(set_to("bridge_flow_ratio", "0.9").bridge_flow, doctest::Approx(0.9));
+  CHECK_EQ(set_to("bridge_flow_ratio", "0.9").internal_bridge_flow, doctest::Approx(0.9));
+  CHECK_EQ(set_to("bridge_fan_speed", "80").bridge_fan_share, doctest::Approx(0.8));
+  CHECK_EQ(set_to("bridge_fan_speed", "80").overhang_fan_share,
+           std::array<double, 4>{0, 0, 0.8, 0.8});
+  CHECK_EQ(set_to("small_perimeter_speed", "15").small_perimeter_speed_mm_s, 15);
+  CHECK_EQ(set_to("filament_max_volumetric_speed", "11").volumetric_speed_max_mm3_s, 11);
+  CHECK(contains(error_of("max_volumetric_speed", "0"), "no counterpart"));
   CHECK_FALSE(set_to("cooling", "0").fan_always_on);
   CHECK_FALSE(set_to("cooling", "0").cool_short_layers);
   for (const char* shape : {"-90x0,0x90,90x0,0x-90", "0x0,9x0,9x9", "round", "",
@@ -270,6 +283,20 @@ TEST_CASE("PrusaSlicer's keys of the same meaning") {
   }
   // The second half is out of range: the first is not set either.
   CHECK(contains(error_of("bed_shape", "0x0,250x0,250x0.5,0x0.5"), "bed_y"));
+}
+
+TEST_CASE("a setting of four steps takes four numbers, or one for all") {
+  CHECK_EQ(set_to("overhang_speed_mm_s", "50").overhang_speed_mm_s,
+           std::array<double, 4>{50, 50, 50, 50});
+  const Settings steps = set_to("overhang_speed_mm_s", " 60, 45.5,30 mm/s,0 ");
+  CHECK_EQ(steps.overhang_speed_mm_s, std::array<double, 4>{60, 45.5, 30, 0});
+  CHECK_EQ(set_to("overhang_fan_share", "10%,20%,0.3,1").overhang_fan_share,
+           std::array<double, 4>{0.1, 0.2, 0.3, 1});
+  for (const char* wrong :
+       {"60,45", "60,45,30", "60,45,30,20,10", "60,,30,20", "", "a", "-1", "60,45,30,3000"}) {
+    CAPTURE(wrong);
+    CHECK(contains(error_of("overhang_speed_mm_s", wrong), "overhang_speed_mm_s"));
+  }
 }
 
 TEST_CASE("settings that do not fit together") {

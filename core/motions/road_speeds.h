@@ -1,0 +1,23 @@
+// How fast a road may be laid, before its layer is slowed down (cooling.h).
+#pragma once
+
+#include "core/roads/road.h"  // Road
+#include "core/settings.h"    // Settings
+#include "core/units.h"       // LayerIndex
+
+namespace core {
+
+// Closed perimeters up to this length are small: a circle of 6.5 mm radius, as in PrusaSlicer.
+inline constexpr double kSmallPerimeter_mm = 40.84;
+
+[[nodiscard]] bool is_small_perimeter(const Road& road);
+
+// The least of what the kind of road, its size, what holds it, its flow and the first layer allow.
+// `area_mm2`: its cross-section. ENSURES: above 0.
+[[nodiscard]] double full_speed_mm_s(const Settings& settings, LayerIndex layer, const Road& road,
+                                     Hold hold, double area_mm2);
+
+// The least share of the fan that a stretch of road needs, where the fan is on.
+[[nodiscard]] double fan_share_least(const Settings& settings, RoadKind kind, Hold hold);
+
+}  // namespace core

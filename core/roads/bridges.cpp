@@ -1,0 +1,167 @@
+#include "core/roads/bridges.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "core/booleans/boolean.h"          // clean, intersect, subtract
+#include "core/offsets/slice_offsets.h"     // perimeter_depth, perimeter_spacing
+#include "core/offsets/voronoi_mountain.h"  // offset
+#include "core/roads/bridge_direction.h"    // best_direction
+#include "core/roads/bridge_rows.h"         // bridge_rows
+#include "core/roads/unheld.h"              // unheld
+#include "core/trigonometry.h"              // cosine, sine
+
+namespace core {
+namespace {
+
+// Over the loose inside, strips narrower than this many roads are filled like the rest.
+constexpr double kOverLooseRoadsMin = 4;
+
+Length scaled(Length length, double factor) { return Length::from_mm(length.mm() * factor); }
+
+Region grown(const Region& region, Length by, const Settings& settings) {
+  return offset(region, -by, settings.arc_tolerance * 2);
+}
+
+class BridgePlanner {
+ public:
+  BridgePlanner(const BridgeSite& site, Region wall, const Settings& settings)
+      : site_(site),
+        settings_(settings),
+        width_(settings.road_width),
+        anchor_(scaled(width_, kBridgeAnchorWidths)) {
+    result_.rest = std::move(wall);
+  }
+
+  [[nodiscard]] Bridges plan() {
+    over_air();
+    over_loose();
+    return std::move(result_);
+  }
+
+ private:
+  void over_air() {
+    const Length reach = scaled(width_, kBridgeReachWidths);
+    const Region air = intersect(unheld(site_.slice, site_.below, reach), result_.rest);
+    if (air.empty()) return;
+    const Length half = scaled(width_, 0.5);
+    const Region core = offset(air, half, settings_.arc_tolerance);
+    if (core.empty()) return;
+    const Length diameter = bridge_width(settings_, site_.height);
+    const Region region = intersect(grown(core, half + reach + anchor_, settings_), result_.rest);
+    const Region around = grown(core, half + reach + anchor_ * 2 + width_, settings_);
+    const Region room = intersect(site_.room, around), held = intersect(site_.below, around);
+    const Region holes = holes_in_air(around);
+    std::vector<Ring> covered;
+    for (Island& island : islands(region)) {
+      const Region piece = region_of(std::move(island));
+      const Box box = piece.box();
+      const BridgeArea area{piece, rings_near(room, box), rings_near(held, box),
+                            rings_near(holes, box), width_};
+      const BridgeRows rows =
+          bridge_rows(area, best_direction(area, diameter, kBridgeTrials), diameter);
+      if (rows.laid_spans_mm <= rows.cut_spans_mm) continue;
+      lay(rows, area, RoadKind::kBridge, diameter, covered);
+    }
+    take(std::move(covered));
+  }
+
+  void over_loose() {
+    if (site_.below_loose.empty() || result_.rest.empty()) return;
+    const Region over = intersect(result_.rest, site_.below_loose);
+    const Length half = scaled(width_, kOverLooseRoadsMin / 2);
+    const Region core = over.empty() ? over : offset(over, half, settings_.arc_tolerance);
+    if (core.empty()) return;
+    const Length distance = perimeter_spacing(settings_, site_.height);
+    const Region region = intersect(grown(core, half + anchor_, settings_), result_.rest);
+    const Region around = grown(core, half + anchor_ * 2 + width_, settings_);
+    const Region room = intersect(site_.room, around), held = intersect(site_.below, around);
+    const Region walls = subtract(held, site_.below_loose);
+    std::vector<Ring> covered;
+    for (Island& island : islands(region)) {
+      const Region piece = region_of(std::move(island));
+      const Box box = piece.box();
+      const Region here = rings_near(room, box);
+      const Vector direction =
+          direction_over_loose({piece, here, rings_near(walls, box), {}, width_}, distance);
+      const BridgeArea area{piece, here, rings_near(held, box), {}, width_};
+      const BridgeRows rows = bridge_rows(area, direction, distance);
+      if (rows.rows.empty()) continue;
+      lay(rows, area, RoadKind::kInternalBridge, flat_width(), covered);
+    }
+    take(std::move(covered));
+  }
+
+  // Across the loose roads below, unless the walls below are nearer to one another than they are.
+  [[nodiscard]] Vector direction_over_loose(const BridgeArea& walls, Length distance) const {
+    const double turned = settings_.fill_angle_degrees + (site_.layer % 2 == 0 ? 0 : 90);
+    const double angle = turned * std::numbers::pi / 180;
+    const Vector across{cosine(angle), sine(angle)};
+    const double density = settings_.loose_density;
+    const Vector shortest = best_direction(walls, distance, kBridgeTrials);
+    if (density <= 0) return shortest;
+    const BridgeRows rows = bridge_rows(walls, shortest, distance);
+    const double mean_mm = rows.laid_spans_mm > 0 ? rows.laid_squares_mm2 / rows.laid_spans_mm : 0;
+    const bool walls_hold = rows.laid_spans_mm > 0 && rows.cut_spans_mm == 0;
+    return walls_hold && mean_mm < distance.mm() / density ? shortest : across;
+  }
+
+  // Holes of the slice whose contour hangs in the air, with the perimeters round them.
+  [[nodiscard]] Region holes_in_air(const Region& around) const {
+    std::vector<Ring> holes;
+    const Box box = around.box();
+    for (const Ring& ring : site_.slice.rings()) {
+      if (doubled_area_units(ring) > 0 || !box.overlaps(box_of(ring))) continue;
+      const bool held =
+          std::any_of(ring.begin(), ring.end(), [&](Point p) { return site_.below.contains(p); });
+      if (held) continue;
+      holes.emplace_back(ring.rbegin(), ring.rend());
+    }
+    if (holes.empty()) return {};
+    const Length band = perimeter_depth(settings_, site_.height, settings_.perimeters) + width_;
+    return grown(clean(holes, FillRule::kNonZero), band, settings_);
+  }
+
+  // A flat road of the flow that the user wants.
+  [[nodiscard]] Length flat_width() const {
+    const double h = site_.height.mm();
+    const double area = settings_.internal_bridge_flow * bead_area_mm2(width_, site_.height);
+    return Length::from_mm(std::max(area / h + h * (1 - std::numbers::pi / 4), h));
+  }
+
+  void lay(const BridgeRows& rows, const BridgeArea& area, RoadKind kind, Length width,
+           std::vector<Ring>& covered) {
+    for (std::vector<Point>& line : joined(rows, area)) {
+      line.erase(std::unique(line.begin(), line.end()), line.end());
+      if (line.size() >= 2) result_.roads.push_back({kind, width, false, std::move(line)});
+    }
+    const Region cover = covered_by(rows, area);
+    covered.insert(covered.end(), cover.rings().begin(), cover.rings().end());
+  }
+
+  void take(std::vector<Ring> covered) {
+    if (covered.empty()) return;
+    result_.rest = subtract(result_.rest, Region::from_clean_rings(std::move(covered)));
+  }
+
+  const BridgeSite& site_;
+  const Settings& settings_;
+  Length width_;
+  Length anchor_;
+  Bridges result_;
+};
+
+}  // namespace
+
+Length bridge_width(const Settings& settings, Length height) {
+  const double area = settings.bridge_flow * bead_area_mm2(settings.road_width, height);
+  return Length::from_mm(std::sqrt(4 * area / std::numbers::pi));
+}
+
+Bridges bridges(const BridgeSite& site, Region wall, const Settings& settings) {
+  return BridgePlanner(site, std::move(wall), settings).plan();
+}
+
+}  // namespace core

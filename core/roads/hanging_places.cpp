@@ -1,0 +1,118 @@
+#include "core/roads/hanging_places.h"
+
+#include <algorithm>
+#include <numbers>
+#include <utility>
+
+#include "core/booleans/boolean.h"          // intersect, subtract
+#include "core/offsets/voronoi_mountain.h"  // offset
+#include "core/roads/bridge_direction.h"    // best_direction
+#include "core/roads/bridge_rows.h"         // BridgeArea, bridge_rows
+#include "core/roads/unheld.h"              // unheld
+#include "core/trigonometry.h"              // cosine, sine
+
+namespace core {
+namespace {
+
+// Slopes as steep as the angle are not steeper: what rounding may add.
+constexpr Length kAngleSlack = Length::from_units(100);
+
+// Hairs narrower than this are rounding.
+constexpr double kHairMm = 0.02;
+
+// Angles beyond this are taken to be this one: nothing is steeper than flat.
+constexpr double kAngleMaxDegrees = 89;
+
+constexpr DirectionTrials kTrials{2, 4};
+
+Point middle_of(const Box& box) {
+  return {static_cast<std::int32_t>((std::int64_t{box.min.x} + box.max.x) / 2),
+          static_cast<std::int32_t>((std::int64_t{box.min.y} + box.max.y) / 2)};
+}
+
+bool is_hair(const Region& piece) { return 2 * piece.area_mm2() < kHairMm * piece.perimeter_mm(); }
+
+class HangingSearch {
+ public:
+  HangingSearch(const SplitLayer& layer, const Settings& settings)
+      : slice_(layer.slice.region), below_(*layer.below), settings_(settings) {
+    const double planes_mm = (layer.slice.height.mm() + layer.below_height.mm()) / 2;
+    const double degrees = std::min(settings.overhang_angle_degrees, kAngleMaxDegrees);
+    const double angle = degrees * std::numbers::pi / 180;
+    reach_ = Length::from_mm(planes_mm * sine(angle) / cosine(angle)) + kAngleSlack;
+  }
+
+  [[nodiscard]] HangingPlaces search() {
+    Region air = unheld(slice_, below_, reach_);
+    if (air.empty()) return {};
+    find_islands(air);
+    std::vector<Ring> pieces;
+    for (Island& island : islands(air)) {
+      if (!is_hair(region_of(island))) append_rings(std::move(island), pieces);
+    }
+    if (!pieces.empty()) find_places(Region::from_clean_rings(std::move(pieces)));
+    std::stable_sort(found_.begin(), found_.end(),
+                     [](const HangingPlace& a, const HangingPlace& b) {
+                       return a.kind != b.kind ? a.kind < b.kind : a.size > b.size;
+                     });
+    HangingPlaces result;
+    for (const HangingPlace& place : found_) {
+      std::int64_t& count = result.counts[static_cast<std::size_t>(place.kind)];
+      if (count++ < static_cast<std::int64_t>(kHangingPlacesMax)) result.largest.push_back(place);
+    }
+    return result;
+  }
+
+ private:
+  // Islands over nothing; what is over nothing anyway is no overhang as well.
+  void find_islands(Region& air) {
+    std::vector<Ring> begun;
+    for (Island& island : islands(slice_)) {
+      const Region whole = region_of(std::move(island));
+      if (!intersect(whole, below_).empty()) continue;
+      found_.push_back({HangingKind::kIsland, middle_of(whole.box()), whole.area_mm2()});
+      begun.insert(begun.end(), whole.rings().begin(), whole.rings().end());
+    }
+    if (!begun.empty()) air = subtract(air, Region::from_clean_rings(std::move(begun)));
+  }
+
+  void find_places(const Region& air) {
+    const Length width = settings_.road_width;
+    const Length beyond = reach_ + Length::from_mm(width.mm() * 1.5);
+    const Length tolerance = settings_.arc_tolerance * 2;
+    const Region regions = intersect(offset(air, -beyond, tolerance), slice_);
+    const Region held = intersect(below_, offset(air, -(beyond + width), tolerance));
+    for (Island& island : islands(regions)) {
+      const Region region = region_of(std::move(island));
+      const BridgeArea area{region, region, rings_near(held, region.box()), {}, width};
+      const BridgeRows rows = bridge_rows(area, best_direction(area, width, kTrials), width);
+      if (rows.laid_spans_mm <= rows.cut_spans_mm) {
+        add_overhang(intersect(air, region), rows);
+      } else if (rows.longest_mm > settings_.bridge_max.mm()) {
+        found_.push_back({HangingKind::kSpan, rows.longest_at, rows.longest_mm});
+      }
+    }
+  }
+
+  // A narrow one may lie between two rows.
+  void add_overhang(const Region& air, const BridgeRows& rows) {
+    if (air.empty()) return;
+    const Point at = rows.cut.empty() ? air.rings().front().front() : rows.longest_cut_at;
+    found_.push_back({HangingKind::kOverhang, at, air.area_mm2()});
+  }
+
+  const Region& slice_;
+  const Region& below_;
+  const Settings& settings_;
+  Length reach_;
+  std::vector<HangingPlace> found_;
+};
+
+}  // namespace
+
+HangingPlaces hanging_places(const SplitLayer& layer, const Settings& settings) {
+  if (!layer.below) return {};
+  return HangingSearch(layer, settings).search();
+}
+
+}  // namespace core
