@@ -36,6 +36,9 @@ void report_warnings(PipelineSignals& signals, Reporter& reporter);
 // What was mended in the part, if anything.
 void report_defects(const DefectLog& defects, Reporter& reporter);
 
+// What hangs in the air, if anything.
+void report_hanging(const HangingLog& hanging, Reporter& reporter);
+
 // Writes --stats, if asked for. Returns `exit_code`, or why the file could not be written.
 [[nodiscard]] int save_statistics(const Options& options, const GeometryStatistics& geometry,
                                   const LinkStatistics* link, int exit_code, Reporter& reporter);

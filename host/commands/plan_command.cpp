@@ -3,6 +3,7 @@
 #include <iterator>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include "core/motions/motion_clock.h"
 #include "host/commands/commands.h"
@@ -74,6 +75,9 @@ std::string table(const Options& options, const PrintPlan& print_plan,
                  duration_text(statistics.time_s), motion_model(print_plan.settings));
   fmt::format_to(out, "defects    {}\n",
                  statistics.defects.layers() == 0 ? "none" : statistics.defects.summary());
+  const std::vector<std::string> hanging = statistics.hanging.summary();
+  if (hanging.empty()) fmt::format_to(out, "hanging    nothing\n");
+  for (const std::string& line : hanging) fmt::format_to(out, "hanging    {}\n", line);
   fmt::format_to(out, "held       at most {} layers, {} partial intersections, {} triangles\n",
                  statistics.peak_held.layers, statistics.peak_held.regions,
                  statistics.peak_held.triangles);

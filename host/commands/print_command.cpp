@@ -43,6 +43,7 @@ JournalHead head_of(const Options& options, const PrintPlan& print_plan, const s
     head.settings.emplace_back(row.key, row.value);
   }
   head.on_bad_layer = bad_layer_word(print_plan.on_bad_layer);
+  head.on_floating = floating_word(print_plan.on_floating);
   head.port = options.link.port;
   head.usb = usb;
   head.baud = options.link.baud;

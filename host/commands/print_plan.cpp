@@ -50,8 +50,9 @@ core::Result<PrintPlan> open_print_plan(const Options& options, Reporter& report
   if (!part.ok()) return part.error();
   const PartSummary& summary = part.value().summary;
   for (const std::string& warning : summary.warnings) reporter.note("warning", warning);
-  return PrintPlan{std::move(settings).value(), std::move(part).value(),
-                   part_title(options.part.path), on_bad_layer, options.threads};
+  return PrintPlan{std::move(settings).value(),   std::move(part).value(),
+                   part_title(options.part.path), on_bad_layer,
+                   options.part.on_floating,      options.threads};
 }
 
 void report_warnings(PipelineSignals& signals, Reporter& reporter) {
@@ -61,6 +62,10 @@ void report_warnings(PipelineSignals& signals, Reporter& reporter) {
 void report_defects(const DefectLog& defects, Reporter& reporter) {
   if (defects.layers() == 0) return;
   reporter.note("defects", defects.summary(), {{"layers", defects.layers()}});
+}
+
+void report_hanging(const HangingLog& hanging, Reporter& reporter) {
+  for (const std::string& line : hanging.summary()) reporter.note("hanging", line);
 }
 
 int save_statistics(const Options& options, const GeometryStatistics& geometry,

@@ -60,6 +60,7 @@ void tell_resumable(const Options& options, const JournalKeeper& keeper, Reporte
 void tell_end(const Options& options, const PrintOutcome& outcome, const JournalKeeper& keeper,
               Reporter& reporter) {
   report_defects(outcome.geometry.defects, reporter);
+  report_hanging(outcome.geometry.hanging, reporter);
   if (outcome.exit_code == kExitDone) {
     reporter.note("done", outcome.message,
                   {{"layers", outcome.geometry.layers},

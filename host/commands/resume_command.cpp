@@ -132,6 +132,7 @@ Result<PrintPlan> plan_of(Options& options, const JournalHead& head, Reporter& r
   options.settings.profile.clear();
   options.settings.assignments = head.settings;
   if (!options.print.bad_layer_told) options.part.on_bad_layer = bad_layer_of(head.on_bad_layer);
+  if (!options.print.floating_told) options.part.on_floating = floating_of(head.on_floating);
   return open_print_plan(options, reporter);
 }
 

@@ -69,6 +69,7 @@ int show_layer(const Options& options, PrintPlan& print_plan, OutputFile& file,
   if (core::Status status = file.commit(); !status.ok()) {
     return fail(status.error(), reporter);
   }
+  report_hanging(statistics.hanging, reporter);
   reporter.note("done",
                 fmt::format("{}: layer {}{}", options.output.path, options.output.layer,
                             layers > 0 ? fmt::format(" of {}", layers) : ""),
@@ -198,6 +199,7 @@ int show_section(const Options& options, PrintPlan& print_plan, OutputFile& file
   if (core::Status status = file.commit(); !status.ok()) {
     return fail(status.error(), reporter);
   }
+  report_hanging(statistics.hanging, reporter);
   reporter.note("done",
                 fmt::format("{}: a cut through {} layers", options.output.path, statistics.layers),
                 {{"output", options.output.path}});

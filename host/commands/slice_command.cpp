@@ -201,6 +201,7 @@ int slice_command(const Options& options, Reporter& reporter) {
     exit_code = fail(status.error(), reporter);
   } else {
     report_defects(statistics.defects, reporter);
+    report_hanging(statistics.hanging, reporter);
     report_done(options, statistics, reporter);
   }
   return save_statistics(options, statistics, nullptr, exit_code, reporter);

@@ -233,6 +233,8 @@ class Pipeline {
     keep(outputs_.on_layer ? outputs_.on_layer(layer) : true);
     if (!wants_roads()) return {};
 
+    if (core::Status held = check_floating(slice, plan.hanging); !held.ok()) return held;
+    statistics_.hanging.add(slice.index, slice.bottom, plan.hanging);
     core::Status fits = check_on_bed(plan_.part_path, slice, plan.roads, settings_);
     if (!fits.ok()) return fits;
     statistics_.roads += static_cast<std::int64_t>(plan.roads.size());
@@ -247,6 +249,21 @@ class Pipeline {
                               builder_.state(), encoder_.state()});
     }
     builder_.layer(slice, plan.roads, sink_);
+    return {};
+  }
+
+  // Tells the first islands that begin in the air, or ends the print before them.
+  core::Status check_floating(const core::Slice& slice, const core::HangingPlaces& hanging) {
+    for (const core::HangingPlace& place : hanging.largest) {
+      if (place.kind != core::HangingKind::kIsland) continue;
+      const std::string what =
+          fmt::format("{}: {}", plan_.part_path, hanging_text({slice.index, slice.bottom, place}));
+      if (plan_.on_floating == OnFloating::kStop) {
+        return core::Error{core::ErrorCode::kBadPart,
+                           what + "; it needs a support, or --on-floating warn to print it"};
+      }
+      if (islands_told_++ < kHangingTold) signals_.warnings.put(what);
+    }
     return {};
   }
 
@@ -335,6 +352,7 @@ class Pipeline {
   std::int64_t commands_ = 0;  // of the whole print
   double filament_before_mm_ = 0;
   core::LayerIndex layers_timed_ = 0;
+  std::size_t islands_told_ = 0;
   std::optional<core::Error> error_;
   std::atomic<bool> refused_ = false;  // an output returned false, or there was an error
 };

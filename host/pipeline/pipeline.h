@@ -26,6 +26,7 @@
 #include "host/part/bad_layers.h"          // OnBadLayer
 #include "host/part/part_file.h"           // OpenedPart
 #include "host/pipeline/checkpoint.h"      // Checkpoint
+#include "host/pipeline/hanging_log.h"     // OnFloating
 #include "host/pipeline/layer_watch.h"     // SlowLayer
 #include "host/pipeline/print_settings.h"  // PrintSettings
 #include "host/pipeline/statistics.h"      // GeometryStatistics
@@ -39,6 +40,7 @@ struct PrintPlan {
   OpenedPart part;         // consumed by the run
   std::string part_path;   // for messages
   OnBadLayer on_bad_layer = OnBadLayer::kRepair;
+  OnFloating on_floating = OnFloating::kWarn;
   int threads = 1;  // processors that the geometry may use; REQUIRES: 1 … kThreadsMax
 
   // For arcs = auto: whether the controller draws arcs. Called once, before the first layer's

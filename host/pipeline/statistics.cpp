@@ -55,6 +55,29 @@ Json defects_json(const DefectLog& defects) {
           {"heights_mm", heights}};
 }
 
+// `size`: its key in a spot.
+Json hanging_kind_json(const HangingLog::Kind& found, const char* size) {
+  const auto one = [size](const HangingSpot& spot) {
+    return Json{{"layer", spot.layer + 1},
+                {"height_mm", spot.height.mm()},
+                {"x_mm", core::Length::from_units(spot.place.at.x).mm()},
+                {"y_mm", core::Length::from_units(spot.place.at.y).mm()},
+                {size, spot.place.size}};
+  };
+  Json first = Json::array();
+  for (const HangingSpot& spot : found.first) first.push_back(one(spot));
+  return {{"count", found.count},
+          {"layers", found.layers},
+          {"largest", found.count > 0 ? one(found.largest) : Json()},
+          {"first", first}};
+}
+
+Json hanging_json(const HangingLog& hanging) {
+  return {{"islands", hanging_kind_json(hanging.of(core::HangingKind::kIsland), "area_mm2")},
+          {"long_bridges", hanging_kind_json(hanging.of(core::HangingKind::kSpan), "span_mm")},
+          {"overhangs", hanging_kind_json(hanging.of(core::HangingKind::kOverhang), "area_mm2")}};
+}
+
 Json slow_layers_json(const SlowLayers& slow) {
   const auto one = [](const SlowLayer& layer) {
     return Json{{"layer", layer.layer + 1},
@@ -226,7 +249,8 @@ std::string statistics_json(const GeometryStatistics& geometry, const LinkStatis
                {"filament_mm", filament_json(geometry.filament_mm)},
                {"time_s", geometry.time_s},
                {"geometry_ended", geometry.ended},
-               {"defects", defects_json(geometry.defects)}};
+               {"defects", defects_json(geometry.defects)},
+               {"hanging", hanging_json(geometry.hanging)}};
   json["first_road_s"] = or_null(link != nullptr ? link->first_road_s : geometry.first_road_s);
   json["first_road_cpu_s"] =
       or_null(link != nullptr ? link->first_road_cpu_s : geometry.first_road_cpu_s);

@@ -10,6 +10,7 @@
 #include "core/roads/road.h"            // RoadKind
 #include "core/slices/slice.h"          // Slice
 #include "core/units.h"                 // LayerIndex, Length
+#include "host/pipeline/hanging_log.h"  // HangingLog
 #include "host/pipeline/layer_times.h"  // LayerTimes
 #include "host/pipeline/layer_watch.h"  // SlowLayers
 #include "host/pipeline/stage_meter.h"  // StageCounts
@@ -112,6 +113,7 @@ struct GeometryStatistics {
   double time_s = 0;  // estimated, heating left out
   bool ended = true;  // false: abandoned in the middle of a layer; no other value here is known
   DefectLog defects;
+  HangingLog hanging;
   // When the first road was written to the file. LinkStatistics has those of a print.
   std::optional<double> first_road_s;      // since the program started
   std::optional<double> first_road_cpu_s;  // of the whole program

@@ -52,6 +52,7 @@ JournalHead head_in(const Json& json) {
     head.settings.emplace_back(key, value.get<std::string>());
   }
   head.on_bad_layer = json.at("on_bad_layer").get<std::string>();
+  head.on_floating = json.value("on_floating", "");
   head.port = json.at("port").get<std::string>();
   head.usb = json.at("usb").get<std::string>();
   head.baud = json.at("baud").get<int>();
@@ -68,6 +69,7 @@ std::string head_bytes(const JournalHead& head) {
                {"part_hash", fmt::format("{:016x}", head.part_hash)},
                {"part_bytes", head.part_bytes},
                {"on_bad_layer", head.on_bad_layer},
+               {"on_floating", head.on_floating},
                {"port", head.port},
                {"usb", head.usb},
                {"baud", head.baud},

@@ -36,6 +36,18 @@ void add_bad_layer(CLI::App& command, Options& options) {
       ->each([&options](const std::string&) { options.print.bad_layer_told = true; });
 }
 
+void add_floating(CLI::App& command, Options& options) {
+  static const std::map<std::string, OnFloating> kWords = {{"warn", OnFloating::kWarn},
+                                                           {"stop", OnFloating::kStop}};
+  command
+      .add_option("--on-floating", options.part.on_floating,
+                  "how to treat a layer with an island that begins in the air: warn (print it), "
+                  "stop (before that layer)")
+      ->type_name("WORD")
+      ->transform(CLI::CheckedTransformer(kWords).description(""))
+      ->each([&options](const std::string&) { options.print.floating_told = true; });
+}
+
 void add_memory(CLI::App& command, Options& options) {
   command
       .add_option("--memory", options.part.sort_bytes,
@@ -68,6 +80,7 @@ void add_part(CLI::App& command, Options& options) {
   add_tall(command, options);
   add_memory(command, options);
   add_bad_layer(command, options);
+  add_floating(command, options);
 }
 
 void add_sorted(CLI::App& command, Options& options) {
@@ -169,6 +182,7 @@ CLI::App* add_resume(CLI::App& app, Options& options) {
       ->check(CLI::Range(0.0, 1e7));
   add_memory(*command, options);
   add_bad_layer(*command, options);
+  add_floating(*command, options);
   add_settings(*command, options);
   add_reports(*command, options);
   return command;

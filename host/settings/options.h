@@ -11,6 +11,7 @@
 #include "core/units.h"                    // LayerIndex
 #include "host/output/output_format.h"     // OutputFormat
 #include "host/part/bad_layers.h"          // OnBadLayer
+#include "host/pipeline/hanging_log.h"     // OnFloating
 #include "host/settings/section_words.h"   // SectionPlace, SectionZoom
 #include "host/settings/whole_settings.h"  // SettingsRequest
 #include "host/system/limits.h"            // kSortBytesDefault
@@ -40,6 +41,7 @@ struct PartOptions {
   PipeSorted sorted = PipeSorted::kAuto;
   bool tall = false;  // OpenOptions::tall
   OnBadLayer on_bad_layer = OnBadLayer::kRepair;
+  OnFloating on_floating = OnFloating::kWarn;
 };
 
 // print, resume: the printer.
@@ -62,6 +64,7 @@ struct PrintCommandOptions {
   bool yes = false;                    // nobody can answer questions
   std::optional<double> nozzle_height_mm;
   bool bad_layer_told = false;
+  bool floating_told = false;
 };
 
 // slice, show: the output.

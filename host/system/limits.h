@@ -31,6 +31,9 @@ inline constexpr int kFeedPercentStep = 10;
 // Layers whose mended defects are listed by height; further ones are only counted.
 inline constexpr std::size_t kDefectHeightsMax = 16;
 
+// Places in the air that are told one by one, of each kind; further ones are only counted.
+inline constexpr std::size_t kHangingTold = 4;
+
 // Slow layers that are reported one by one; further ones are only counted. kSlowLayersKnown slow
 // layers are remembered, so that none is counted twice.
 inline constexpr std::size_t kSlowLayersTold = 16;

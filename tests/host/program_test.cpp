@@ -169,6 +169,34 @@ TEST_CASE("a mended part is printed, and what was mended is told with its height
   }
 }
 
+TEST_CASE(
+    "an island that begins in the air is told with layer, place and size, or ends the print") {
+  const PartFolder folder;
+  const std::string part = folder.add(
+      "island.stl",
+      parts::together({parts::box({0, 0, 0}, 5, 20, 6), parts::box({15, 5, 2}, 6, 4, 4)}));
+  const std::string told = "an island of 24.0 mm² begins in the air at (157.5, 147.0) mm";
+  const std::string stats = folder.file("stats.json"), out = folder.file("out.gcode");
+  const ProgramRun plan = rind("plan " + part + kCoarse + " --stats " + stats);
+  CHECK_EQ(plan.exit_code, 0);
+  CAPTURE(plan.output);
+  CHECK(says(plan, told + " on the bed, layer 6, 2 mm high"));
+  CHECK(says(plan, "1 island begins in the air"));
+  const auto islands = nlohmann::json::parse(content(stats))["hanging"]["islands"];
+  CHECK_EQ(islands["count"], 1);
+  CHECK_EQ(islands["first"][0]["layer"], 6);
+  CHECK(says(rind("show " + part + kCoarse + " --layer 7 -o " + folder.file("l.svg")), told));
+  const ProgramRun stop = rind("slice " + part + kCoarse + " --on-floating stop -o " + out);
+  CHECK_EQ(stop.exit_code, 3);
+  CHECK(says(stop, told));
+  CHECK_FALSE(std::filesystem::exists(out));
+  const std::string print = "print " + part + kCoarse + " --port virtual --virtual-speed 0";
+  CHECK_EQ(rind(print + " --on-floating stop").exit_code, 3);
+  const ProgramRun printed = rind(print);
+  CHECK_EQ(printed.exit_code, 0);
+  CHECK(says(printed, told));
+}
+
 TEST_CASE("a bad setting ends with code 3 and what would be right") {
   const PartFolder folder;
   const std::string box = folder.add("box.stl", small_box());

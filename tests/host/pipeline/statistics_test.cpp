@@ -80,6 +80,7 @@ TEST_CASE("the statistics file has every key that was promised") {
                           "stalls",
                           "resends",
                           "defects",
+                          "hanging",
                           "slow_layers",
                           "geometry_ended"}) {
     CAPTURE(key);

@@ -171,10 +171,12 @@ TEST_CASE("bounds of memory, the order of a pipe, bad layers and a log") {
   CHECK_EQ(plain.memory_limit_bytes, 0);
   CHECK_EQ(plain.part.sorted, host::PipeSorted::kAuto);
   CHECK_EQ(plain.part.on_bad_layer, host::OnBadLayer::kRepair);
+  CHECK_EQ(plain.part.on_floating, host::OnFloating::kWarn);
   CHECK(plain.log.empty());
-  const Options options =
-      parse_good({"print", "-", "--port", "virtual", "--memory", "512k", "--memory-limit", "64M",
-                  "--sorted", "yes", "--on-bad-layer", "neighbour", "--log", "rind.log"});
+  const Options options = parse_good({"print", "-", "--port", "virtual", "--memory", "512k",
+                                      "--memory-limit", "64M", "--sorted", "yes", "--on-bad-layer",
+                                      "neighbour", "--on-floating", "stop", "--log", "rind.log"});
+  CHECK_EQ(options.part.on_floating, host::OnFloating::kStop);
   CHECK_EQ(options.part.sort_bytes, std::size_t{512} << 10);
   CHECK_EQ(options.memory_limit_bytes, std::size_t{64} << 20);
   CHECK_EQ(options.part.sorted, host::PipeSorted::kYes);
