@@ -18,10 +18,10 @@ namespace {
 constexpr double kCornerCosine = 0.87;
 
 // Island parts are printed in this order.
-constexpr int kStages = 9;
+constexpr int kStages = 8;
 
 // Roads of these stages are in order already (wall_fill.h): bottoms, tops, ironing.
-constexpr bool in_order(int stage) { return stage == 3 || stage >= 7; }
+constexpr bool in_order(int stage) { return stage == 3 || stage >= 6; }
 
 // A hole's perimeter that nothing holds: the bridge beside it comes before.
 bool hole_in_air(const Road& road) {
@@ -51,15 +51,14 @@ int stage(const Road& road, bool outer_first) {
     case RoadKind::kInternalBridge:
     case RoadKind::kSolid:
     case RoadKind::kGapFill:
-      return 4;
     case RoadKind::kLoose:
-      return 6;
+      return 4;
     case RoadKind::kTopSolid:
-      return 7;
+      return 6;
     case RoadKind::kIroning:
       break;
   }
-  return 8;
+  return 7;
 }
 
 bool corner(Point a, Point b, Point c) {

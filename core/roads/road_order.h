@@ -27,8 +27,8 @@ namespace core {
 
 // All roads of a layer: its first ones, then island by island the inner perimeters, the outer ones
 // (before them where wanted, but for those that overhang), bottoms, the wall with its bridges and
-// its gap fill, the perimeters of holes in bridges, the inside, tops, ironing. Bottoms, tops and
-// ironing keep their order.
+// its gap fill and the inside as they are near one another, the perimeters of holes in bridges,
+// tops, ironing. Bottoms, tops and ironing keep their order.
 // COSTS: as nearest_order().
 [[nodiscard]] std::vector<Road> printing_order(LayerRoads layer);
 
