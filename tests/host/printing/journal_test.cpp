@@ -25,6 +25,7 @@ host::JournalHead some_head() {
   head.part_bytes = 123'456'789'012;
   head.settings = {{"layer_height", "0.2"}, {"start_gcode", "G28\\nM83"}};
   head.on_bad_layer = "repair";
+  head.on_floating = "stop";
   head.port = "/dev/ttyUSB0";
   head.usb = "1a86:7523, serial 1";
   head.baud = 250'000;
@@ -43,7 +44,7 @@ host::JournalRecord record_of(std::mt19937_64& random) {
   record.checkpoint.bottom = core::Length::from_units(any());
   record.checkpoint.commands = any();
   record.checkpoint.filament_mm = static_cast<double>(any()) / 3;
-  record.checkpoint.motions = {true, random() % 2 == 0, true, false, {-5, 7}, {}, 0.1, 210, {}};
+  record.checkpoint.motions = {true, random() % 2 == 0, true, false, {-5, 7}, {}, 0.1, 210, 60, {}};
   if (random() % 3 > 0) record.checkpoint.motions.arcs = random() % 2 == 0;
   if (random() % 2 == 0) record.checkpoint.motions.nozzle_z = core::Length::from_units(any());
   record.checkpoint.encoder = {maybe(), maybe(), maybe(), maybe(), -0.25};
