@@ -28,7 +28,7 @@ struct SliceOffsets {
   // distance in layers where it is a ball (wall_depths.h).
   std::vector<InnerOffset> wall_inners;
   std::vector<OffsetContours> perimeters;  // centre lines of the perimeters, from the outside in
-  std::vector<Region> perimeter_cores;     // where each perimeter has room (perimeters.h)
+  Region wide_core;                        // what is deeper than in any narrow place
   Region interior;                         // what the perimeters leave to be filled
 };
 

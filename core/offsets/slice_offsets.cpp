@@ -20,6 +20,10 @@ Length perimeter_depth(const Settings& settings, Length layer_height, int number
   return Length::from_units(settings.road_width.units() / 2) + s * (number - 1);
 }
 
+Length wide_depth(const Settings& settings, Length layer_height) {
+  return perimeter_depth(settings, layer_height, settings.perimeters + 1);
+}
+
 Length narrow_half(const Settings& settings, Length layer_height) {
   return Length::from_mm(kNarrowShare / 2 * perimeter_spacing(settings, layer_height).mm());
 }
@@ -30,9 +34,8 @@ std::int64_t OffsetCutter::fill(const Slice& slice, SliceOffsets& cut) const {
   thread_local PolygonOffsetter offsetter;
   const Length half_spacing =
       Length::from_units(perimeter_spacing(settings, slice.height).units() / 2);
-  const Length half_narrow = narrow_half(settings, slice.height);
   const std::vector<Length> walls = wall_depths(settings, slice.height);
-  // The wall's depths; centre line and core of each perimeter; the interior's.
+  // The wall's depths; the perimeters' centre lines; where places are wide; the interior's.
   std::vector<Length> depths = walls;
   // Without perimeters, rows that end kRowEndShare below the interior's edge stay within the part.
   Length inner_edge = Length::from_mm(
@@ -40,9 +43,9 @@ std::int64_t OffsetCutter::fill(const Slice& slice, SliceOffsets& cut) const {
   for (int number = 1; number <= settings.perimeters; ++number) {
     const Length depth = perimeter_depth(settings, slice.height, number);
     depths.push_back(depth);
-    depths.push_back(depth + half_narrow);
     inner_edge = depth + half_spacing;
   }
+  depths.push_back(wide_depth(settings, slice.height));
   depths.push_back(inner_edge);
   thread_local std::vector<OffsetContours> contours;
   contours.resize(depths.size());
@@ -53,10 +56,10 @@ std::int64_t OffsetCutter::fill(const Slice& slice, SliceOffsets& cut) const {
   for (std::size_t i = 0; i < walls.size(); ++i) {
     cut.wall_inners.push_back({walls[i], flat(contours[i])});
   }
-  for (std::size_t i = walls.size(); i + 1 < contours.size(); i += 2) {
+  for (std::size_t i = walls.size(); i + 2 < contours.size(); ++i) {
     cut.perimeters.push_back(std::move(contours[i]));
-    cut.perimeter_cores.push_back(flat(contours[i + 1]));
   }
+  cut.wide_core = flat(contours[contours.size() - 2]);
   cut.interior = flat(contours.back());
   return offsetter.retries() + offsetter.fallbacks() - tries_before;
 }

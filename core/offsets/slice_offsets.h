@@ -31,6 +31,10 @@ namespace core {
 // Depth of the centre line of perimeter `number`, counted from 1.
 [[nodiscard]] Length perimeter_depth(const Settings& settings, Length layer_height, int number);
 
+// The largest disc in a place that holds the perimeters of both sides and one road more between
+// them. Narrower places have roads of their own widths (roads/beading.h).
+[[nodiscard]] Length wide_depth(const Settings& settings, Length layer_height);
+
 // Two neighbouring centre lines of perimeter roads are never nearer than this share of their
 // spacing; where the part is too narrow for that, one road of its own width takes their place.
 inline constexpr double kNarrowShare = 0.6;
@@ -62,8 +66,8 @@ class OffsetCutter {
   [[nodiscard]] Reservation reserve(const Slice& slice);
 
   // Returns how many depths needed more than one try. Each thread keeps its scratch memory.
-  // COSTS: one polygon offset at all depths: the wall's (wall_depths.h), two a perimeter, the
-  // interior's. REQUIRES: offsets that were reserved for this slice.
+  // COSTS: one polygon offset at all depths: the wall's (wall_depths.h), the perimeters',
+  // the interior's, that of wide places. REQUIRES: offsets that were reserved for this slice.
   [[nodiscard]] std::int64_t fill(const Slice& slice, SliceOffsets& offsets) const;
 
   // Both at once.

@@ -169,19 +169,16 @@ double room_mm2(const ThickPolyline& line) {
 }
 
 // One road along the line, as wide everywhere as the room is.
-void add_road(const ThickPolyline& whole, GapBoundary edges, Length height,
-              const Settings& settings, std::vector<Road>& roads) {
+void add_road(const ThickPolyline& whole, Length height, const Settings& settings,
+              std::vector<Road>& roads) {
   const double narrowest = settings.road_width_min.mm();
-  if (edges == GapBoundary::kRoads && length_mm(whole.points, whole.closed) < kLineLengthMinMm) {
-    return;
-  }
+  if (length_mm(whole.points, whole.closed) < kLineLengthMinMm) return;
   const double room = room_mm2(whole);
   if (room < kCrumbSquares * narrowest * narrowest) return;
   ThickPolyline line = simplified(whole, kLineTolerance);
   if (line.closed && line.points.size() < 3) line = whole;
   // What a bead's round sides need beyond the room.
-  const double side =
-      edges == GapBoundary::kPart ? 0 : height.mm() * (1 - std::numbers::pi / 4) + kBeadSeam.mm();
+  const double side = height.mm() * (1 - std::numbers::pi / 4) + kBeadSeam.mm();
   Road road{RoadKind::kGapFill, {}, line.closed, std::move(line.points), std::move(line.widths)};
   for (Length& width : road.widths) {
     width = Length::from_mm(std::max(width.mm() + side, narrowest));
@@ -192,15 +189,14 @@ void add_road(const ThickPolyline& whole, GapBoundary edges, Length height,
 
 }  // namespace
 
-Length gap_width_min(const Settings& settings, GapBoundary edges) {
-  if (edges == GapBoundary::kPart) return settings.road_width_min - kRoomSlack;
+Length gap_width_min(const Settings& settings) {
   return Length::from_mm(kRoomMinShare * settings.road_width_min.mm());
 }
 
-std::vector<Road> gap_fill_roads(const Region& gaps, GapBoundary edges, Length layer_height,
+std::vector<Road> gap_fill_roads(const Region& gaps, Length layer_height,
                                  const Settings& settings) {
   std::vector<Road> roads;
-  const Length narrowest = gap_width_min(settings, edges);
+  const Length narrowest = gap_width_min(settings);
   const Length widest = Length::from_mm(kRoomMaxWidths * settings.road_width.mm());
   PolygonOffsetter offsetter;
   for (const Region& piece : pieces_of(gaps, settings)) {
@@ -208,10 +204,9 @@ std::vector<Road> gap_fill_roads(const Region& gaps, GapBoundary edges, Length l
     if (offsetter.offset(piece, Length::from_units(narrowest.units() / 2)).empty()) continue;
     const std::size_t before = roads.size();
     for (const ThickPolyline& line : medial_axis(piece, narrowest, widest)) {
-      add_road(line, edges, layer_height, settings, roads);
+      add_road(line, layer_height, settings, roads);
     }
-    if (roads.size() == before && edges == GapBoundary::kRoads &&
-        piece.point_count() <= kBlobPointsMax) {
+    if (roads.size() == before && piece.point_count() <= kBlobPointsMax) {
       add_blob(piece, widest, settings, roads);
     }
   }

@@ -17,20 +17,11 @@
 
 namespace core {
 
-// What bounds a gap, and so how beads lie against it.
-enum class GapBoundary {
-  kRoads,  // other roads: the bead's round sides reach into the gaps that theirs leave
-  kPart,   // the part's own contour: the bead does not reach beyond it
-};
-
-// What the grid and its roundings may take from a wall that is as wide as the narrowest road.
-inline constexpr Length kRoomSlack = Length::from_units(10);
-
 // Narrower gaps get no road.
-[[nodiscard]] Length gap_width_min(const Settings& settings, GapBoundary edges);
+[[nodiscard]] Length gap_width_min(const Settings& settings);
 
 // COSTS: a medial axis of the gaps. Crumbs too small for any road are sorted out before.
-[[nodiscard]] std::vector<Road> gap_fill_roads(const Region& gaps, GapBoundary edges,
-                                               Length layer_height, const Settings& settings);
+[[nodiscard]] std::vector<Road> gap_fill_roads(const Region& gaps, Length layer_height,
+                                               const Settings& settings);
 
 }  // namespace core

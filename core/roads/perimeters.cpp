@@ -1,167 +1,115 @@
 #include "core/roads/perimeters.h"
 
-#include <algorithm>
-#include <cmath>
+#include <optional>
+#include <utility>
 
-#include "core/booleans/boolean.h"           // intersect, subtract
+#include "core/booleans/boolean.h"           // clean
 #include "core/offsets/offset_contours.h"    // flatten
-#include "core/offsets/slice_offsets.h"      // perimeter_depth
-#include "core/regions/contour_proximity.h"  // frechet_within
-#include "core/regions/polyline.h"           // between, distance_mm
-#include "core/regions/segment_grid.h"       // SegmentGrid
+#include "core/offsets/polygon_offset.h"     // PolygonOffsetter
+#include "core/offsets/slice_offsets.h"      // perimeter_depth, wide_depth
+#include "core/regions/contact_check.h"      // surely_clean
+#include "core/regions/contour_proximity.h"  // stays_near
 #include "core/regions/simplify.h"           // simplify
-#include "core/roads/bead_cover.h"           // add_bead_outlines, uncovered
+#include "core/roads/axis_graph.h"           // AxisGraph
+#include "core/roads/bead_counts.h"          // decide_bead_counts
+#include "core/roads/bead_lines.h"           // bead_lines
+#include "core/roads/bead_roads.h"           // add_bead_road
+#include "core/roads/centre_beads.h"         // centre_beads
 
 namespace core {
 
 namespace {
 
-// A point on a ring and whether the core is near it.
-struct Sample {
-  Point point;
-  bool near = false;
-  bool corner = false;  // of the ring; the others lie between two corners
-};
+// Contours that touch are parted by this before their axis is sought.
+constexpr Length kPartTouching = Length::from_units(5);
 
-// The ring's vertices, and points between them at most `step` apart.
-std::vector<Sample> samples(const Ring& ring, const SegmentGrid& core, Length reach, Length step) {
-  std::vector<Sample> all;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Point a = ring[i], b = ring[(i + 1) % ring.size()];
-    const auto parts =
-        std::max<std::int64_t>(1, std::llround(std::ceil(distance_mm(a, b) / step.mm())));
-    for (std::int64_t part = 0; part < parts; ++part) {
-      const Point p = between(a, b, static_cast<double>(part) / static_cast<double>(parts));
-      all.push_back({p, core.any_within(p, reach), part == 0});
-    }
-  }
-  return all;
+RoadKind kind_of(int level) {
+  return level == 1 ? RoadKind::kOuterPerimeter : RoadKind::kPerimeter;
 }
 
-// Runs of equal `near` shorter than `shortest` take their neighbours' value: first the gaps in
-// what is kept, then the crumbs.
-void smooth(std::vector<Sample>& ring, Length shortest) {
-  for (const bool value : {false, true}) {
-    const std::size_t count = ring.size();
-    std::size_t start = 0;
-    while (start < count && ring[start].near == value) ++start;
-    if (start == count) return;
-    for (std::size_t i = 0; i < count;) {
-      const std::size_t first = (start + i) % count;
-      if (ring[first].near != value) {
-        ++i;
-        continue;
-      }
-      std::size_t run = 0;
-      double mm = 0;
-      while (ring[(first + run) % count].near == value) {
-        mm += distance_mm(ring[(first + run) % count].point, ring[(first + run + 1) % count].point);
-        ++run;
-      }
-      if (mm < shortest.mm()) {
-        for (std::size_t k = 0; k < run; ++k) ring[(first + k) % count].near = !value;
-      }
-      i += run;
-    }
+// Whether each line is near the next deeper one: within twice what lies between, as at corners of
+// 60° and more.
+bool wide_all_over(const IslandOffsets& island, Length height, const Settings& settings) {
+  const Region* line = &island.region;
+  Length depth;
+  for (std::size_t i = 0; i <= island.perimeters.size(); ++i) {
+    const bool last = i == island.perimeters.size();
+    const Region& deeper = last ? island.wide_core : island.perimeters[i];
+    const Length next = last ? wide_depth(settings, height)
+                             : perimeter_depth(settings, height, static_cast<int>(i) + 1);
+    if (deeper.empty() || !frechet_within(*line, deeper, (next - depth) * 2)) return false;
+    line = &deeper;
+    depth = next;
   }
+  return true;
 }
 
-// The runs of samples with `near` as asked, each as an open road.
-void add_runs(const std::vector<Sample>& ring, bool near, Length width, RoadKind kind,
-              std::vector<Road>& roads) {
-  const std::size_t count = ring.size();
-  std::size_t start = 0;
-  while (ring[start].near == near) ++start;
-  for (std::size_t i = 0; i < count;) {
-    Road road{kind, width, false, {}};
-    while (i < count && ring[(start + i) % count].near == near) {
-      const Sample& sample = ring[(start + i) % count];
-      ++i;
-      const bool last = i == count || ring[(start + i) % count].near != near;
-      if (road.points.empty() || last || sample.corner) road.points.push_back(sample.point);
-    }
-    if (road.points.empty()) ++i;
-    if (road.points.size() >= 2) roads.push_back(std::move(road));
-  }
-}
-
-bool all_near(const std::vector<Sample>& ring, bool near) {
-  return std::all_of(ring.begin(), ring.end(), [&](const Sample& s) { return s.near == near; });
-}
-
-// Where the next core is too far from `line` for a next perimeter to fit.
-std::vector<Road> narrow_places(const Region& line, const Region& next_core, Length reach) {
-  std::vector<Road> places;
-  if (frechet_within(line, next_core, reach)) return places;
-  const SegmentGrid grid(reach, next_core);
-  for (const Ring& ring : line.rings()) {
-    const std::vector<Sample> ring_samples = samples(ring, grid, reach, reach);
-    if (all_near(ring_samples, true)) continue;
-    if (all_near(ring_samples, false)) {
-      places.push_back({RoadKind::kGapFill, reach, true, ring});
-    } else {
-      add_runs(ring_samples, false, reach, RoadKind::kGapFill, places);
+Perimeters of_wide_island(IslandOffsets island, const Settings& settings) {
+  Perimeters result;
+  for (std::size_t i = 0; i < island.perimeters.size(); ++i) {
+    for (const Ring& exact : island.perimeters[i].rings()) {
+      Ring ring = simplify(exact, settings.arc_tolerance);
+      if (ring.size() < 3) continue;
+      result.roads.push_back(
+          {kind_of(static_cast<int>(i) + 1), settings.road_width, true, std::move(ring)});
     }
   }
-  return places;
+  result.interior = std::move(island.interior);
+  return result;
+}
+
+// The axis, with beads; nothing where no diagram passes its checks.
+std::optional<AxisGraph> beaded_axis(const Region& island, const Beading& beading) {
+  std::optional<AxisGraph> graph = AxisGraph::make(island.rings(), beading);
+  if (graph) decide_bead_counts(beading, *graph);
+  return graph;
+}
+
+Region interior_of(const std::vector<BeadLine>& lines) {
+  std::vector<Ring> rings;
+  for (const BeadLine& line : lines) {
+    Ring ring;
+    for (const BeadPoint& at : line.points) {
+      const Point point{static_cast<std::int32_t>(std::lround(at.at.x)),
+                        static_cast<std::int32_t>(std::lround(at.at.y))};
+      if (ring.empty() || ring.back() != point) ring.push_back(point);
+    }
+    while (ring.size() > 1 && ring.back() == ring.front()) ring.pop_back();
+    if (ring.size() >= 3) rings.push_back(std::move(ring));
+  }
+  if (surely_clean(rings)) return Region::from_clean_rings(std::move(rings));
+  return clean(rings, FillRule::kPositive);
 }
 
 }  // namespace
 
-std::vector<Road> roads_near_core(const Region& line, const Region& core, Length reach,
-                                  Length width, RoadKind kind, Length tolerance) {
-  std::vector<Road> roads;
-  if (core.empty()) return roads;
-  // The simplified rings stray from the line by the tolerance at most.
-  const bool whole = reach > tolerance && frechet_within(line, core, reach - tolerance);
-  const SegmentGrid grid(reach, whole ? Region() : core);
-  for (const Ring& exact : line.rings()) {
-    const Ring ring = simplify(exact, tolerance);
-    if (ring.size() < 3) continue;
-    if (whole || all_near(samples(ring, grid, reach, reach), true)) {
-      roads.push_back({kind, width, true, ring});
-      continue;
-    }
-    std::vector<Sample> fine = samples(
-        ring, grid, reach, Length::from_units(std::max<std::int64_t>(1, reach.units() / 4)));
-    smooth(fine, width);
-    if (all_near(fine, true)) {
-      roads.push_back({kind, width, true, ring});
-    } else if (!all_near(fine, false)) {
-      add_runs(fine, true, width, kind, roads);
-    }
+Perimeters perimeters(IslandOffsets island, Length height, const Settings& settings) {
+  if (settings.perimeters == 0 || wide_all_over(island, height, settings)) {
+    return of_wide_island(std::move(island), settings);
   }
-  return roads;
-}
-
-Perimeters perimeters(const Slice& slice, const SliceOffsets& offsets, const Settings& settings) {
+  const Beading beading(settings, height);
+  std::optional<AxisGraph> graph = beaded_axis(island.region, beading);
+  std::optional<BeadSpans> spans;
+  if (graph) spans.emplace(*graph);
+  if (!graph || !spans->sound()) {
+    const Region parted =
+        flatten(PolygonOffsetter().offset(island.region, kPartTouching), settings.arc_tolerance);
+    graph = beaded_axis(parted, beading);
+    if (graph) spans.emplace(*graph);
+  }
+  if (!graph || !spans->sound()) return of_wide_island(std::move(island), settings);
+  const auto tolerance = static_cast<double>(settings.arc_tolerance.units());
   Perimeters result;
-  const Length height = slice.height;
-  const Length half_narrow = narrow_half(settings, height);
-  std::vector<Road> places;
-  Region line = slice.region;
-  Length depth;
-  for (std::size_t i = 0; i < offsets.perimeters.size(); ++i) {
-    const Region& core = offsets.perimeter_cores[i];
-    const Length next = perimeter_depth(settings, height, static_cast<int>(i) + 1);
-    const Length reach = (next + half_narrow - depth) * 2;
-    std::vector<Road> narrow = narrow_places(line, core, reach);
-    places.insert(places.end(), narrow.begin(), narrow.end());
-    line = flatten(offsets.perimeters[i], settings.arc_tolerance);
-    depth = next;
-    const RoadKind kind = i == 0 ? RoadKind::kOuterPerimeter : RoadKind::kPerimeter;
-    std::vector<Road> roads = roads_near_core(line, core, half_narrow * 2, settings.road_width,
-                                              kind, settings.arc_tolerance);
-    result.roads.insert(result.roads.end(), roads.begin(), roads.end());
+  for (int level = 1; level <= settings.perimeters; ++level) {
+    for (const BeadLine& line : bead_lines(beading, *graph, *spans, level, tolerance)) {
+      add_bead_road(line, beading, kind_of(level), settings.arc_tolerance, result.roads);
+    }
   }
-  if (places.empty()) return result;
-  // Only around the narrow places: their bands reach from one side of the part to the other.
-  std::vector<Ring> band_outlines;
-  for (const Road& place : places) add_bead_outlines(place, place.width * 2, band_outlines);
-  const Region band = clean(band_outlines, FillRule::kNonZero);
-  const Region shell = subtract(slice.region, offsets.interior);
-  const Length covered = perimeter_spacing(settings, height) + kBeadSeam;
-  result.gaps = uncovered(intersect(shell, band), result.roads, covered);
+  for (const BeadLine& line : centre_beads(beading, *graph)) {
+    add_bead_road(line, beading, RoadKind::kGapFill, settings.arc_tolerance, result.roads);
+  }
+  result.interior =
+      interior_of(bead_lines(beading, *graph, *spans, beading.levels(beading.wide()), tolerance));
   return result;
 }
 

@@ -72,12 +72,29 @@ std::uint32_t Ridge::only_other(std::uint32_t vertex, std::uint32_t edge) const 
   return other;
 }
 
+// Whether the branch still widens as a corner does, on along this edge.
+void Ridge::widen(Branch& branch, std::uint32_t edge, const CornerRule& rule) const {
+  const double first = diagram_.vertices[diagram_.edges[edge].from].height;
+  const double last = diagram_.vertices[diagram_.to(edge)].height;
+  const double start = branch.reach, end = branch.reach + length(edge);
+  const auto add = [&](double reach, double radius) {
+    const double beyond = reach - radius * rule.reach;
+    branch.least = std::min(branch.least, beyond);
+    if (beyond - branch.least > rule.flat_max) branch.corner = false;
+  };
+  if ((first < rule.radius_min) != (last < rule.radius_min)) {
+    add(start + (end - start) * (rule.radius_min - first) / (last - first), rule.radius_min);
+  }
+  if (last >= rule.radius_min) add(end, last);
+}
+
 // REQUIRES: the edge leaves a free end.
-Ridge::Branch Ridge::branch_from(std::uint32_t edge) const {
+Ridge::Branch Ridge::branch_from(std::uint32_t edge, const CornerRule& rule) const {
   Branch branch;
   branch.reach = reach_[diagram_.edges[edge].from];
   for (;;) {
     branch.edges.push_back(edge);
+    widen(branch, edge, rule);
     branch.reach += length(edge);
     branch.end = diagram_.to(edge);
     if (is_end(branch.end) || is_open(branch.end) || degree_[branch.end] > 2) return branch;
@@ -98,16 +115,17 @@ void Ridge::remove(const Branch& branch) {
   reach_[branch.end] = std::max(reach_[branch.end], branch.reach);
 }
 
-void Ridge::drop_spurs() {
+void Ridge::drop_spurs(const CornerRule& rule) {
   for (bool again = true; again;) {
     std::vector<Branch> spurs;
     for (std::uint32_t vertex = 0; vertex < degree_.size(); ++vertex) {
       if (!is_end(vertex)) continue;
       for_leaving(vertex, [&](std::uint32_t edge) {
-        Branch branch = branch_from(edge);
+        Branch branch = branch_from(edge, rule);
         if (is_end(branch.end)) return;
         const double radius = diagram_.vertices[branch.end].height;
-        if (branch.reach <= 2 * radius) spurs.push_back(std::move(branch));
+        if (branch.corner && branch.reach <= rule.reach * radius)
+          spurs.push_back(std::move(branch));
       });
     }
     // Those that meet in one fork side by side, the farthest reaching first.

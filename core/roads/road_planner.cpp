@@ -10,11 +10,10 @@
 #include "core/offsets/voronoi_mountain.h"  // offset
 #include "core/roads/bridges.h"             // bridges
 #include "core/roads/brim.h"                // brim_roads
-#include "core/roads/gap_fill.h"            // gap_fill_roads
+#include "core/roads/island_split.h"        // IslandSplit
 #include "core/roads/loose_fill.h"          // loose_roads
 #include "core/roads/overhangs.h"           // mark_holds
 #include "core/roads/perimeters.h"          // perimeters
-#include "core/roads/road_order.h"          // by_island
 #include "core/roads/skirt.h"               // skirt_roads
 #include "core/roads/solid_areas.h"         // solid_areas
 #include "core/roads/wall_fill.h"           // ironing_roads, surface_roads, wall_roads
@@ -25,13 +24,6 @@ namespace {
 
 void append(std::vector<Road> more, std::vector<Road>& roads) {
   std::move(more.begin(), more.end(), std::back_inserter(roads));
-}
-
-// Where the centre lines of loose roads may run: no deeper than half a road from the contour.
-Region road_room(const SplitLayer& layer, const Settings& settings) {
-  const SliceOffsets& offsets = *layer.offsets;
-  if (offsets.perimeters.empty()) return layer.loose;
-  return flatten(offsets.perimeters.front(), settings.arc_tolerance);
 }
 
 // Where centre lines of bridges may run: up to the innermost perimeter's.
@@ -72,6 +64,67 @@ Region lay_bridges(const SplitLayer& layer, Region wall, const Settings& setting
   return std::move(over.rest);
 }
 
+// What is planned of one island.
+struct IslandPlan {
+  IslandOffsets offsets;
+  Region room;  // where the centre lines of loose roads may run: half a road from the contour
+  Region loose;
+  SolidAreas areas;
+  IslandRoads roads;
+};
+
+// The parts of a region, each to its island's plan.
+template <typename Place>
+void share_out(const IslandSplit& split, Region all, std::vector<IslandPlan>& plans,
+               const Place& place) {
+  std::vector<Region> parts = split.split(std::move(all));
+  for (std::size_t i = 0; i < plans.size(); ++i) place(plans[i], std::move(parts[i]));
+}
+
+std::vector<IslandPlan> start_plans(const IslandSplit& split, const SplitLayer& layer,
+                                    const Settings& settings) {
+  const SliceOffsets& offsets = *layer.offsets;
+  std::vector<IslandPlan> plans(split.islands().size());
+  for (std::size_t i = 0; i < plans.size(); ++i) plans[i].offsets.region = split.islands()[i];
+  for (const OffsetContours& line : offsets.perimeters) {
+    share_out(
+        split, flatten(line, settings.arc_tolerance), plans,
+        [](IslandPlan& plan, Region part) { plan.offsets.perimeters.push_back(std::move(part)); });
+  }
+  share_out(split, offsets.wide_core, plans,
+            [](IslandPlan& plan, Region part) { plan.offsets.wide_core = std::move(part); });
+  share_out(split, offsets.interior, plans,
+            [](IslandPlan& plan, Region part) { plan.offsets.interior = std::move(part); });
+  return plans;
+}
+
+// Each island's perimeters. Returns what they leave of all islands.
+Region plan_perimeters(std::vector<IslandPlan>& plans, Length height, const Settings& settings,
+                       std::vector<Road>& roads) {
+  std::vector<Ring> interior;
+  for (IslandPlan& plan : plans) {
+    if (!plan.offsets.perimeters.empty()) plan.room = plan.offsets.perimeters.front();
+    Perimeters around = perimeters(std::move(plan.offsets), height, settings);
+    append(std::move(around.roads), roads);
+    const std::vector<Ring>& rings = around.interior.rings();
+    interior.insert(interior.end(), rings.begin(), rings.end());
+  }
+  return Region::from_clean_rings(std::move(interior));
+}
+
+// What is filled of each island.
+void share_fill(const IslandSplit& split, SolidAreas areas, Region loose,
+                std::vector<IslandPlan>& plans) {
+  share_out(split, std::move(areas.between), plans,
+            [](IslandPlan& plan, Region part) { plan.areas.between = std::move(part); });
+  share_out(split, std::move(areas.bottom), plans,
+            [](IslandPlan& plan, Region part) { plan.areas.bottom = std::move(part); });
+  share_out(split, std::move(areas.top), plans,
+            [](IslandPlan& plan, Region part) { plan.areas.top = std::move(part); });
+  share_out(split, std::move(loose), plans,
+            [](IslandPlan& plan, Region part) { plan.loose = std::move(part); });
+}
+
 }  // namespace
 
 RoadPlanner::RoadPlanner(const Settings& settings)
@@ -80,30 +133,35 @@ RoadPlanner::RoadPlanner(const Settings& settings)
 LayerRoads RoadPlanner::plan(const SplitLayer& layer) const {
   const Slice& slice = layer.slice;
   const Settings& settings = slice.index == 0 ? first_settings_ : settings_;
-  const SliceOffsets& offsets = *layer.offsets;
-  const Length height = slice.height;
-  Perimeters around = perimeters(slice, offsets, settings);
-  std::vector<Road> roads = std::move(around.roads);
+  const IslandSplit split(slice.region);
+  std::vector<IslandPlan> plans = start_plans(split, layer, settings);
+  std::vector<Road> roads;
+  const Region interior = plan_perimeters(plans, slice.height, settings, roads);
   if (layer.below) mark_holds(slice.region, *layer.below, settings, roads);
-  append(gap_fill_roads(around.gaps, GapBoundary::kPart, height, settings), roads);
   const Region loose = simplified(layer.loose, settings.simplify_tolerance);
-  Region wall = wall_to_fill(offsets.interior, loose, settings);
+  Region wall = wall_to_fill(interior, loose, settings);
   if (layer.below) wall = lay_bridges(layer, std::move(wall), settings, roads);
-  append(solid_roads(solid_areas(std::move(wall), layer, settings), slice, settings), roads);
-  if (!loose.empty()) {
-    append(loose_roads(intersect(loose, offsets.interior), road_room(layer, settings), slice,
-                       settings),
-           roads);
+  for (Road& road : roads) {
+    plans[split.island_of(road.points.front())].roads.push_back(std::move(road));
   }
+  share_fill(split, solid_areas(std::move(wall), layer, settings), intersect(loose, interior),
+             plans);
   LayerRoads planned;
-  if (roads.empty()) return planned;
+  for (IslandPlan& plan : plans) {
+    append(solid_roads(plan.areas, slice, settings), plan.roads);
+    if (!plan.loose.empty()) {
+      const Region& room = plan.room.empty() ? plan.loose : plan.room;
+      append(loose_roads(plan.loose, room, slice, settings), plan.roads);
+    }
+    if (!plan.roads.empty()) planned.islands.push_back(std::move(plan.roads));
+  }
+  if (planned.islands.empty()) return planned;
   planned.from = slice.region.box().min;
   if (slice.index == 0) {
-    planned.first = skirt_roads(slice.region, height, settings);
-    append(brim_roads(slice.region, height, settings), planned.first);
+    planned.first = skirt_roads(slice.region, slice.height, settings);
+    append(brim_roads(slice.region, slice.height, settings), planned.first);
   }
   planned.outer_first = settings.outer_perimeter_first;
-  planned.islands = by_island(std::move(roads), slice.region);
   return planned;
 }
 

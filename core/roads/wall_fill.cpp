@@ -15,7 +15,7 @@
 #include "core/roads/bead_cover.h"           // uncovered
 #include "core/roads/gap_fill.h"             // gap_fill_roads
 #include "core/roads/line_fill.h"            // LineFill
-#include "core/roads/perimeters.h"           // roads_near_core
+#include "core/roads/roads_near_core.h"      // roads_near_core
 #include "core/roads/row_rests.h"            // row_rests
 
 namespace core {
@@ -27,6 +27,9 @@ constexpr double kBandRoads = 4;
 
 // Rows are at most this share of a bead's width apart.
 constexpr double kRowDistanceMaxWidths = 0.95;
+
+// A ring's two sides are nowhere nearer than so many spacings: they are as wide as that then.
+constexpr double kRingShareMin = 0.75;
 
 // Beads of neighbouring rows overlap by this at least.
 constexpr double kTouchMm = 0.005;
@@ -133,17 +136,17 @@ class WallFill {
     const Region gaps = rings.empty() ? band : uncovered(band, rings, distance + kBeadSeam);
     // Rings that share a narrow band overlap already.
     if (!gaps.empty() && breadth_mm(band) >= 2 * distance.mm()) {
-      const Length hair = gap_width_min(settings_, GapBoundary::kRoads);
+      const Length hair = gap_width_min(settings_);
       for (std::size_t i = innermost; i < rings.size(); ++i) rings[i].width += hair;
     }
     add(std::move(rings));
-    add(gap_fill_roads(gaps, GapBoundary::kRoads, height_, settings_));
+    add(gap_fill_roads(gaps, height_, settings_));
   }
 
   // Where the innermost rings leave too little for one more road, all rings share it.
   [[nodiscard]] Length ring_distance(const Region& band) const {
     const double s = spacing_.mm(), half = breadth_mm(band) / 2;
-    const double rings = std::floor(half / s);
+    const double rings = half >= kRingShareMin * s ? std::max(1.0, std::floor(half / s)) : 0;
     const bool shared = rings >= 1 && half - rings * s < settings_.road_width_min.mm() / 2;
     return shared ? Length::from_mm(half / rings) : spacing_;
   }
@@ -188,7 +191,7 @@ class WallFill {
       for (Road& row : rows.roads) row.width = fitted;
     }
     add(std::move(rows.roads));
-    add(gap_fill_roads(gaps, GapBoundary::kRoads, height_, settings_));
+    add(gap_fill_roads(gaps, height_, settings_));
   }
 
   void add(std::vector<Road> roads) {

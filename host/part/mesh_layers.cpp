@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/roads/gap_fill.h"       // kRoomSlack
+#include "core/roads/beading.h"        // kRoomSlack
 #include "core/slices/plane_sweep.h"   // PlaneSweep
 #include "host/part/bed_placing.h"     // shift_to_bed, check_on_bed
 #include "host/part/height_check.h"    // check_height

@@ -1,0 +1,151 @@
+#include "core/roads/axis_graph.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+#include "core/offsets/voronoi_diagram.h"  // VoronoiDiagram, make_voronoi_diagram
+#include "core/roads/axis_curve.h"         // AxisCurve, Disc
+#include "core/roads/narrow_diagram.h"     // make_narrow_diagram
+#include "core/roads/ridge.h"              // Ridge
+#include "core/trigonometry.h"             // hypotenuse
+
+namespace core {
+namespace {
+
+// How far beyond the least radius of a wide place the axis is known.
+constexpr double kOpenShare = 1.05;
+
+// What counts as cut off there. Units.
+constexpr double kOpenSlack = 8;
+
+// Vertices nearer than this are one node: what lies between them is rounding. Units.
+constexpr double kSameNode = 16;
+
+// Splits stay so far away from the ends of an edge.
+constexpr double kShareMin = 1e-3;
+
+// For each vertex the one that it is taken for: the highest of those that hang together.
+std::vector<std::uint32_t> merged_vertices(const std::vector<VoronoiVertex>& vertices) {
+  std::vector<std::uint32_t> into(vertices.size()), order(vertices.size());
+  for (std::uint32_t i = 0; i < into.size(); ++i) into[i] = order[i] = i;
+  const auto last = [&](std::uint32_t vertex) {
+    while (into[vertex] != vertex) vertex = into[vertex] = into[into[vertex]];
+    return vertex;
+  };
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return std::tie(vertices[a].x, vertices[a].y, a) < std::tie(vertices[b].x, vertices[b].y, b);
+  });
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const VoronoiVertex& at = vertices[order[i]];
+    for (std::size_t j = i + 1; j < order.size(); ++j) {
+      const VoronoiVertex& to = vertices[order[j]];
+      if (to.x - at.x > kSameNode) break;
+      if (std::abs(to.y - at.y) > kSameNode) continue;
+      const std::uint32_t a = last(order[i]), b = last(order[j]);
+      (vertices[a].height < vertices[b].height ? into[a] : into[b]) =
+          vertices[a].height < vertices[b].height ? b : a;
+    }
+  }
+  for (std::uint32_t i = 0; i < into.size(); ++i) into[i] = last(i);
+  return into;
+}
+
+}  // namespace
+
+std::optional<AxisGraph> AxisGraph::make(const std::vector<Ring>& rings, const Beading& beading) {
+  double clearance = kOpenShare * beading.radius_of(beading.room_wide());
+  std::optional<VoronoiDiagram> diagram = make_narrow_diagram(rings, clearance);
+  if (!diagram) {
+    diagram = make_voronoi_diagram(rings, 0);
+    clearance = std::numeric_limits<double>::infinity();
+  }
+  if (!diagram) return std::nullopt;
+  AxisGraph graph{ContourSites(rings)};
+  if (!graph.add_edges(*diagram, clearance, beading)) return std::nullopt;
+  return graph;
+}
+
+double AxisGraph::length(const AxisEdge& edge) const {
+  const Vector along = nodes_[edge.to].at - nodes_[edge.from].at;
+  return hypotenuse(along.x, along.y);
+}
+
+std::uint32_t AxisGraph::split(std::uint32_t edge, double share) {
+  AxisEdge rest = edges_[edge];
+  const AxisNode& a = nodes_[rest.from];
+  const AxisNode& b = nodes_[rest.to];
+  const auto node = static_cast<std::uint32_t>(nodes_.size());
+  nodes_.push_back({a.at + (b.at - a.at) * share, a.radius + (b.radius - a.radius) * share, false});
+  edges_[edge].to = node;
+  rest.from = node;
+  edges_.push_back(rest);
+  return node;
+}
+
+bool AxisGraph::add_edges(const VoronoiDiagram& diagram, double clearance, const Beading& beading) {
+  for (const VoronoiVertex& vertex : diagram.vertices) {
+    nodes_.push_back({{vertex.x, vertex.y},
+                      std::max(0.0, vertex.height),
+                      vertex.height >= clearance - kOpenSlack});
+  }
+  Ridge ridge(diagram, clearance - kOpenSlack);
+  const std::vector<std::uint32_t> all = ridge.edges();
+  ridge.drop_spurs(
+      {kCornerReach, beading.radius_of(beading.room_min()), kFlatMax * beading.spacing()});
+  std::vector<std::uint8_t> central(diagram.edges.size(), 0);
+  for (const std::uint32_t edge : ridge.edges()) central[edge] = 1;
+  const std::vector<std::uint32_t> merged = merged_vertices(diagram.vertices);
+  std::vector<double> stops;
+  for (const std::uint32_t half : all) {
+    const VoronoiSite& left = diagram.site_of(half);
+    const VoronoiSite& right = diagram.site_of(diagram.edges[half].twin);
+    AxisEdge edge{merged[diagram.edges[half].from], merged[diagram.to(half)],
+                  sites_.find(left.a, left.b), sites_.find(right.a, right.b), central[half] != 0};
+    if (edge.from == edge.to) continue;
+    if (edge.left == ContourSites::kNone || edge.right == ContourSites::kNone) return false;
+    const AxisCurve curve(diagram, half);
+    curve.find_stops(0, 0, stops);
+    const std::uint32_t last = edge.to;
+    for (std::size_t i = 1; i < stops.size(); ++i) {
+      edge.to = last;
+      if (i + 1 < stops.size()) {
+        const Disc disc = curve.at(stops[i]);
+        edge.to = static_cast<std::uint32_t>(nodes_.size());
+        nodes_.push_back({{disc.x, disc.y}, disc.radius, false});
+      }
+      edges_.push_back(edge);
+      if (edge.central) add_central(static_cast<std::uint32_t>(edges_.size()) - 1, beading);
+      edge.from = edge.to;
+    }
+  }
+  return true;
+}
+
+// Splits the edge where the count changes, and tells the pieces' counts.
+void AxisGraph::add_central(std::uint32_t edge, const Beading& beading) {
+  const double end = beading.room(nodes_[edges_[edge].to].radius);
+  for (;;) {
+    const double start = beading.room(nodes_[edges_[edge].from].radius);
+    const int from = beading.count_at(start), to = beading.count_at(end);
+    double share = 1;
+    if (from != to) {
+      const double limit = beading.room_from(from < to ? from + 1 : from);
+      share = std::clamp((limit - start) / (end - start), kShareMin, 1 - kShareMin);
+    }
+    edges_[edge].count = from;
+    if (from == to) return;
+    split(edge, share);
+    edge = static_cast<std::uint32_t>(edges_.size()) - 1;
+    // Rounding must not ask for the same limit twice.
+    AxisNode& node = nodes_[edges_[edge].from];
+    const double past = from < to ? 1e-6 : -1e-6;
+    const double limit = beading.room_from(from < to ? from + 1 : from);
+    if ((beading.room(node.radius) - limit) * past <= 0) {
+      node.radius = beading.radius_of(limit + past * beading.spacing());
+    }
+  }
+}
+
+}  // namespace core

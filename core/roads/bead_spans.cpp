@@ -1,0 +1,86 @@
+#include <algorithm>
+#include <tuple>
+
+#include "core/roads/bead_lines.h"
+
+namespace core {
+namespace {
+
+// Two nodes lower than this are at the same corner of the contour. Units.
+constexpr double kCornerRadius = 8;
+
+// A side of an edge, and how far along its site the edge is touched from there.
+struct Side {
+  std::uint32_t site = 0;
+  double along = 0;
+  std::uint32_t edge = 0;
+  bool forward = true;
+};
+
+std::vector<Side> sides_in_order(const AxisGraph& graph) {
+  std::vector<Side> sides;
+  sides.reserve(2 * graph.edges().size());
+  for (std::uint32_t i = 0; i < graph.edges().size(); ++i) {
+    const AxisEdge& edge = graph.edges()[i];
+    const Vector middle = (graph.nodes()[edge.from].at + graph.nodes()[edge.to].at) * 0.5;
+    // A cell lies on the left of its border, and the contour goes the other way.
+    sides.push_back({edge.left, graph.sites().parameter(edge.left, middle), i, false});
+    sides.push_back({edge.right, graph.sites().parameter(edge.right, middle), i, true});
+  }
+  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+    return std::tie(a.site, a.along, a.edge, a.forward) <
+           std::tie(b.site, b.along, b.edge, b.forward);
+  });
+  return sides;
+}
+
+}  // namespace
+
+BeadSpans::BeadSpans(const AxisGraph& graph) {
+  const std::vector<std::uint32_t>& rings = graph.sites().starts();
+  const std::vector<Side> sides = sides_in_order(graph);
+  auto side = sides.begin();
+  for (std::size_t ring = 0; ring + 1 < rings.size(); ++ring) {
+    starts_.push_back(spans_.size());
+    for (; side != sides.end() && side->site < rings[ring + 1]; ++side) {
+      const AxisEdge& edge = graph.edges()[side->edge];
+      add(graph,
+          {side->edge, side->forward, side->site, side->site, side->forward ? edge.from : edge.to,
+           side->forward ? edge.to : edge.from},
+          ring);
+    }
+    close(graph, ring);
+  }
+  starts_.push_back(spans_.size());
+}
+
+void BeadSpans::add(const AxisGraph& graph, const BeadSpan& span, std::size_t ring) {
+  if (spans_.size() > starts_[ring]) join(graph, spans_.back(), span);
+  spans_.push_back(span);
+}
+
+// What lies between two sides that don't meet.
+void BeadSpans::join(const AxisGraph& graph, BeadSpan before, BeadSpan span) {
+  const AxisNode& end = graph.nodes()[before.to];
+  const AxisNode& start = graph.nodes()[span.from];
+  if (before.to == span.from) return;
+  if (end.open && start.open) {
+    spans_.push_back({BeadSpan::kOpen, true, before.last, span.site, before.to, span.from});
+  } else if (end.radius > kCornerRadius || start.radius > kCornerRadius) {
+    sound_ = false;
+  }
+}
+
+void BeadSpans::close(const AxisGraph& graph, std::size_t ring) {
+  if (spans_.size() == starts_[ring]) {
+    spans_.push_back({BeadSpan::kOpen, true, graph.sites().starts()[ring],
+                      graph.sites().starts()[ring + 1] - 1, BeadSpan::kOpen, BeadSpan::kOpen});
+    return;
+  }
+  const BeadSpan first = spans_[starts_[ring]];
+  const std::size_t count = spans_.size();
+  join(graph, spans_.back(), first);
+  if (spans_.size() > count) spans_.back().round = spans_.back().site == spans_.back().last;
+}
+
+}  // namespace core

@@ -1,0 +1,29 @@
+// The borders between the cells of a region's sites, up to a clearance, each found from both sides.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/geometry.h"                 // Ring
+#include "core/offsets/voronoi_diagram.h"  // VoronoiSite, VoronoiVertex
+
+namespace core {
+
+// Between the cells of two sites, `site` on its left, the lower number.
+struct CellBorder {
+  std::uint32_t site = 0;
+  std::uint32_t other = 0;
+  VoronoiVertex from;
+  VoronoiVertex to;
+};
+
+struct CellBorders {
+  std::vector<VoronoiSite> sites;  // edges in the order of the rings, then reflex corners
+  std::vector<CellBorder> borders;
+};
+
+// As seen from the site with the lower number.
+// COSTS: as make_narrow_diagram(). REQUIRES: a clean region's rings; clearance_max > 0, units.
+[[nodiscard]] CellBorders find_cell_borders(const std::vector<Ring>& rings, double clearance_max);
+
+}  // namespace core
