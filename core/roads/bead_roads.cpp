@@ -9,6 +9,10 @@
 namespace core {
 namespace {
 
+// A road whose width changes by no more than this has one width, and can be merged and drawn as
+// arcs.
+constexpr Length kOneWidth = Length::from_units(50);
+
 // A closed bead that is shorter than this many times its width is a blot.
 constexpr double kLoopWidthsMin = 1;
 
@@ -108,7 +112,7 @@ void add_bead_road(const BeadLine& line, const Beading& beading, RoadKind kind, 
   road.width = beading.width(area / length);
   if (road.closed && length < kLoopWidthsMin * static_cast<double>(road.width.units())) return;
   const auto [least, most] = std::minmax_element(road.widths.begin(), road.widths.end());
-  if ((*most - *least).units() <= 2) road.widths.clear();
+  if (*most - *least <= kOneWidth) road.widths.clear();
   roads.push_back(std::move(road));
 }
 
