@@ -31,7 +31,8 @@ void split_wall(const LayerWindow& window, See see, Set& own, Set& uncovered, Se
   const Length arc_tolerance = window.settings().arc_tolerance;
   Region made;
   const Set& slice = see(window.layer().slice.region);
-  const Set& inner = see(inner_of(all.front(), arc_tolerance, made));
+  // A copy, for `made` changes. NOLINTNEXTLINE(performance-unnecessary-copy-initialization)
+  const Set inner = see(inner_of(all.front(), arc_tolerance, made));
   own = subtract(slice, inner);
   Set covered = window.reaches_out() ? Set() : inner;
   Set common = covered;

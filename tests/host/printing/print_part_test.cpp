@@ -170,7 +170,9 @@ TEST_CASE("segments merged for a slow line are the same in a file and in print")
   const std::string path = folder.add("tube.stl", parts::tube(5, 3, 0.9, 180));
   core::Settings settings = coarse();
   settings.arcs = core::ArcUse::kOff;
-  const std::size_t all = print_test::sliced_lines(settings, path).size();
+  core::Settings every_segment = settings;
+  every_segment.segment_tolerance = Length();
+  const std::size_t all = print_test::sliced_lines(every_segment, path).size();
   settings.segment_time_min_ms = 10;
   const std::vector<std::string> sliced = print_test::given_lines(settings, path);
   CHECK_LT(sliced.size() * 5, all * 4);
