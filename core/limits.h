@@ -2,6 +2,7 @@
 #pragma once
 
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 
 namespace core {
@@ -36,5 +37,18 @@ inline constexpr int kBallOperationsMax = kWindowLayersMax - 1;
 // Depths that a polygon offset tries when the one asked for is critical (polygon_offset.h), before
 // it asks the whole diagram.
 inline constexpr int kDepthTriesMax = 12;
+
+// Seams that are remembered from layer to layer (seams.h): as many as fit, with all else that a
+// journal's record holds, into one block of a disk.
+inline constexpr std::size_t kSeamsMax = 256;
+
+// Corners of a closed road that are looked at as a place for its seam.
+inline constexpr std::size_t kSeamCornersMax = 32;
+
+// Layers above a layer whose corners count.
+inline constexpr int kSeamLayersAheadMax = 8;
+
+// Layers for which a seam is remembered when no road passes there, 10 mm of a usual print.
+inline constexpr int kSeamLayersKept = 50;
 
 }  // namespace core

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "core/check.h"                    // RIND_CHECK
 #include "core/motions/cooling.h"          // layer_cooling
@@ -94,11 +95,16 @@ void MotionBuilder::layer(const Slice& slice, const std::vector<Road>& roads, co
   if (roads.empty()) return;
   if (!state_.started) preamble(sink);
   start_layer(slice, sink);
-  const std::vector<double> fan = plan_layer(roads);
+  // A closed road's end has a bead's blob, which its start's would double.
+  std::vector<Road> cut = roads;
+  for (Road& each : cut) {
+    if (settings_.seam_gap > Length()) each = opened(std::move(each), settings_.seam_gap);
+  }
+  const std::vector<double> fan = plan_layer(cut);
   set_up_layer(cooling_.fan_share, sink);
   Boundary boundary(slice.region);
   std::size_t way = 0;
-  for (const Road& each : roads) {
+  for (const Road& each : cut) {
     RIND_CHECK(each.points.size() >= 2);
     travel(each.points.front(), boundary, sink);
     road(each, fan, way, sink);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/offsets/offset_contours.h"  // OffsetContours
+#include "core/regions/corner_index.h"     // CornerIndex
 #include "core/regions/region.h"           // Region
 #include "core/slices/slice.h"             // Slice
 #include "core/units.h"                    // Length
@@ -30,6 +31,7 @@ struct SliceOffsets {
   std::vector<OffsetContours> perimeters;  // centre lines of the perimeters, from the outside in
   Region wide_core;                        // what is deeper than in any narrow place
   Region interior;                         // what the perimeters leave to be filled
+  std::shared_ptr<const CornerIndex> corners;  // the slice's own, where seams ask for them
 };
 
 struct Layer {

@@ -7,6 +7,7 @@
 #include "core/offsets/offset_contours.h"  // flatten
 #include "core/offsets/polygon_offset.h"   // PolygonOffsetter
 #include "core/offsets/wall_depths.h"      // wall_depths
+#include "core/regions/ring_corners.h"     // kCornerArm
 
 namespace core {
 
@@ -61,6 +62,9 @@ std::int64_t OffsetCutter::fill(const Slice& slice, SliceOffsets& cut) const {
   }
   cut.wide_core = flat(contours[contours.size() - 2]);
   cut.interior = flat(contours.back());
+  if (settings_.seam == SeamPosition::kAligned) {
+    cut.corners = std::make_shared<const CornerIndex>(slice.region, kCornerArm);
+  }
   return offsetter.retries() + offsetter.fallbacks() - tries_before;
 }
 

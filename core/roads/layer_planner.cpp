@@ -15,7 +15,8 @@ bool alike(const Neighbour& a, const Neighbour& b) { return a == b || (a && b &&
 bool alike(const SplitLayer& a, const SplitLayer& b) {
   return a.slice.index != 0 && a.slice.height == b.slice.height && a.loose == b.loose &&
          a.slice.region == b.slice.region && alike(a.below, b.below) && alike(a.above, b.above) &&
-         alike(a.below_loose, b.below_loose) && a.below_height == b.below_height;
+         alike(a.below_loose, b.below_loose) && a.below_height == b.below_height &&
+         a.corners_above == b.corners_above;
 }
 
 }  // namespace
@@ -38,7 +39,27 @@ void LayerPlanner::fill(LayerPlan& plan, bool with_roads) const {
   plan.regularised_mm3 = style_.only_regularises() ? moved_mm2 * plan.layer.slice.height.mm() : 0;
   if (!with_roads) return;
   plan.hanging = hanging_places(plan.layer, settings_);
-  plan.roads = printing_order(roads_.plan(plan.layer));
+  plan.roads = roads_.plan(plan.layer);
+  plan.seams = seam_loops(plan.layer, plan.roads);
+}
+
+LayerPlanner::Ordering LayerPlanner::place_seams(const std::shared_ptr<LayerPlan>& plan,
+                                                 LayerIndex index) {
+  std::vector<RingPlace> places = seams_.place(index, plan->roads, plan->seams);
+  Ordered& last = last_ordered_[static_cast<std::size_t>(index % 2)];
+  if (last.plan == plan && last.ordering.seams == places) {
+    Ordering again = last.ordering;
+    again.to_order = false;
+    return again;
+  }
+  last = {plan, {std::make_shared<std::vector<Road>>(), std::move(places), true}};
+  return last.ordering;
+}
+
+void LayerPlanner::order(const LayerPlan& plan, const Ordering& ordering) const {
+  LayerRoads roads = plan.roads;
+  set_starts(plan.seams, ordering.seams, roads);
+  *ordering.roads = printing_order(std::move(roads));
 }
 
 }  // namespace core

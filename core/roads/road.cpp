@@ -31,6 +31,7 @@ void reverse(Road& road) {
 
 void start_at(Road& road, std::size_t index) {
   RIND_CHECK(road.closed);
+  road.starts.clear();
   const auto by = static_cast<std::ptrdiff_t>(index);
   std::rotate(road.points.begin(), road.points.begin() + by, road.points.end());
   if (!road.widths.empty()) {
@@ -39,6 +40,50 @@ void start_at(Road& road, std::size_t index) {
   if (!road.holds.empty()) {
     std::rotate(road.holds.begin(), road.holds.begin() + by, road.holds.end());
   }
+}
+
+void start_at(Road& road, RingPlace place) {
+  const std::size_t edge = place.edge;
+  if (place.at == road.points[edge]) return start_at(road, edge);
+  const std::size_t next = edge + 1 < road.points.size() ? edge + 1 : 0;
+  const auto after = static_cast<std::ptrdiff_t>(edge) + 1;
+  if (!road.widths.empty()) {
+    const double whole = distance_mm(road.points[edge], road.points[next]);
+    const double part = distance_mm(road.points[edge], place.at);
+    const double from = road.widths[edge].mm(), to = road.widths[next].mm();
+    const double here = from + (to - from) * std::min(1.0, part / whole);
+    road.widths.insert(road.widths.begin() + after, Length::from_mm(here));
+  }
+  if (!road.holds.empty()) road.holds.insert(road.holds.begin() + after, road.holds[edge]);
+  road.points.insert(road.points.begin() + after, place.at);
+  start_at(road, edge + 1);
+}
+
+Road opened(Road road, Length gap) {
+  if (!road.closed) return road;
+  double left_mm = std::min(gap.mm(), length_mm(road) / 4);
+  road.points.push_back(road.points.front());
+  if (!road.widths.empty()) road.widths.push_back(road.widths.front());
+  if (!road.holds.empty()) road.holds.push_back(road.holds.back());
+  road.closed = false;
+  while (left_mm > 0) {
+    const std::size_t last = road.points.size() - 1;
+    const double mm = distance_mm(road.points[last - 1], road.points[last]);
+    if (mm > left_mm) {
+      const double share = left_mm / mm;
+      road.points[last] = between(road.points[last], road.points[last - 1], share);
+      if (!road.widths.empty()) {
+        const double to = road.widths[last].mm(), from = road.widths[last - 1].mm();
+        road.widths[last] = Length::from_mm(to + (from - to) * share);
+      }
+      if (road.points[last] != road.points[last - 1]) break;
+    }
+    left_mm -= mm;
+    road.points.pop_back();
+    if (!road.widths.empty()) road.widths.pop_back();
+    if (!road.holds.empty()) road.holds.pop_back();
+  }
+  return road;
 }
 
 double bead_area_mm2(Length width, Length height) {

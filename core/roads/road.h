@@ -6,8 +6,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/geometry.h"  // Point
-#include "core/units.h"     // Length
+#include "core/geometry.h"              // Point
+#include "core/regions/ring_corners.h"  // RingPlace
+#include "core/units.h"                 // Length
 
 namespace core {
 
@@ -50,6 +51,9 @@ struct Road {
 
   // Empty: wholly held. Otherwise one for each point: of the stretch from it to the next one.
   std::vector<Hold> holds{};
+
+  // Closed: the points at which it may start; empty: at any. Of no meaning once it is in order.
+  std::vector<std::uint32_t> starts{};
 };
 
 [[nodiscard]] double length_mm(const Road& road);
@@ -70,8 +74,13 @@ struct Road {
 // Turns the road round.
 void reverse(Road& road);
 
-// Makes a closed road start at its point `index`. REQUIRES: road.closed.
+// Makes a closed road start at its point `index`, or at a place, which becomes a point of it.
+// ENSURES: road.starts is empty. REQUIRES: road.closed.
 void start_at(Road& road, std::size_t index);
+void start_at(Road& road, RingPlace place);
+
+// A closed road cut open, its end clipped by `gap`; by a quarter of its length at most.
+[[nodiscard]] Road opened(Road road, Length gap);
 
 // Cross-section in mm² of a bead with round sides:  h (w − h) + π (h/2)²
 //

@@ -74,6 +74,8 @@ void add_begins(const Road& road, std::size_t owner, std::vector<NearestPoint::E
     entries.push_back({points.back(), owner, points.size() - 1});
     return;
   }
+  for (const std::uint32_t i : road.starts) entries.push_back({points[i], owner, i});
+  if (!road.starts.empty()) return;
   const std::size_t before = entries.size();
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Point a = points[(i + points.size() - 1) % points.size()];

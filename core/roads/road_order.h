@@ -1,8 +1,9 @@
 // Puts roads in printing order, each next to the end of the one before, so that the nozzle travels
 // little.
 //
-// An open road starts at either end. A closed road starts, and ends, at its seam: at a corner where
-// it has one, so that the seam hides there, otherwise at any vertex.
+// An open road starts at either end. A closed road starts, and ends, at its seam: at one of
+// Road::starts (seams.h); where there are none, at a corner where it has one, otherwise at any
+// vertex.
 //
 // Keywords: seam, travel, tool path order.
 #pragma once

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "core/offsets/layer_offsets.h"  // Layer
+#include "core/regions/corner_index.h"   // CornerIndex
 #include "core/regions/region.h"         // Region
 
 namespace core {
@@ -17,6 +19,9 @@ struct SplitLayer : Layer {
   std::shared_ptr<const Region> below{}, above{};
   std::shared_ptr<const Region> below_loose{};  // what the window says is loose in the layer below
   Length below_height{};                        // of that layer
+
+  // Of the slices above it, from the next one on: as many as CornersAhead knows. Null: none.
+  std::vector<std::shared_ptr<const CornerIndex>> corners_above{};
 };
 
 }  // namespace core

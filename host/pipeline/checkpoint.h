@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "core/motions/motion_builder.h"   // MotionState
+#include "core/roads/seams.h"              // SeamMemory
 #include "core/units.h"                    // LayerIndex, Length
 #include "host/pipeline/motion_encoder.h"  // MotionEncoder
 
@@ -17,6 +18,7 @@ struct Checkpoint {
   double filament_mm = 0;      // in roads below it
   core::MotionState motions;
   MotionEncoder::State encoder;
+  core::SeamMemory seams;
 };
 
 }  // namespace host

@@ -2,6 +2,7 @@
 // the layers that the window can split once this slice is known.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "core/offsets/slice_offsets.h"  // OffsetCutter
 #include "core/result.h"                 // Error
 #include "core/roads/layer_planner.h"    // LayerPlanner
+#include "core/roads/seams.h"            // SeamMemory
 #include "core/slices/slice.h"           // Slice
 #include "core/units.h"                  // LayerIndex, Length
 #include "host/pipeline/stage_meter.h"   // StageUse
@@ -19,6 +21,8 @@ struct SettledLayer {
   core::LayerIndex index = 0;
   core::Length bottom;
   core::LayerPlanner::Reservation reserved;
+  std::shared_ptr<const core::SeamMemory> seams_before;  // of the layers below
+  core::LayerPlanner::Ordering ordering;
   std::optional<std::string> pause;  // why to pause before it
 };
 

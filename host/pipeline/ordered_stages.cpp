@@ -18,6 +18,8 @@ void run_in_turn(const OrderedStages& stages) {
     stages.cut(*batch);
     stages.split(*batch);
     stages.plan(*batch);
+    stages.seams(*batch);
+    stages.order(*batch);
     stages.give(*batch);
   }
 }
@@ -85,6 +87,8 @@ void run_at_once(const OrderedStages& stages, int threads) {
             stage(tbb::filter_mode::parallel, stages.cut) &
             stage(tbb::filter_mode::serial_in_order, stages.split) &
             stage(tbb::filter_mode::parallel, stages.plan) &
+            stage(tbb::filter_mode::serial_in_order, stages.seams) &
+            stage(tbb::filter_mode::parallel, stages.order) &
             tbb::make_filter<LayerBatch*, void>(tbb::filter_mode::serial_in_order, give));
   });
   hand_over();

@@ -1,7 +1,8 @@
-// Runs the layers' work through five stages, on one processor or more.
+// Runs the layers' work through seven stages, on one processor or more.
 //
-//     take ──> cut ══> split ──> plan ══> give       ──> in order, one at a time
-//                                                    ══> any number at once
+//     take ──> cut ══> split ──> plan ══> seams ──> order ══> give
+//
+//     ──> in order, one at a time       ══> any number at once
 //
 // The results and their order are the same for any number of threads. It uses oneTBB's
 // parallel_pipeline; with one thread, a plain loop.
@@ -20,6 +21,8 @@ struct OrderedStages {
   std::function<void(LayerBatch&)> cut;
   std::function<void(LayerBatch&)> split;
   std::function<void(LayerBatch&)> plan;
+  std::function<void(LayerBatch&)> seams;
+  std::function<void(LayerBatch&)> order;
   std::function<void(LayerBatch&)> give;
 };
 

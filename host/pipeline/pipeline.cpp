@@ -13,6 +13,7 @@
 #include "core/offsets/compensation.h"
 #include "core/offsets/slice_offsets.h"
 #include "core/roads/layer_planner.h"
+#include "core/walls/corners_ahead.h"
 #include "core/walls/layer_neighbours.h"
 #include "core/walls/wall_splitter.h"
 #include "core/walls/wall_style.h"
@@ -44,6 +45,7 @@ class Pipeline {
         watch_(signals.on_slow_layer, signals.slow_layer_s),
         cutter_(settings_),
         splitter_(settings_),
+        ahead_(core::seam_layers_ahead(settings_)),
         planner_(settings_),
         builder_(with_own_modes(settings_)),
         motion_clock_({settings_.acceleration_mm_s2, settings_.filament_acceleration_mm_s2,
@@ -53,6 +55,7 @@ class Pipeline {
     if (!print_plan.start) return;
     builder_.resume_from(print_plan.start->motions);
     encoder_.resume_from(print_plan.start->encoder);
+    planner_.resume_from(print_plan.start->seams);
     commands_ = print_plan.start->commands;
     filament_before_mm_ = print_plan.start->filament_mm;
   }
@@ -71,6 +74,8 @@ class Pipeline {
                   .cut = [this](LayerBatch& batch) { cut(batch); },
                   .split = [this](LayerBatch& batch) { split(batch); },
                   .plan = [this](LayerBatch& batch) { plan(batch); },
+                  .seams = [this](LayerBatch& batch) { place_seams(batch); },
+                  .order = [this](LayerBatch& batch) { order(batch); },
                   .give = [this](LayerBatch& batch) { give(batch); }},
                  plan_.threads);
       return finish();
@@ -153,6 +158,7 @@ class Pipeline {
     if (batch.error) return;
     const StageMeter meter(Stage::kWindow, batch.use);
     if (!batch.slice) {
+      ahead_.end();
       if (std::optional<core::SplitLayer> settled = splitter_.finish()) {
         return reserve(neighbours_.push(*std::move(settled)), batch);
       }
@@ -163,6 +169,7 @@ class Pipeline {
     if (batch.pause) pauses_.emplace_back(batch.slice->index, *std::move(batch.pause));
     const LayerWatch::Look look(watch_, batch.slice->index, batch.slice->top(),
                                 size_of(batch.slice->region), batch.watched_s);
+    ahead_.see(batch.slice->index, batch.offsets.offsets->corners);
     std::optional<core::SplitLayer> settled =
         splitter_.push({*std::move(batch.slice), std::move(batch.offsets.offsets)});
     for (; settled; settled = splitter_.next()) {
@@ -170,12 +177,15 @@ class Pipeline {
     }
   }
 
-  void reserve(std::optional<core::SplitLayer> layer, LayerBatch& batch) {
-    if (!layer || below_start(*layer)) return;
-    const core::LayerIndex index = layer->slice.index;
-    const core::Length bottom = layer->slice.bottom;
-    batch.settled.push_back(
-        {index, bottom, planner_.reserve(*std::move(layer)), pause_before(index)});
+  void reserve(std::optional<core::SplitLayer> settled, LayerBatch& batch) {
+    if (settled) ahead_.push(*std::move(settled));
+    while (std::optional<core::SplitLayer> layer = ahead_.next()) {
+      if (below_start(*layer)) continue;
+      const core::LayerIndex index = layer->slice.index;
+      const core::Length bottom = layer->slice.bottom;
+      batch.settled.push_back(
+          {index, bottom, planner_.reserve(*std::move(layer)), {}, {}, pause_before(index)});
+    }
   }
 
   std::optional<std::string> pause_before(core::LayerIndex index) {
@@ -195,6 +205,23 @@ class Pipeline {
       const LayerWatch::Look look(watch_, settled.index, settled.bottom + slice.height,
                                   &slice.region, batch.watched_s);
       planner_.fill(*settled.reserved.plan, wants_roads());
+    }
+  }
+
+  // In order.
+  void place_seams(LayerBatch& batch) {
+    if (!wants_roads()) return;
+    const StageMeter meter(Stage::kRoads, batch.use);
+    for (SettledLayer& settled : batch.settled) {
+      settled.seams_before = std::make_shared<const core::SeamMemory>(planner_.seam_memory());
+      settled.ordering = planner_.place_seams(settled.reserved.plan, settled.index);
+    }
+  }
+
+  void order(LayerBatch& batch) {
+    const StageMeter meter(Stage::kRoads, batch.use);
+    for (SettledLayer& settled : batch.settled) {
+      if (settled.ordering.to_order) planner_.order(*settled.reserved.plan, settled.ordering);
     }
   }
 
@@ -235,20 +262,21 @@ class Pipeline {
 
     if (core::Status held = check_floating(slice, plan.hanging); !held.ok()) return held;
     statistics_.hanging.add(slice.index, slice.bottom, plan.hanging);
-    core::Status fits = check_on_bed(plan_.part_path, slice, plan.roads, settings_);
+    const std::vector<core::Road>& roads = *settled.ordering.roads;
+    core::Status fits = check_on_bed(plan_.part_path, slice, roads, settings_);
     if (!fits.ok()) return fits;
-    statistics_.roads += static_cast<std::int64_t>(plan.roads.size());
-    keep(outputs_.on_roads ? outputs_.on_roads(layer, plan.roads) : true);
+    statistics_.roads += static_cast<std::int64_t>(roads.size());
+    keep(outputs_.on_roads ? outputs_.on_roads(layer, roads) : true);
     if (!outputs_.on_motion) return {};
-    if (!plan.roads.empty() && builder_.arcs_undecided()) {
+    if (!roads.empty() && builder_.arcs_undecided()) {
       builder_.decide_arcs(plan_.draws_arcs == nullptr || plan_.draws_arcs());
     }
-    if (outputs_.on_checkpoint && !plan.roads.empty() && !refused_) {
+    if (outputs_.on_checkpoint && !roads.empty() && !refused_) {
       outputs_.on_checkpoint({slice.index, slice.bottom, commands_,
                               filament_before_mm_ + total_mm(builder_.totals().filament_mm),
-                              builder_.state(), encoder_.state()});
+                              builder_.state(), encoder_.state(), *settled.seams_before});
     }
-    builder_.layer(slice, plan.roads, sink_);
+    builder_.layer(slice, roads, sink_);
     return {};
   }
 
@@ -340,6 +368,7 @@ class Pipeline {
   // Of split().
   core::WallSplitter splitter_;
   core::LayerNeighbours neighbours_;
+  core::CornersAhead ahead_;
   core::LayerPlanner planner_;  // plan() only reads its settings
   std::atomic<bool> window_emptied_ = false;
   std::deque<std::pair<core::LayerIndex, std::string>> pauses_;  // of layers in the window

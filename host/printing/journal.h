@@ -32,6 +32,7 @@ namespace host {
 // damages no other.
 inline constexpr std::size_t kJournalBlockBytes = 4'096;
 inline constexpr std::size_t kJournalRecords = 4;
+static_assert(kRecordBytesMax <= kJournalBlockBytes);
 
 // How much printing a power cut may cost.
 inline constexpr double kSyncPeriod_s = 5;
@@ -96,7 +97,7 @@ class Journal {
   [[nodiscard]] bool set_head(const JournalHead& head);
 
   // Writes the record. `sync`: it shall outlive a power cut; another thread waits for the disk.
-  // COSTS: a write of kRecordBytes. failed() tells of a full disk.
+  // COSTS: a write of kRecordBytesMax at most. failed() tells of a full disk.
   void note(const JournalRecord& record, bool sync);
 
   // The same, and waits until it is on the disk.

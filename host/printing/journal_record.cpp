@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "core/check.h"               // RIND_CHECK
+#include "core/limits.h"              // kSeamsMax
 #include "host/files/content_hash.h"  // hash_of
 
 namespace host {
@@ -133,6 +134,40 @@ void pass(Stream& stream, JournalRecord& record) {
 
 constexpr std::size_t kSumBytes = 8;
 
+void write_low(std::uint32_t value, std::string& bytes) {
+  for (int i = 0; i < 4; ++i) bytes.push_back(static_cast<char>(value >> (8 * i) & 0xff));
+}
+
+std::uint32_t read_low(std::string_view bytes, std::size_t at) {
+  std::uint32_t value = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    value |= static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[at + i])) << (8 * i);
+  }
+  return value;
+}
+
+std::string seam_bytes(const core::SeamMemory& seams) {
+  RIND_CHECK(seams.size() <= core::kSeamsMax);
+  std::string bytes;
+  for (const core::RememberedSeam& seam : seams) {
+    write_low(static_cast<std::uint32_t>(seam.at.x), bytes);
+    write_low(static_cast<std::uint32_t>(seam.at.y), bytes);
+    write_low(static_cast<std::uint32_t>(seam.layers_ago * 2 + (seam.hole ? 1 : 0)), bytes);
+  }
+  return bytes;
+}
+
+core::SeamMemory seams_in(std::string_view bytes) {
+  core::SeamMemory seams;
+  for (std::size_t at = 0; at < bytes.size(); at += kSeamBytes) {
+    const auto x = static_cast<std::int32_t>(read_low(bytes, at));
+    const auto y = static_cast<std::int32_t>(read_low(bytes, at + 4));
+    const std::uint32_t more = read_low(bytes, at + 8);
+    seams.push_back({{x, y}, more % 2 == 1, static_cast<int>(more / 2)});
+  }
+  return seams;
+}
+
 }  // namespace
 
 std::string record_bytes(const JournalRecord& record, std::int64_t sequence) {
@@ -140,12 +175,15 @@ std::string record_bytes(const JournalRecord& record, std::int64_t sequence) {
   writer.number(sequence);
   JournalRecord copy = record;
   pass(writer, copy);
+  const std::string seams = seam_bytes(record.checkpoint.seams);
+  writer.whole(record.checkpoint.seams.size());
+  writer.whole(hash_of(seams));
   std::string bytes = std::move(writer.bytes());
   RIND_CHECK(bytes.size() <= kRecordBytes - kSumBytes);
   bytes.resize(kRecordBytes - kSumBytes, '\0');
   Writer sum;
   sum.whole(hash_of(bytes));
-  return bytes + sum.bytes();
+  return bytes + sum.bytes() + seams;
 }
 
 std::optional<SequencedRecord> read_record(std::string_view bytes) {
@@ -157,6 +195,13 @@ std::optional<SequencedRecord> read_record(std::string_view bytes) {
   SequencedRecord read;
   reader.number(read.sequence);
   pass(reader, read.record);
+  const std::uint64_t count = reader.whole();
+  if (count > core::kSeamsMax) return std::nullopt;
+  // A file that was cut short gets zeros for what it lacks when it is opened again.
+  std::string seams(bytes.substr(kRecordBytes, count * kSeamBytes));
+  seams.resize(count * kSeamBytes, '\0');
+  if (reader.whole() != hash_of(seams)) return std::nullopt;
+  read.record.checkpoint.seams = seams_in(seams);
   return read;
 }
 

@@ -14,6 +14,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/limits.h"                  // kSeamsMax
 #include "host/pipeline/checkpoint.h"     // Checkpoint
 #include "host/printing/machine_state.h"  // MachineState
 
@@ -46,8 +47,12 @@ struct JournalRecord {
   bool height_in_doubt = false;  // the nozzle was on its way to nozzle_z_um, or from there
 };
 
-// Fixed length, whatever is in it, with sequence number and checksum.
+// First kRecordBytes, whatever is in them, with sequence number and checksum; then kSeamBytes for
+// each seam, whose number and checksum the first part has. A seam is its x and y, then its
+// layers_ago doubled, and 1 more for a hole: 4 bytes each, lowest first.
 inline constexpr std::size_t kRecordBytes = 512;
+inline constexpr std::size_t kSeamBytes = 12;
+inline constexpr std::size_t kRecordBytesMax = kRecordBytes + core::kSeamsMax * kSeamBytes;
 [[nodiscard]] std::string record_bytes(const JournalRecord& record, std::int64_t sequence);
 
 struct SequencedRecord {

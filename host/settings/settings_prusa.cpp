@@ -76,6 +76,7 @@ constexpr std::array kAliases = {
     Alias{"brim_separation", "brim_gap"},
     Alias{"brim_type", "brim_place", Kind::kBrim},
     Alias{"min_skirt_length", "skirt_length_min"},
+    Alias{"seam_position", "seam"},
     Alias{"skirts", "skirt_loops"},
     Alias{"skirt_distance", "skirt_distance"},
     Alias{"perimeter_speed", "perimeter_speed_mm_s", Kind::kSpeed},

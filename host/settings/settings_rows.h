@@ -140,6 +140,12 @@ inline constexpr std::array kSettings = {
             "filament of ironing, as a fraction of a dense layer's"},
     Setting{"ironing_spacing", &PrintSettings::ironing_spacing, "mm", 0.02, 2,
             "distance of the rows of ironing"},
+    Setting{
+        "seam", choice<&PrintSettings::seam>("aligned", "nearest", "rear", "random"), "", 0, 0,
+        "place where a closed perimeter starts and ends: aligned, in one line up the part, in a "
+        "corner where there is one; nearest, near the road before; rear; random"},
+    Setting{"seam_gap", &PrintSettings::seam_gap, "mm", 0, 1,
+            "distance from the end of a closed road to its start; off: none", kOffIsZero},
     Setting{"first_layer_height", &PrintSettings::first_layer_height, "mm", 0.01, 2,
             "height of the first layer; auto: layer_height", kAutoIsZero},
     Setting{"first_layer_width", &PrintSettings::first_layer_width, "mm", 0.05, 10,

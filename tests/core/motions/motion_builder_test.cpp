@@ -92,19 +92,33 @@ TEST_CASE("filament is length times the bead's cross-section, by kind of road") 
             true,
             {at_mm(1, 1), at_mm(11, 1), at_mm(11, 11), at_mm(1, 11)}};
   builder.layer(slice_of(0, kSquare), {ring, line(2, 2, 8, 2, RoadKind::kLoose)}, recorder.sink());
+  const double around_mm = 40 - 0.06;  // seam_gap
   const double filament_mm2 = std::numbers::pi * 1.75 * 1.75 / 4;
   const double wide_mm2 = 0.2 * 0.3 + std::numbers::pi * 0.01;
   const double narrow_mm2 = 0.2 * 0.25 + std::numbers::pi * 0.01;
   double sum = 0;
   for (const Extrude& extrude : recorder.all<Extrude>()) sum += extrude.filament_mm;
-  CHECK(sum == doctest::Approx((40 * wide_mm2 + 6 * narrow_mm2) / filament_mm2));
+  CHECK(sum == doctest::Approx((around_mm * wide_mm2 + 6 * narrow_mm2) / filament_mm2));
   const auto& by_kind = builder.totals().filament_mm;
   CHECK(by_kind[static_cast<std::size_t>(RoadKind::kOuterPerimeter)] ==
-        doctest::Approx(40 * wide_mm2 / filament_mm2));
+        doctest::Approx(around_mm * wide_mm2 / filament_mm2));
   CHECK(by_kind[static_cast<std::size_t>(RoadKind::kLoose)] ==
         doctest::Approx(6 * narrow_mm2 / filament_mm2));
-  // A closed road comes back to where it began.
-  CHECK_EQ(recorder.all<Extrude>()[3].to, at_mm(1, 1));
+  // A closed road comes back to where it began, but for the gap.
+  CHECK_EQ(recorder.all<Extrude>()[3].to, at_mm(1, 1.06));
+}
+
+TEST_CASE("without a seam's gap a closed road ends where it began") {
+  Settings settings;
+  settings.seam_gap = Length();
+  MotionBuilder builder(settings);
+  Recorder recorder;
+  const Road ring{RoadKind::kOuterPerimeter,
+                  Length::from_mm(0.5),
+                  true,
+                  {at_mm(1, 1), at_mm(11, 1), at_mm(11, 11)}};
+  builder.layer(slice_of(0, kSquare), {ring}, recorder.sink());
+  CHECK_EQ(recorder.all<Extrude>().back().to, at_mm(1, 1));
 }
 
 TEST_CASE("what is retracted is returned, but for the retraction at the end") {
@@ -305,7 +319,7 @@ TEST_CASE("a perimeter goes on without travel where less of it is held: slower, 
   CHECK_EQ(laid[1].speed_mm_s, settings.overhang_speed_mm_s[3]);
   CHECK_EQ(laid[2].speed_mm_s, settings.overhang_speed_mm_s[1]);
   CHECK_EQ(laid[3].speed_mm_s, 60);
-  CHECK_EQ(laid[3].to, at_mm(0, 0));
+  CHECK_EQ(laid[3].to, at_mm(0, 0.06));  // seam_gap
   // Off at first, the layer's, that of both stretches together, the layer's.
   const auto fans = recorder.all<SetFan>();
   REQUIRE_EQ(fans.size(), 4);

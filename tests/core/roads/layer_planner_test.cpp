@@ -37,10 +37,14 @@ class Plans {
     const LayerPlanner::Reservation own = afresh.reserve(layer);
     REQUIRE(own.to_fill);
     afresh.fill(*own.plan, true);
-    REQUIRE_EQ(reserved.plan->roads.size(), own.plan->roads.size());
-    for (std::size_t i = 0; i < own.plan->roads.size(); ++i) {
-      CHECK_EQ(reserved.plan->roads[i].points, own.plan->roads[i].points);
-      CHECK_EQ(reserved.plan->roads[i].width, own.plan->roads[i].width);
+    afresh.resume_from(planner_.seam_memory());
+    const std::vector<Road> roads = ordered(planner_, reserved.plan, layer.slice.index);
+    const std::vector<Road> own_roads = ordered(afresh, own.plan, layer.slice.index);
+    CHECK_EQ(planner_.seam_memory(), afresh.seam_memory());
+    REQUIRE_EQ(roads.size(), own_roads.size());
+    for (std::size_t i = 0; i < own_roads.size(); ++i) {
+      CHECK_EQ(roads[i].points, own_roads[i].points);
+      CHECK_EQ(roads[i].width, own_roads[i].width);
     }
     CHECK_EQ(reserved.plan->layer.loose, own.plan->layer.loose);
     CHECK_EQ(reserved.plan->layer.solid, own.plan->layer.solid);
@@ -49,8 +53,21 @@ class Plans {
   }
 
   [[nodiscard]] std::int64_t reused() const { return planner_.reused(); }
+  // Layers whose roads were put in order.
+  [[nodiscard]] int orders() const { return orders_; }
 
  private:
+  std::vector<Road> ordered(LayerPlanner& planner, const std::shared_ptr<LayerPlan>& plan,
+                            LayerIndex index) {
+    const LayerPlanner::Ordering ordering = planner.place_seams(plan, index);
+    if (ordering.to_order) {
+      planner.order(*plan, ordering);
+      if (&planner == &planner_) ++orders_;
+    }
+    return *ordering.roads;
+  }
+
+  int orders_ = 0;
   Settings settings_;
   LayerPlanner planner_;
 };
@@ -74,6 +91,17 @@ TEST_CASE("a layer like the one two below gets its plan, and no other does") {
   thicker.slice.height = Length::from_mm(0.3);
   CHECK_FALSE(plans.reuses(thicker));
   CHECK_EQ(plans.reused(), 6);
+  CHECK_EQ(plans.orders(), 12 - 6);
+}
+
+TEST_CASE("a plan is shared and its order is not where seams differ") {
+  Settings settings;
+  settings.seam = SeamPosition::kRandom;
+  Plans plans(settings);
+  for (LayerIndex i = 1; i < 8; ++i)
+    static_cast<void>(plans.reuses(split(kSquare, kInside, settings, i)));
+  CHECK_EQ(plans.reused(), 5);
+  CHECK_EQ(plans.orders(), 7);
 }
 
 TEST_CASE("without roads only the style is applied") {
@@ -82,7 +110,7 @@ TEST_CASE("without roads only the style is applied") {
   LayerPlanner planner(settings);
   const LayerPlanner::Reservation reserved = planner.reserve(split(kSquare, kInside, settings, 3));
   planner.fill(*reserved.plan, false);
-  CHECK(reserved.plan->roads.empty());
+  CHECK(reserved.plan->roads.islands.empty());
   CHECK(reserved.plan->layer.loose.empty());
   CHECK_EQ(reserved.plan->layer.solid, kSquare);
   CHECK_EQ(reserved.plan->regularised_mm3, 0);

@@ -109,6 +109,18 @@ TEST_CASE("a closed road begins at a corner, where it has one") {
   CHECK_EQ(ordered.front().points.front(), (Point{100'000, 0}));
 }
 
+TEST_CASE("a closed road begins at one of its starts, where it has any") {
+  Road ring{RoadKind::kOuterPerimeter,
+            Length::from_mm(0.45),
+            true,
+            {{0, 0}, {100'000, 0}, {100'000, 100'000}, {0, 100'000}}};
+  ring.starts = {2, 3};
+  Point at{90'000, -10'000};
+  const auto ordered = nearest_order({ring}, at);
+  CHECK_EQ(ordered.front().points.front(), (Point{100'000, 100'000}));
+  CHECK_EQ(at, (Point{100'000, 100'000}));
+}
+
 TEST_CASE("an island is done before the next; perimeters, outer perimeter, all fill") {
   const Region slice =
       test::region_from_text("0:0 20:0 20:20 0:20, 5:5 5:15 15:15 15:5, 8:8 12:8 12:12 8:12");

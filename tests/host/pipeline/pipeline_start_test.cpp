@@ -54,6 +54,23 @@ core::Settings settings_of(core::WallShape shape, core::BuildStyle style) {
   return settings;
 }
 
+// From every layer on, the first ones above all, as the whole.
+void check_tails(const core::Settings& settings, const std::string& path, const Computed& whole) {
+  for (std::size_t i = 0; i < whole.checkpoints.size(); i += i < 6 ? 1 : 5) {
+    CAPTURE(i);
+    const host::Checkpoint& start = whole.checkpoints[i];
+    const Computed tail = compute(settings, path, start);
+    REQUIRE_EQ(tail.texts.size() + static_cast<std::size_t>(start.commands), whole.texts.size());
+    for (std::size_t k = 0; k < tail.texts.size(); ++k) {
+      CAPTURE(k);
+      REQUIRE_EQ(tail.texts[k], whole.texts[k + static_cast<std::size_t>(start.commands)]);
+    }
+    CHECK_LE(tail.layers_held, whole.layers_held);
+    REQUIRE_EQ(tail.checkpoints.size(), whole.checkpoints.size() - i);
+    CHECK_EQ(tail.checkpoints.back().commands, whole.checkpoints.back().commands);
+  }
+}
+
 }  // namespace
 
 TEST_CASE("from any layer on, the commands are those of the whole print") {
@@ -77,18 +94,24 @@ TEST_CASE("from any layer on, the commands are those of the whole print") {
     const Computed whole = compute(settings, path, {});
     REQUIRE_GT(whole.checkpoints.size(), 20);
     CHECK_EQ(whole.checkpoints.front().commands, 0);
-    for (std::size_t i = 0; i < whole.checkpoints.size(); i += i < 6 ? 1 : 5) {
-      CAPTURE(i);
-      const host::Checkpoint& start = whole.checkpoints[i];
-      const Computed tail = compute(settings, path, start);
-      REQUIRE_EQ(tail.texts.size() + static_cast<std::size_t>(start.commands), whole.texts.size());
-      for (std::size_t k = 0; k < tail.texts.size(); ++k) {
-        CAPTURE(k);
-        REQUIRE_EQ(tail.texts[k], whole.texts[k + static_cast<std::size_t>(start.commands)]);
-      }
-      CHECK_LE(tail.layers_held, whole.layers_held);
-      REQUIRE_EQ(tail.checkpoints.size(), whole.checkpoints.size() - i);
-      CHECK_EQ(tail.checkpoints.back().commands, whole.checkpoints.back().commands);
-    }
+    check_tails(settings, path, whole);
+  }
+}
+
+TEST_CASE("where seams move from layer to layer, they go on as in the whole print") {
+  const test::PartFolder folder;
+  // Leaning lobes, a dome, and a tower that begins and ends beside them.
+  const parts::Part part = parts::together(
+      {parts::tower(parts::TowerSize{54, 16, 1}), parts::dome(7), parts::box({30, 0, 0}, 6, 6, 3)});
+  const std::string path = folder.add("moving.stl", part);
+  for (const core::SeamPosition seam : {core::SeamPosition::kAligned, core::SeamPosition::kNearest,
+                                        core::SeamPosition::kRear, core::SeamPosition::kRandom}) {
+    CAPTURE(static_cast<int>(seam));
+    core::Settings settings = settings_of(core::WallShape::kBall, core::BuildStyle::kThinWall);
+    settings.seam = seam;
+    const Computed whole = compute(settings, path, {});
+    REQUIRE_GT(whole.checkpoints.size(), 20);
+    CHECK_EQ(whole.checkpoints[9].seams.empty(), seam != core::SeamPosition::kAligned);
+    check_tails(settings, path, whole);
   }
 }

@@ -48,6 +48,12 @@ host::JournalRecord record_of(std::mt19937_64& random) {
   if (random() % 3 > 0) record.checkpoint.motions.arcs = random() % 2 == 0;
   if (random() % 2 == 0) record.checkpoint.motions.nozzle_z = core::Length::from_units(any());
   record.checkpoint.encoder = {maybe(), maybe(), maybe(), maybe(), -0.25};
+  for (std::size_t i = random() % (core::kSeamsMax + 1); i > 0 && random() % 3 > 0; --i) {
+    const auto x = static_cast<std::int32_t>(random() >> 33),
+               y = static_cast<std::int32_t>(random() >> 34);
+    record.checkpoint.seams.push_back(
+        {{-x, y}, random() % 2 == 0, static_cast<int>(random() % 50)});
+  }
   record.sure = any();
   record.sure_hash = random();
   record.accepted = record.sure + 4;
@@ -77,10 +83,12 @@ TEST_CASE("a record is read back as it was written") {
   for (int i = 0; i < 1'000; ++i) {
     const host::JournalRecord record = record_of(random);
     const std::string bytes = host::record_bytes(record, i);
-    REQUIRE_EQ(bytes.size(), host::kRecordBytes);
+    const std::size_t seams = record.checkpoint.seams.size();
+    REQUIRE_EQ(bytes.size(), host::kRecordBytes + seams * host::kSeamBytes);
     const auto read = host::read_record(bytes);
     REQUIRE(read.has_value());
     CHECK_EQ(read->sequence, i);
+    CHECK_EQ(read->record.checkpoint.seams, record.checkpoint.seams);
     REQUIRE_EQ(host::record_bytes(read->record, i), bytes);
     CHECK_EQ(read->record.checkpoint.layer, record.checkpoint.layer);
     CHECK_EQ(read->record.checkpoint.encoder.z_um, record.checkpoint.encoder.z_um);
@@ -135,7 +143,8 @@ TEST_CASE("after a cut at any byte of any write the last whole record is found")
     const std::size_t begin = first / host::kJournalBlockBytes * host::kJournalBlockBytes;
     std::string cut = before;
     bool new_one = false;
-    for (std::size_t k = 0; k <= host::kRecordBytes; ++k) {
+    const std::size_t size = host::record_bytes(record, 0).size();
+    for (std::size_t k = 0; k <= size; ++k) {
       if (k > 0) cut[begin + k - 1] = after[begin + k - 1];
       const auto read = host::read_journal_bytes(cut, path);
       CAPTURE(k);
