@@ -70,7 +70,6 @@ struct Settings {
   double fill_angle_degrees = 45;  // of even layers; odd ones are turned by 90°
   Length loose_anchor = Length::from_units(3'000);  // how far loose roads reach into the wall
   LoosePattern loose_pattern = LoosePattern::kLines;
-  int loose_every_layers = 1;                              // loose roads in every n-th layer only
   Length infill_anchor_max = Length::from_units(500'000);  // longest join of loose roads
   SolidPattern solid_pattern = SolidPattern::kRectilinear;
   SolidPattern top_pattern = SolidPattern::kMonotonic;
@@ -146,8 +145,6 @@ struct Settings {
   double retraction_speed_mm_s = 40;
   Length retraction_travel_min = Length::from_units(50'000);  // shorter inside the part: none
   Length retraction_lift;                                     // 0: travel at the layer's height
-  bool avoid_crossing_perimeters = false;
-  Length wipe;  // way back along the road while retracting
 
   // Machine.
   Length bed_x = Length::from_units(3'000'000);

@@ -22,7 +22,7 @@ std::vector<ClippedLine> rows_in(const Region& region, const LineClipper& clippe
                                  double degrees) {
   std::vector<ClippedLine> lines;
   const StraightPattern pattern(StraightPattern::Kind::kLines);
-  for (const auto& line : pattern.lines({region.box(), distance, degrees, 0, {}})) {
+  for (const auto& line : pattern.lines({region.box(), distance, 0, degrees, 0, {}})) {
     clipper.clip(line, lines);
   }
   return lines;

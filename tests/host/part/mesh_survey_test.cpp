@@ -149,7 +149,7 @@ TEST_CASE("layers that hold nothing are found, whatever the order of the facets"
     }
     test::shuffle(triangles, random);
     MeshSurvey survey = surveyed(triangles);
-    const MeshSurvey::EmptyLayers found = survey.empty_layers(layer);
+    const MeshSurvey::EmptyLayers found = survey.empty_layers({layer, layer});
     CHECK_EQ(found.count, empty);
     CHECK_EQ(found.first, first);
   }
@@ -162,7 +162,8 @@ TEST_CASE("more gaps than it keeps: it tells fewer, and none that is not there")
   std::vector<Triangle> triangles = test::triangles_of(parts::together(boxes));
   test::shuffle(triangles, random);
   MeshSurvey survey = surveyed(triangles);
-  const core::LayerIndex found = survey.empty_layers(Length::from_mm(0.2)).count;
+  const core::LayerIndex found =
+      survey.empty_layers({Length::from_mm(0.2), Length::from_mm(0.2)}).count;
   CHECK_GT(found, 200 * 5);
   CHECK_LE(found, 699 * 5);
 }

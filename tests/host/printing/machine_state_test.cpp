@@ -71,6 +71,7 @@ TEST_CASE("a checkpoint tells how the machine is before its layer") {
   checkpoint.encoder.x_um = 1'000;
   checkpoint.encoder.z_um = 400;
   checkpoint.motions.nozzle_celsius = 205;
+  checkpoint.motions.bed_celsius = 60;
   checkpoint.motions.fan = 0.5;
   host::MachineState state = host::state_at(checkpoint, settings);
   CHECK_EQ(state.x_um, 1'000);

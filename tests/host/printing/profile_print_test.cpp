@@ -193,8 +193,11 @@ TEST_CASE("a print with such a start is the file, and the controller agrees") {
 
 TEST_CASE("profile: cooling off, 5 % more filament, a hot bed") {
   const Asked asked;
-  const std::map<std::string, std::string> abs = {
-      {"cooling", "0"}, {"fan_always_on", "0"}, {"bed_temperature", "100"}, {"temperature", "245"}};
+  const std::map<std::string, std::string> abs = {{"cooling", "0"},
+                                                  {"fan_always_on", "0"},
+                                                  {"bridge_fan_speed", "0"},
+                                                  {"bed_temperature", "100"},
+                                                  {"temperature", "245"}};
   const Settings settings = asked.good(abs);
   const GcodeMachine machine = asked.made(settings);
   CHECK_EQ(machine.fan_most, 0);
@@ -219,13 +222,15 @@ TEST_CASE("profile: cooling off, 5 % more filament, a hot bed") {
 
 TEST_CASE("profile: the fan as PrusaSlicer has it") {
   const Asked asked;
-  const auto fan = [&](const std::map<std::string, std::string>& changed) {
+  const auto fan = [&](std::map<std::string, std::string> changed) {
+    changed.emplace("bridge_fan_speed", "0");
     return asked.made(asked.good(changed)).fan_most;
   };
   // Layers of a few seconds, slowed down.
   CHECK_EQ(fan({}), 255);
   CHECK_EQ(fan({{"max_fan_speed", "60"}}), 153);
   CHECK_EQ(fan({{"cooling", "0"}}), 89);
+  CHECK_EQ(fan({{"cooling", "0"}, {"bridge_fan_speed", "80"}}), 204);
   CHECK_EQ(fan({{"cooling", "0"}, {"min_fan_speed", "20"}}), 51);
   CHECK_EQ(fan({{"cooling", "0"}, {"fan_always_on", "0"}}), 0);
   CHECK_EQ(fan({{"slowdown_below_layer_time", "0"}, {"fan_below_layer_time", "0"}}), 89);
