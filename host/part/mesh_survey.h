@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/geometry.h"                // Triangle
-#include "core/slices/layer_heights.h"     // LayerHeights
+#include "core/slices/layer_heights.h"    // LayerHeights
 #include "core/units.h"                   // LayerIndex, Length
 #include "host/formats/mesh_extent.h"     // MeshExtent
 #include "host/part/edge_ledger.h"        // EdgeLedger
