@@ -281,7 +281,7 @@ class BorderSearch {
                 near, add);
     join(corner_border_);
     for (const auto& [start, end, curve] : corner_border_) {
-      const auto centre = [&](double angle) {
+      const auto centre = [&, &curve = curve](double angle) {
         const double r = -1 / curve.value(angle);
         const Vector at = edge.from + direction(angle) * r;
         return VoronoiVertex{at.x, at.y, r};

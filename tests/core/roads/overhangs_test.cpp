@@ -72,10 +72,11 @@ TEST_CASE("the share of a road that is held gives its hold") {
 
 TEST_CASE("a square that is wider on one side overhangs there, by how far it is wider") {
   Settings settings;
-  for (const auto& [step, hold] :
-       {std::pair{0.0, Hold::kWhole}, std::pair{0.09, Hold::kThreeQuarters},
-        std::pair{0.18, Hold::kHalf}, std::pair{0.3, Hold::kQuarter}, std::pair{0.4, Hold::kLittle},
-        std::pair{3.0, Hold::kLittle}}) {
+  for (const auto& one : {std::pair{0.0, Hold::kWhole}, std::pair{0.09, Hold::kThreeQuarters},
+                          std::pair{0.18, Hold::kHalf}, std::pair{0.3, Hold::kQuarter},
+                          std::pair{0.4, Hold::kLittle}, std::pair{3.0, Hold::kLittle}}) {
+    const double step = one.first;
+    const Hold hold = one.second;
     CAPTURE(step);
     const Region slice = rectangle(0, 0, 20 + step, 20), below = rectangle(0, 0, 20, 20);
     std::vector<Road> roads = outer_roads(slice, settings);
