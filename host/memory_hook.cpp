@@ -6,13 +6,15 @@
 
 #include "host/system/memory_budget.h"
 
+void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept {
+  if (!host::memory_allowed(bytes)) return nullptr;
+  void* memory = std::malloc(bytes > 0 ? bytes : 1);
+  if (memory != nullptr) host::memory_taken(malloc_usable_size(memory));
+  return memory;
+}
+
 void* operator new(std::size_t bytes) {
-  if (host::memory_allowed(bytes)) {
-    if (void* memory = std::malloc(bytes > 0 ? bytes : 1)) {
-      host::memory_taken(malloc_usable_size(memory));
-      return memory;
-    }
-  }
+  if (void* memory = operator new(bytes, std::nothrow)) return memory;
   throw std::bad_alloc();
 }
 
