@@ -314,10 +314,4 @@ void decide_bead_counts(const Beading& beading, AxisGraph& graph) {
   inherit_states(beading, graph);
 }
 
-bool has_narrow_place(const Beading& beading, const AxisGraph& graph) {
-  return std::any_of(graph.edges().begin(), graph.edges().end(), [&](const AxisEdge& edge) {
-    return edge.central && edge.count != beading.wide();
-  });
-}
-
 }  // namespace core

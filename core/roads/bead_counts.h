@@ -22,9 +22,6 @@ namespace core {
 // COSTS: O(edges) for each of at most kCountPassesMax passes.
 void decide_bead_counts(const Beading& beading, AxisGraph& graph);
 
-// Whether a place is narrow: not wide all over.
-[[nodiscard]] bool has_narrow_place(const Beading& beading, const AxisGraph& graph);
-
 inline constexpr int kCountPassesMax = 32;
 
 }  // namespace core

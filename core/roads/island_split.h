@@ -9,14 +9,15 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/geometry.h"        // Point, Ring
-#include "core/regions/region.h"  // Region
+#include "core/geometry.h"             // Point, Ring
+#include "core/regions/edge_strips.h"  // EdgeStrips
+#include "core/regions/region.h"       // Region
 
 namespace core {
 
 class IslandSplit {
  public:
-  // COSTS: O(n log n) where edges are spread evenly. REQUIRES: the slice outlives this.
+  // COSTS: O(points).
   explicit IslandSplit(const Region& slice);
 
   [[nodiscard]] const std::vector<Region>& islands() const { return islands_; }
@@ -31,21 +32,12 @@ class IslandSplit {
   }
 
  private:
-  struct Edge {
-    Point from, to;
-    std::uint32_t island = 0;
-  };
-
-  [[nodiscard]] std::size_t row_of(std::int32_t y) const;
   // Of the edge that is seen first; island 0 where there is none.
   [[nodiscard]] std::uint32_t island_at(Point point) const;
 
   std::vector<Region> islands_;
-  std::vector<Edge> edges_;
-  std::int64_t bottom_ = 0;
-  std::int64_t row_height_ = 1;
-  std::vector<std::uint32_t> starts_;   // by row, into in_rows_
-  std::vector<std::uint32_t> in_rows_;  // edges
+  EdgeStrips edges_{{}};                  // of several islands; none of one
+  std::vector<std::uint32_t> island_of_;  // by edge
 };
 
 }  // namespace core

@@ -1,5 +1,7 @@
 #include "core/roads/perimeters.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <optional>
 #include <utility>
 
@@ -22,6 +24,14 @@ namespace {
 
 // Contours that touch are parted by this before their axis is sought.
 constexpr Length kPartTouching = Length::from_units(5);
+
+// Whether not even the narrowest road fits, by the island's box: its axis may be a single point.
+bool is_crumb(const Region& island, const Settings& settings) {
+  const Box box = island.box();
+  const std::int64_t width = std::int64_t{box.max.x} - box.min.x;
+  const std::int64_t depth = std::int64_t{box.max.y} - box.min.y;
+  return std::min(width, depth) < (settings.road_width_min - kRoomSlack).units();
+}
 
 RoadKind kind_of(int level) {
   return level == 1 ? RoadKind::kOuterPerimeter : RoadKind::kPerimeter;
@@ -84,6 +94,7 @@ Region interior_of(const std::vector<BeadLine>& lines) {
 }  // namespace
 
 Perimeters perimeters(IslandOffsets island, Length height, const Settings& settings) {
+  if (is_crumb(island.region, settings)) return {};
   if (settings.perimeters == 0 || wide_all_over(island, height, settings)) {
     return of_wide_island(std::move(island), settings);
   }

@@ -30,7 +30,7 @@ std::size_t files_in(const PartFolder& folder) {
 // Hundreds of thousands of edges in each layer: one takes very long.
 std::string holed_plate(const PartFolder& folder) {
   std::vector<parts::Part> all{parts::box({0, 0, 0}, 250, 250, 2)};
-  constexpr int kHoles = 120;
+  constexpr int kHoles = 240;
   constexpr double kPitch = 250.0 / kHoles;
   for (int i = 0; i < kHoles * kHoles; ++i) {
     const double x = (0.25 + i % kHoles) * kPitch, y = (0.25 + i / kHoles) * kPitch;

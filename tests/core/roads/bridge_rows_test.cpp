@@ -9,32 +9,26 @@
 #include "core/booleans/boolean.h"
 #include "core/roads/bridge_direction.h"
 #include "tests/support/random_regions.h"
+#include "tests/support/rectangle.h"
 #include "tests/support/region_checks.h"
 
 using namespace core;
 
 namespace {
 
-Region rectangle(double x, double y, double width, double height) {
-  const auto units = [](double mm) { return static_cast<std::int32_t>(std::lround(mm * 1e4)); };
-  const std::int32_t left = units(x), low = units(y), right = units(x + width),
-                     high = units(y + height);
-  return Region::from_clean_rings({{{left, low}, {right, low}, {right, high}, {left, high}}});
-}
-
 constexpr double kMm = kUnitsPerMm;
 
 // Two posts with `span` mm between them, a deck of 10 mm that reaches 1 mm onto each.
 BridgeArea deck(double span) {
-  const Region room = rectangle(0, 0, span + 8, 10);
-  const Region held = unite(rectangle(0, 0, 4, 10), rectangle(span + 4, 0, 4, 10));
-  return {rectangle(3, 0, span + 2, 10), room, held, {}, Length::from_mm(0.45)};
+  const Region room = test::rectangle(0, 0, span + 8, 10);
+  const Region held = unite(test::rectangle(0, 0, 4, 10), test::rectangle(span + 4, 0, 4, 10));
+  return {test::rectangle(3, 0, span + 2, 10), room, held, {}, Length::from_mm(0.45)};
 }
 
 }  // namespace
 
 TEST_CASE("rows share the breadth evenly, and are cut where the region's edge is") {
-  const Region region = rectangle(1, 2, 7, 3);
+  const Region region = test::rectangle(1, 2, 7, 3);
   const RowGrid grid = rows_over(region, {1, 0}, 0.4 * kMm);
   REQUIRE_EQ(grid.count, 8);
   CHECK_EQ(grid.distance, doctest::Approx(3 * kMm / 8));
@@ -85,29 +79,29 @@ TEST_CASE("rows across a gap are held an anchor deep at both ends, and joined ov
 
 TEST_CASE("an end that the area cuts short is carried on as far as the room goes") {
   BridgeArea area = deck(10);
-  area.region = rectangle(4, 0, 10, 10);  // ends where what holds begins
+  area.region = test::rectangle(4, 0, 10, 10);  // ends where what holds begins
   const BridgeRows rows = bridge_rows(area, {1, 0}, Length::from_mm(0.4));
   REQUIRE_EQ(rows.rows.size(), 25);
   CHECK_EQ(rows.rows.front().way.from, doctest::Approx((4 - 0.45) * kMm));
   CHECK_EQ(rows.rows.front().way.to, doctest::Approx((14 + 0.45) * kMm));
-  area.room = rectangle(3.8, 0, 10.4, 10);
+  area.room = test::rectangle(3.8, 0, 10.4, 10);
   const BridgeRows short_rows = bridge_rows(area, {1, 0}, Length::from_mm(0.4));
   CHECK_EQ(short_rows.rows.front().way.from, doctest::Approx(3.8 * kMm));
 }
 
 TEST_CASE("what is held on one side only is cut off") {
   BridgeArea area = deck(10);
-  area.held = rectangle(0, 0, 4, 10);
+  area.held = test::rectangle(0, 0, 4, 10);
   const BridgeRows rows = bridge_rows(area, {1, 0}, Length::from_mm(0.4));
   CHECK(rows.rows.empty());
   CHECK_EQ(rows.cut_spans_mm, doctest::Approx(25 * 11));
   CHECK(covered_by(rows, area).empty());
   // A rib thinner than the anchor is no side.
-  area.held = unite(area.held, rectangle(14, 0, 0.3, 10));
+  area.held = unite(area.held, test::rectangle(14, 0, 0.3, 10));
   CHECK(bridge_rows(area, {1, 0}, Length::from_mm(0.4)).rows.empty());
   // A hole in the bridge is one: its perimeter comes after the rows.
-  area.held = rectangle(0, 0, 4, 10);
-  area.holes = rectangle(14, 0, 4, 10);
+  area.held = test::rectangle(0, 0, 4, 10);
+  area.holes = test::rectangle(14, 0, 4, 10);
   CHECK_EQ(bridge_rows(area, {1, 0}, Length::from_mm(0.4)).rows.size(), 25);
 }
 
@@ -118,8 +112,11 @@ TEST_CASE("the direction is that of the shortest spans held on both sides") {
     CHECK_EQ(std::abs(along.x), doctest::Approx(1));
   }
   // A shelf between two long walls, 6 mm apart and 30 mm long: across it.
-  const Region held = unite(rectangle(0, -2, 30, 2), rectangle(0, 6, 30, 2));
-  const BridgeArea shelf{
-      rectangle(0, -1, 30, 8), rectangle(0, -2, 30, 10), held, {}, Length::from_mm(0.45)};
+  const Region held = unite(test::rectangle(0, -2, 30, 2), test::rectangle(0, 6, 30, 2));
+  const BridgeArea shelf{test::rectangle(0, -1, 30, 8),
+                         test::rectangle(0, -2, 30, 10),
+                         held,
+                         {},
+                         Length::from_mm(0.45)};
   CHECK_EQ(std::abs(best_direction(shelf, Length::from_mm(0.4), trials).y), doctest::Approx(1));
 }

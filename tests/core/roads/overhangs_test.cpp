@@ -11,6 +11,7 @@
 #include "core/regions/polyline.h"
 #include "core/vector.h"
 #include "tests/support/random_regions.h"
+#include "tests/support/rectangle.h"
 #include "tests/support/region_checks.h"
 
 using namespace core;
@@ -18,14 +19,6 @@ using namespace core;
 namespace {
 
 constexpr double kMm = kUnitsPerMm;
-
-Region rectangle(double x, double y, double width, double height) {
-  const auto units = [](double mm) { return static_cast<std::int32_t>(std::lround(mm * 1e4)); };
-  return Region::from_clean_rings({{{units(x), units(y)},
-                                    {units(x + width), units(y)},
-                                    {units(x + width), units(y + height)},
-                                    {units(x), units(y + height)}}});
-}
 
 std::vector<Road> outer_roads(const Region& slice, const Settings& settings) {
   std::vector<Road> roads;
@@ -78,7 +71,8 @@ TEST_CASE("a square that is wider on one side overhangs there, by how far it is 
     const double step = one.first;
     const Hold hold = one.second;
     CAPTURE(step);
-    const Region slice = rectangle(0, 0, 20 + step, 20), below = rectangle(0, 0, 20, 20);
+    const Region slice = test::rectangle(0, 0, 20 + step, 20),
+                 below = test::rectangle(0, 0, 20, 20);
     std::vector<Road> roads = outer_roads(slice, settings);
     mark_holds(slice, below, settings, roads);
     REQUIRE_EQ(roads.size(), 1);
@@ -95,10 +89,10 @@ TEST_CASE("a square that is wider on one side overhangs there, by how far it is 
 
 TEST_CASE("a contour over nothing is in the air all along, and keeps its points") {
   Settings settings;
-  const Region slice = rectangle(30, 0, 10, 10);
+  const Region slice = test::rectangle(30, 0, 10, 10);
   std::vector<Road> roads = outer_roads(slice, settings);
   const std::vector<Point> points = roads.front().points;
-  mark_holds(slice, rectangle(0, 0, 10, 10), settings, roads);
+  mark_holds(slice, test::rectangle(0, 0, 10, 10), settings, roads);
   CHECK(in_air(roads.front()));
   CHECK_EQ(roads.front().points, points);
 }
