@@ -38,8 +38,8 @@ inline constexpr int kBallOperationsMax = kWindowLayersMax - 1;
 // it asks the whole diagram.
 inline constexpr int kDepthTriesMax = 12;
 
-// Seams that are remembered from layer to layer (seams.h): as many as fit, with all else that a
-// journal's record holds, into one block of a disk.
+// Seams that are remembered from layer to layer (seams.h). They fit, with all else that a journal's
+// record holds, into one block of a disk, 4,096 bytes.
 inline constexpr std::size_t kSeamsMax = 256;
 
 // Corners of a closed road that are looked at as a place for its seam.

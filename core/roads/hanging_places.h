@@ -3,7 +3,7 @@
 //
 //     island       an island of the slice over no part of the slice below
 //     span         held on two sides that are farther apart than bridge_max
-//     overhang     held on one side at most, and steeper than overhang_angle: farther beyond the
+//     overhang     held on one side at most, and steeper than asked: farther beyond the
 //                  slice below than  h · tan(angle),  h: the distance of the two planes
 //
 // A span up to bridge_max is a bridge, which is fine: it is not told.

@@ -37,8 +37,8 @@ void LayerPlanner::fill(LayerPlan& plan, bool with_roads) const {
   plan.layer = style_.apply(plan.split);
   const double moved_mm2 = plan.split.loose.area_mm2() - plan.layer.loose.area_mm2();
   plan.regularised_mm3 = style_.only_regularises() ? moved_mm2 * plan.layer.slice.height.mm() : 0;
-  if (!with_roads) return;
   plan.hanging = hanging_places(plan.layer, settings_);
+  if (!with_roads) return;
   plan.roads = roads_.plan(plan.layer);
   plan.seams = seam_loops(plan.layer, plan.roads);
 }

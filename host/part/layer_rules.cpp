@@ -57,7 +57,8 @@ core::Status check_on_bed(const std::string& part, const core::Slice& slice,
                      : "a road",
               core::Length::from_units(point.x).mm(), core::Length::from_units(point.y).mm(),
               settings.bed_x.mm(), settings.bed_y.mm(),
-              skirt  ? "set skirt_loops=0 or a smaller skirt_distance"
+              skirt  ? "set skirt_loops=0, or a smaller skirt_distance, "
+                       "skirt_length_min or brim_width"
               : brim ? "set a smaller brim_width"
                      : "move the part or set bed_x and bed_y")};
     }

@@ -232,6 +232,10 @@ class MeshLayers : public LayerSource {
     return {code, mesh_.name + ": " + cause};
   }
 
+  [[nodiscard]] std::string first_height_key() const {
+    return settings_.first_layer_height > Length() ? "first_layer_height" : "layer_height";
+  }
+
   // REQUIRES: the mesh was read to its end.
   [[nodiscard]] Status place() {
     const MeshExtent& extent = survey_.extent();
@@ -247,7 +251,7 @@ class MeshLayers : public LayerSource {
                                               " mm high, less than half a layer of " +
                                               mm_text(heights_.first.units()) + " mm; " +
                                               (unit ? *unit + " Otherwise" : "check its unit, or") +
-                                              " lower layer_height");
+                                              " lower " + first_height_key());
     }
     const core::Box& box = extent.box;
     const std::int64_t narrowest =

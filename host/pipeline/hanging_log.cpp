@@ -23,8 +23,8 @@ std::string counted(HangingKind kind, std::int64_t count) {
     case HangingKind::kOverhang:
       break;
   }
-  return one ? "1 overhang is steeper than overhang_angle"
-             : fmt::format("{} overhangs are steeper than overhang_angle", count);
+  return one ? "1 overhang is steeper than overhang_angle_degrees"
+             : fmt::format("{} overhangs are steeper than overhang_angle_degrees", count);
 }
 
 std::string size_text(const core::HangingPlace& place) {
@@ -71,7 +71,7 @@ std::string hanging_text(const HangingSpot& spot) {
     case HangingKind::kOverhang:
       break;
   }
-  return fmt::format("an overhang of {} is steeper than overhang_angle at {}", size, place);
+  return fmt::format("an overhang of {} is steeper than overhang_angle_degrees at {}", size, place);
 }
 
 void HangingLog::add(core::LayerIndex layer, core::Length bottom,
@@ -89,11 +89,6 @@ void HangingLog::add(core::LayerIndex layer, core::Length bottom,
       if (place.size > found.largest.place.size) found.largest = spot;
     }
   }
-}
-
-bool HangingLog::empty() const {
-  return std::all_of(kinds_.begin(), kinds_.end(),
-                     [](const Kind& kind) { return kind.count == 0; });
 }
 
 std::vector<std::string> HangingLog::summary() const {

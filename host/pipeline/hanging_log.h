@@ -46,7 +46,6 @@ class HangingLog {
   [[nodiscard]] const Kind& of(core::HangingKind kind) const {
     return kinds_[static_cast<std::size_t>(kind)];
   }
-  [[nodiscard]] bool empty() const;
 
   // One line for each kind that there is: how many, the first few, the largest.
   [[nodiscard]] std::vector<std::string> summary() const;

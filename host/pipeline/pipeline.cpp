@@ -28,10 +28,6 @@
 namespace host {
 namespace {
 
-double volume_mm3(const core::Region& region, core::Length height) {
-  return region.area_mm2() * height.mm();
-}
-
 class Pipeline {
  public:
   Pipeline(PrintPlan& print_plan, const PipelineOutputs& outputs, PipelineSignals& signals,
@@ -133,11 +129,12 @@ class Pipeline {
     return {};
   }
 
-  // True if this slice is too far below the start to matter, in millimetres and in layers.
+  // True if this slice is too far below to matter to the wall of the layer under the start.
   [[nodiscard]] bool below_start(const core::Slice& slice) const {
     if (!plan_.start) return false;
-    return slice.index + core::wall_layers(settings_) < plan_.start->layer &&
-           slice.top() + settings_.wall_thickness <= plan_.start->bottom;
+    const core::Length under = plan_.start->bottom - std::max(settings_.layer_height, slice.height);
+    return slice.index + core::wall_layers(settings_) + 1 < plan_.start->layer &&
+           slice.top() + settings_.wall_thickness <= under;
   }
 
   // True for a layer below the start: it was printed before, and can't be split correctly here.
@@ -197,13 +194,16 @@ class Pipeline {
     return pause;
   }
 
+  LayerWatch::Look watched(const SettledLayer& settled, LayerBatch& batch) {
+    const core::Slice& slice = settled.reserved.plan->split.slice;
+    return {watch_, settled.index, settled.bottom + slice.height, &slice.region, batch.watched_s};
+  }
+
   void plan(LayerBatch& batch) {
     const StageMeter meter(Stage::kRoads, batch.use);
     for (SettledLayer& settled : batch.settled) {
       if (!settled.reserved.to_fill) continue;
-      const core::Slice& slice = settled.reserved.plan->split.slice;
-      const LayerWatch::Look look(watch_, settled.index, settled.bottom + slice.height,
-                                  &slice.region, batch.watched_s);
+      const LayerWatch::Look look = watched(settled, batch);
       planner_.fill(*settled.reserved.plan, wants_roads());
     }
   }
@@ -221,7 +221,9 @@ class Pipeline {
   void order(LayerBatch& batch) {
     const StageMeter meter(Stage::kRoads, batch.use);
     for (SettledLayer& settled : batch.settled) {
-      if (settled.ordering.to_order) planner_.order(*settled.reserved.plan, settled.ordering);
+      if (!settled.ordering.to_order) continue;
+      const LayerWatch::Look look = watched(settled, batch);
+      planner_.order(*settled.reserved.plan, settled.ordering);
     }
   }
 
@@ -254,14 +256,11 @@ class Pipeline {
     core::Slice& slice = layer.slice;
     slice.index = settled.index;
     slice.bottom = settled.bottom;
-    statistics_.solid_mm3 += volume_mm3(layer.solid, slice.height);
-    statistics_.loose_mm3 += volume_mm3(layer.loose, slice.height);
-    statistics_.regularised_mm3 += plan.regularised_mm3;
-    keep(outputs_.on_layer ? outputs_.on_layer(layer) : true);
-    if (!wants_roads()) return {};
-
+    statistics_.add_volume(layer, plan.regularised_mm3);
     if (core::Status held = check_floating(slice, plan.hanging); !held.ok()) return held;
     statistics_.hanging.add(slice.index, slice.bottom, plan.hanging);
+    keep(outputs_.on_layer ? outputs_.on_layer(layer) : true);
+    if (!wants_roads()) return {};
     const std::vector<core::Road>& roads = *settled.ordering.roads;
     core::Status fits = check_on_bed(plan_.part_path, slice, roads, settings_);
     if (!fits.ok()) return fits;

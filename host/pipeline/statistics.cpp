@@ -141,6 +141,13 @@ std::string road_kind_name(core::RoadKind kind) {
   return "unknown";
 }
 
+void GeometryStatistics::add_volume(const core::SplitLayer& layer, double moved_mm3) {
+  const double height_mm = layer.slice.height.mm();
+  solid_mm3 += layer.solid.area_mm2() * height_mm;
+  loose_mm3 += layer.loose.area_mm2() * height_mm;
+  regularised_mm3 += moved_mm3;
+}
+
 double total_mm(const FilamentUse& filament) {
   return std::accumulate(filament.begin(), filament.end(), 0.0);
 }

@@ -10,6 +10,7 @@
 #include "core/roads/road.h"            // RoadKind
 #include "core/slices/slice.h"          // Slice
 #include "core/units.h"                 // LayerIndex, Length
+#include "core/walls/split_layer.h"     // SplitLayer
 #include "host/pipeline/hanging_log.h"  // HangingLog
 #include "host/pipeline/layer_times.h"  // LayerTimes
 #include "host/pipeline/layer_watch.h"  // SlowLayers
@@ -117,6 +118,8 @@ struct GeometryStatistics {
   // When the first road was written to the file. LinkStatistics has those of a print.
   std::optional<double> first_road_s;      // since the program started
   std::optional<double> first_road_cpu_s;  // of the whole program
+
+  void add_volume(const core::SplitLayer& layer, double moved_mm3);
 };
 
 // Filled by the link's thread.

@@ -53,7 +53,7 @@ struct JournalHead {
   std::int64_t part_bytes = 0;
   std::vector<std::pair<std::string, std::string>> settings;  // all, as describe_settings() tells
   std::string on_bad_layer;                                   // the option's word
-  std::string on_floating;                                    // likewise; "": an older journal's
+  std::string on_floating;                                    // likewise
   std::string port;
   std::string usb;  // what `rind ports` tells of it
   int baud = 0;

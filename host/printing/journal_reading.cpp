@@ -52,7 +52,7 @@ JournalHead head_in(const Json& json) {
     head.settings.emplace_back(key, value.get<std::string>());
   }
   head.on_bad_layer = json.at("on_bad_layer").get<std::string>();
-  head.on_floating = json.value("on_floating", "");
+  head.on_floating = json.at("on_floating").get<std::string>();
   head.port = json.at("port").get<std::string>();
   head.usb = json.at("usb").get<std::string>();
   head.baud = json.at("baud").get<int>();

@@ -6,7 +6,6 @@
 #include <array>
 
 #include "firmware_link/wire/gcode_words.h"  // commands_in
-#include "host/settings/settings_prusa.h"    // from_prusa
 #include "host/settings/settings_text.h"     // read_number, unescaped_lines, trimmed
 
 namespace host {
@@ -20,7 +19,6 @@ enum class When {
   kGcode,      // a command that does something
   kUnlike,     // another value than that of `other`
   kUnlikeOn,   // likewise, except 0, which is automatic
-  kNoPattern,  // a pattern of fill that there is not
   kNotMarlin,  // a firmware with other commands
 };
 
@@ -31,7 +29,8 @@ struct LeftOut {
   std::string_view other = {};
 };
 
-constexpr std::string_view kOneWidth = "every road that fits whole is as wide as extrusion_width";
+constexpr std::string_view kOneWidth =
+    "inner roads are as wide as extrusion_width, or as the wall needs";
 constexpr std::string_view kAccelerations = "accelerations are the printer's own";
 constexpr std::string_view kNotSent = "it is not sent";
 
@@ -47,7 +46,7 @@ constexpr std::array kLeftOut = {
     LeftOut{"solid_infill_extrusion_width", When::kUnlikeOn, kOneWidth, "extrusion_width"},
     LeftOut{"top_solid_layers", When::kOn, "the top is as thick as wall_thickness"},
     LeftOut{"bottom_solid_layers", When::kOn, "the bottom is as thick as wall_thickness"},
-    LeftOut{"fill_pattern", When::kNoPattern, "the inside is filled with lines"},
+    LeftOut{"bottom_fill_pattern", When::kUnlike, "bottoms are filled as tops", "top_fill_pattern"},
     LeftOut{"spiral_vase", When::kOn, "every layer is laid by itself"},
     LeftOut{"fuzzy_skin", When::kOn, "the surface is smooth"},
     LeftOut{"infill_every_layers", When::kAboveOne, "every layer is filled"},
@@ -120,8 +119,6 @@ bool asks(const LeftOut& row, std::string_view value, const ProfileValues& profi
       return unlike && first != "100%";
     case When::kUnlikeOn:
       return !off && unlike;
-    case When::kNoPattern:
-      return !first.empty() && from_prusa("fill_pattern", first)->empty();
     case When::kNotMarlin:
       return is_one_of(first, {"makerware", "sailfish", "mach3", "machinekit", "no-extrusion"});
   }

@@ -195,6 +195,15 @@ core::Status end_prusa(const std::string& name, LoadedSettings& loaded) {
         fmt::format("nozzle_diameter = {}: one tool prints, with the first one's settings",
                     value("nozzle_diameter")));
   }
+  if (value("brim_type") == "no_brim") loaded.settings.brim_width = core::Length();
+  // The smaller of the print's and the filament's; 0 is none.
+  double slowest = 0;
+  for (const char* key : {"max_volumetric_speed", "filament_max_volumetric_speed"}) {
+    const Result<double> limit = read_number(first_value(value(key)), "");
+    if (!limit.ok() || limit.value() <= 0) continue;
+    slowest = slowest > 0 ? std::min(slowest, limit.value()) : limit.value();
+  }
+  loaded.settings.volumetric_speed_max_mm3_s = slowest;
   if (loaded.settings.fan_share_min > loaded.settings.fan_share) {
     loaded.left_out.push_back(
         fmt::format("min_fan_speed = {}: the fan never runs faster than max_fan_speed",

@@ -20,7 +20,7 @@ enum class Kind {
   kWidth,        // a number, but 0 means "automatic"
   kSpeed,        // likewise
   kSlowest,      // a speed, 0 for none
-  kHeight,       // a number; 0 means the same here
+  kLimit,        // a number; 0 means none here, too
   kShare,        // with "%"
   kPercent,      // a whole number of percent, without "%"
   kLayersAfter,  // number of layers before the first one with the effect
@@ -34,6 +34,7 @@ enum class Kind {
   kBrim,         // which contours have one
   kPattern,      // of the inside; one that has no counterpart is left out
   kTopPattern,
+  kSeam,
 };
 
 struct Alias {
@@ -54,8 +55,8 @@ constexpr std::array kAliases = {
     Alias{"bridge_flow_ratio", "bridge_flow", Kind::kBridgeFlow},
     Alias{"bridge_fan_speed", "bridge_fan_share", Kind::kBridgeFan},
     Alias{"small_perimeter_speed", "small_perimeter_speed_mm_s", Kind::kSpeed},
-    Alias{"max_volumetric_speed", "volumetric_speed_max_mm3_s", Kind::kSpeed},
-    Alias{"filament_max_volumetric_speed", "volumetric_speed_max_mm3_s", Kind::kSpeed},
+    Alias{"max_volumetric_speed", "volumetric_speed_max_mm3_s", Kind::kLimit},
+    Alias{"filament_max_volumetric_speed", "volumetric_speed_max_mm3_s", Kind::kLimit},
     Alias{"fill_density", "loose_density", Kind::kShare},
     Alias{"fill_angle", "fill_angle_degrees"},
     Alias{"fill_pattern", "loose_pattern", Kind::kPattern},
@@ -76,7 +77,7 @@ constexpr std::array kAliases = {
     Alias{"brim_separation", "brim_gap"},
     Alias{"brim_type", "brim_place", Kind::kBrim},
     Alias{"min_skirt_length", "skirt_length_min"},
-    Alias{"seam_position", "seam"},
+    Alias{"seam_position", "seam", Kind::kSeam},
     Alias{"skirts", "skirt_loops"},
     Alias{"skirt_distance", "skirt_distance"},
     Alias{"perimeter_speed", "perimeter_speed_mm_s", Kind::kSpeed},
@@ -93,7 +94,7 @@ constexpr std::array kAliases = {
     Alias{"retract_before_travel", "retraction_travel_min"},
     Alias{"retract_lift", "retraction_lift"},
     Alias{"bed_shape", "bed_x", Kind::kBed},
-    Alias{"max_print_height", "axis_z", Kind::kHeight},
+    Alias{"max_print_height", "axis_z", Kind::kLimit},
     Alias{"temperature", "nozzle_celsius"},
     Alias{"first_layer_temperature", "nozzle_first_layer_celsius"},
     Alias{"bed_temperature", "bed_celsius"},
@@ -112,13 +113,13 @@ constexpr std::array kAliases = {
 constexpr std::array<std::string_view, 14> kHallmarks = {"top_solid_layers",
                                                          "bottom_solid_layers",
                                                          "support_material",
-                                                         "brim_width",
+                                                         "brim_separation",
                                                          "raft_layers",
                                                          "gcode_flavor",
                                                          "fill_pattern",
                                                          "infill_extrusion_width",
                                                          "perimeter_extrusion_width",
-                                                         "first_layer_height",
+                                                         "first_layer_extrusion_width",
                                                          "cooling",
                                                          "solid_infill_below_area",
                                                          "avoid_crossing_perimeters",
@@ -136,34 +137,42 @@ Translated bed_settings(const std::optional<BedRectangle>& bed) {
 }
 
 Translated brim_settings(std::string_view type) {
-  if (type == "no_brim") return {{"brim_width", "0"}};
   if (type == "outer_only") return {{"brim_place", "outer"}};
   if (type == "inner_only") return {{"brim_place", "inner"}};
-  return {{"brim_place", "both"}};
+  if (type == "outer_and_inner") return {{"brim_place", "both"}};
+  // No brim at all: settings_file.cpp sees to that.
+  return {{"brim_place", "outer"}};
 }
 
-struct PatternName {
+struct WordPair {
   std::string_view theirs;
   std::string_view ours;
 };
 
 constexpr std::array kPatterns = {
-    PatternName{"rectilinear", "lines"}, PatternName{"alignedrectilinear", "lines"},
-    PatternName{"line", "lines"},        PatternName{"zig-zag", "lines"},
-    PatternName{"grid", "grid"},         PatternName{"triangles", "triangles"},
-    PatternName{"cubic", "cubic"},       PatternName{"honeycomb", "honeycomb"},
-    PatternName{"gyroid", "gyroid"},     PatternName{"concentric", "concentric"},
+    WordPair{"rectilinear", "lines"}, WordPair{"alignedrectilinear", "lines"},
+    WordPair{"line", "lines"},        WordPair{"zig-zag", "lines"},
+    WordPair{"grid", "grid"},         WordPair{"triangles", "triangles"},
+    WordPair{"cubic", "cubic"},       WordPair{"honeycomb", "honeycomb"},
+    WordPair{"gyroid", "gyroid"},     WordPair{"concentric", "concentric"},
 };
 
 constexpr std::array kTopPatterns = {
-    PatternName{"rectilinear", "rectilinear"}, PatternName{"alignedrectilinear", "rectilinear"},
-    PatternName{"monotonic", "monotonic"},     PatternName{"monotoniclines", "monotonic"},
-    PatternName{"concentric", "concentric"},
+    WordPair{"rectilinear", "rectilinear"}, WordPair{"alignedrectilinear", "rectilinear"},
+    WordPair{"monotonic", "monotonic"},     WordPair{"monotoniclines", "monotonic"},
+    WordPair{"concentric", "concentric"},
+};
+
+constexpr std::array kSeams = {
+    WordPair{"aligned", "aligned"},
+    WordPair{"nearest", "nearest"},
+    WordPair{"rear", "rear"},
+    WordPair{"random", "random"},
 };
 
 template <typename Names>
-Translated translate_pattern(const Names& names, std::string_view ours, std::string_view theirs) {
-  for (const PatternName& name : names) {
+Translated translate_word(const Names& names, std::string_view ours, std::string_view theirs) {
+  for (const WordPair& name : names) {
     if (name.theirs == theirs) return {{std::string(ours), std::string(name.ours)}};
   }
   return {};
@@ -176,8 +185,9 @@ Translated translate(const Alias& alias, std::string_view text) {
     return {{ours, std::string(text)}};
   }
   const std::string_view first = trimmed(text.substr(0, text.find(',')));
-  if (alias.kind == Kind::kPattern) return translate_pattern(kPatterns, ours, first);
-  if (alias.kind == Kind::kTopPattern) return translate_pattern(kTopPatterns, ours, first);
+  if (alias.kind == Kind::kPattern) return translate_word(kPatterns, ours, first);
+  if (alias.kind == Kind::kTopPattern) return translate_word(kTopPatterns, ours, first);
+  if (alias.kind == Kind::kSeam) return translate_word(kSeams, ours, first);
   if (alias.kind == Kind::kShare) return {{ours, std::string(first)}};
   if (alias.kind == Kind::kBrim) return brim_settings(first);
   if (first.ends_with('%')) return {};
@@ -206,6 +216,7 @@ Translated translate(const Alias& alias, std::string_view text) {
     case Kind::kBridgeFlow:
       return {{ours, std::string(first)}, {"internal_bridge_flow", std::string(first)}};
     case Kind::kBridgeFan: {
+      if (number.value() < 0) return {};
       const std::string share = write_number(number.value() / 100);
       return {{ours, share}, {"overhang_fan_share", fmt::format("0,0,{0},{0}", share)}};
     }
@@ -243,7 +254,7 @@ std::vector<std::string_view> prusa_keys() {
 
 std::optional<std::string_view> ours_for(std::string_view key) {
   for (const Alias& alias : kAliases) {
-    const bool as_it_is = alias.kind == Kind::kNumber || alias.kind == Kind::kHeight;
+    const bool as_it_is = alias.kind == Kind::kNumber || alias.kind == Kind::kLimit;
     if (alias.theirs == key && as_it_is) return alias.ours;
   }
   return std::nullopt;

@@ -72,6 +72,14 @@ Status roads_fit_nozzle(const PrintSettings& settings) {
     fits = road_fits_nozzle(settings, "layer_height", height, "top_width", settings.top_width);
     if (!fits.ok()) return fits;
   }
+  if (own_width && settings.road_width_min > settings.first_layer_width) {
+    return bad(fmt::format("road_width_min = {} mm is more than first_layer_width = {} mm",
+                           settings.road_width_min.mm(), settings.first_layer_width.mm()));
+  }
+  if (settings.top_width > core::Length() && settings.road_width_min > settings.top_width) {
+    return bad(fmt::format("road_width_min = {} mm is more than top_width = {} mm",
+                           settings.road_width_min.mm(), settings.top_width.mm()));
+  }
   if (settings.road_width_min > settings.road_width) {
     return bad(fmt::format("road_width_min = {} mm is more than road_width = {} mm",
                            settings.road_width_min.mm(), width.mm()));

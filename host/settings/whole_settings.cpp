@@ -8,6 +8,7 @@
 #include <optional>
 #include <set>
 
+#include "core/slices/layer_heights.h"  // layer_heights
 #include "host/settings/gcode_placeholders.h"
 #include "host/settings/settings_file.h"
 #include "host/settings/settings_prusa.h"
@@ -52,9 +53,6 @@ std::optional<std::string> known_besides(std::string_view name, std::size_t inde
                                                      "has_wipe_tower",
                                                      "has_single_extruder_multi_material_priming"};
   if (std::find(kNone.begin(), kNone.end(), name) != kNone.end()) return "0";
-  if (name == "first_layer_bed_temperature") {
-    return write_number(core::bed_first_layer_celsius(settings));
-  }
   return std::nullopt;
 }
 
@@ -79,6 +77,9 @@ class Known {
   Known(const PrintSettings& settings, const ProfileValues& values)
       : settings_(settings), values_(values) {
     for (const SettingRow& row : describe_settings(settings)) rows_[row.key] = row.plain_value;
+    // As they are used, where the settings say "auto".
+    rows_["first_layer_height"] = write_number(core::layer_heights(settings).first.mm());
+    rows_["bed_first_layer_celsius"] = write_number(core::bed_first_layer_celsius(settings));
   }
 
   [[nodiscard]] std::optional<std::string> value(std::string_view name, std::size_t index) const {

@@ -56,7 +56,7 @@ TEST_CASE("a bridge is told where it is longer than bridge_max") {
   CHECK(places(test::rectangle(0, 0, 48, 10), below, settings).largest.empty());
 }
 
-TEST_CASE("an overhang is told where it is steeper than overhang_angle") {
+TEST_CASE("an overhang is told where it is steeper than overhang_angle_degrees") {
   Settings settings;
   for (const double angle : {30.0, 45.0, 60.0}) {
     settings.overhang_angle_degrees = angle;

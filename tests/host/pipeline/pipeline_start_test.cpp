@@ -98,6 +98,27 @@ TEST_CASE("from any layer on, the commands are those of the whole print") {
   }
 }
 
+TEST_CASE("what bridges ask of the layer below is known, too") {
+  const test::PartFolder folder;
+  // Slabs on posts, just so thick that there is a layer or a few of loose inside: its roof spans
+  // what the slab's underside leaves.
+  std::vector<parts::Part> all;
+  double z = 0;
+  for (const double thickness : {1.8, 2.0, 2.2, 2.4}) {
+    all.push_back(parts::box({8, 8, z}, 6, 6, 1));
+    all.push_back(parts::box({0, 0, z + 1}, 24, 24, thickness));
+    z += 1 + thickness;
+  }
+  const std::string path = folder.add("slabs.stl", parts::together(std::move(all)));
+  for (const core::WallShape shape : {core::WallShape::kBall, core::WallShape::kCylinder}) {
+    CAPTURE(static_cast<int>(shape));
+    core::Settings settings = settings_of(shape, core::BuildStyle::kThinWall);
+    settings.layer_height = Length::from_mm(0.2);
+    settings.wall_thickness = Length::from_mm(0.8);
+    check_tails(settings, path, compute(settings, path, {}));
+  }
+}
+
 TEST_CASE("where seams move from layer to layer, they go on as in the whole print") {
   const test::PartFolder folder;
   // Leaning lobes, a dome, and a tower that begins and ends beside them.

@@ -313,6 +313,18 @@ TEST_CASE("profile: plain placeholders are filled in, expressions refused") {
   REQUIRE(hotter.ok());
   CHECK(hotter.value().settings.start_gcode == Lines{"M109 S230"});
 
+  // What is automatic stands for the value that is used.
+  const std::string first_path = asked.folder.add_text(
+      "first.ini",
+      profile({{"start_gcode", "G1 Z[first_layer_height]\\nM140 S[first_layer_bed_temperature]"}}));
+  const auto like_others = host::whole_settings({first_path,
+                                                 false,
+                                                 {{"first_layer_height", "auto"},
+                                                  {"bed_first_layer_celsius", "auto"},
+                                                  {"bed_celsius", "55"}}});
+  REQUIRE(like_others.ok());
+  CHECK(like_others.value().settings.start_gcode == Lines{"G1 Z0.2", "M140 S55"});
+
   const std::map<std::string, std::string> conditions = {
       {"start_gcode", "M862.3 P \"[printer_model]\"\\nG28\\n{if x}\\nG1 Z0.3\\n{endif}"}};
   CHECK(contains(asked.refusal(conditions), "start_gcode: [printer_model] stands for nothing"));

@@ -181,6 +181,29 @@ TEST_CASE("files on disk, and what is none") {
   CHECK(contains(cause(folder.string()), "folder"));
 }
 
+TEST_CASE("PrusaSlicer's words that go together, in any order") {
+  const std::string head = "top_solid_layers = 4\nsupport_material = 0\nraft_layers = 0\n";
+  const auto read = [&](const std::string& text) {
+    auto result = host::read_settings(head + text, "a.ini", host::PrintSettings());
+    REQUIRE(result.ok());
+    REQUIRE(result.value().from_prusa);
+    return result.value().settings;
+  };
+  CHECK_EQ(read("brim_type = no_brim\nbrim_width = 5\n").brim_width, Length());
+  CHECK_EQ(read("brim_type = outer_only\nbrim_width = 5\n").brim_width, Length::from_mm(5));
+  for (const char* limits : {"filament_max_volumetric_speed = 8\nmax_volumetric_speed = 15\n",
+                             "max_volumetric_speed = 8\nfilament_max_volumetric_speed = 0\n",
+                             "filament_max_volumetric_speed = 15,8\nmax_volumetric_speed = 8\n"}) {
+    CAPTURE(limits);
+    CHECK_EQ(read(limits).volumetric_speed_max_mm3_s, 8);
+  }
+  CHECK_EQ(read("max_volumetric_speed = 0\n").volumetric_speed_max_mm3_s, 0);
+  CHECK(read("seam_position = rear\n").seam == core::SeamPosition::kRear);
+  CHECK(read("seam_position = cost\n").seam == core::SeamPosition::kAligned);
+  CHECK_EQ(read("bridge_fan_speed = -1\n").bridge_fan_share,
+           host::PrintSettings().bridge_fan_share);
+}
+
 TEST_CASE("what rind settings prints is a profile") {
   std::string text = "[rind]\n";
   for (const host::SettingRow& row : host::describe_settings(Settings())) {
