@@ -24,16 +24,6 @@ double laying_s(const Settings& settings, const std::vector<LaidWay>& ways, Slow
 
 }  // namespace
 
-double travelling_s(const Settings& settings, const std::vector<Road>& roads) {
-  double mm = 0;
-  for (std::size_t i = 1; i < roads.size(); ++i) {
-    const Road& before = roads[i - 1];
-    const Point from = before.closed ? before.points.front() : before.points.back();
-    mm += distance_mm(from, roads[i].points.front());
-  }
-  return mm / settings.travel_speed_mm_s;
-}
-
 double slowdown_of(const LayerCooling& cooling, Slowing slowing) {
   switch (slowing) {
     case Slowing::kFirst:
@@ -78,7 +68,7 @@ double fan_share(const Settings& settings, LayerIndex index, double layer_s) {
     const double long_s = settings.fan_below_layer_time_s;
     if (layer_s < short_s * (1 - kTimeTolerance)) {
       share = most;
-    } else if (layer_s < long_s) {
+    } else if (layer_s < long_s && short_s < long_s) {
       const double rest = std::max(0.0, layer_s - short_s) / (long_s - short_s);
       share = in_whole_percents(rest * least + (1 - rest) * most);
     }

@@ -43,9 +43,6 @@ struct LayerCooling {
 
 [[nodiscard]] Slowing slowing_of(RoadKind kind);
 
-// Travelling from road to road, in printing order.
-[[nodiscard]] double travelling_s(const Settings& settings, const std::vector<Road>& roads);
-
 // By length over speed alone: acceleration only makes the layer longer than asked for.
 [[nodiscard]] LayerCooling layer_cooling(const Settings& settings, LayerIndex index,
                                          double travelling_s, const std::vector<LaidWay>& ways);

@@ -95,44 +95,54 @@ void MotionBuilder::layer(const Slice& slice, const std::vector<Road>& roads, co
   if (roads.empty()) return;
   if (!state_.started) preamble(sink);
   start_layer(slice, sink);
-  // A closed road's end has a bead's blob, which its start's would double.
-  std::vector<Road> cut = roads;
-  for (Road& each : cut) {
-    if (settings_.seam_gap > Length()) each = opened(std::move(each), settings_.seam_gap);
+  std::vector<LaidRoad> laid;
+  laid.reserve(roads.size());
+  for (const Road& each : roads) {
+    RIND_CHECK(each.points.size() >= 2);
+    // A closed road's end has a bead's blob, which its start's would double.
+    const bool opens = each.closed && settings_.seam_gap > Length();
+    laid.push_back({each.kind, is_small_perimeter(each),
+                    width_stretches(opens ? opened(each, settings_.seam_gap) : each, height_)});
   }
-  const std::vector<double> fan = plan_layer(cut);
+  const std::vector<double> fan = plan_layer(laid);
   set_up_layer(cooling_.fan_share, sink);
   Boundary boundary(slice.region);
   std::size_t way = 0;
-  for (const Road& each : cut) {
-    RIND_CHECK(each.points.size() >= 2);
-    travel(each.points.front(), boundary, sink);
+  for (const LaidRoad& each : laid) {
+    travel(each.stretches.front().points.front(), boundary, sink);
     road(each, fan, way, sink);
   }
 }
 
 // Sets the layer's cooling; returns the fan's share for each stretch of its roads.
-std::vector<double> MotionBuilder::plan_layer(const std::vector<Road>& roads) {
+std::vector<double> MotionBuilder::plan_layer(const std::vector<LaidRoad>& roads) {
   std::vector<LaidWay> ways;
   std::vector<FanWish> wishes;
   const double growth = fan_growth(settings_, index_);
-  for (const Road& road : roads) {
-    for (const WidthStretch& stretch : width_stretches(road, height_)) {
+  double travel_mm = 0;
+  for (std::size_t i = 0; i < roads.size(); ++i) {
+    const LaidRoad& road = roads[i];
+    if (i > 0) {
+      const WidthStretch& before = roads[i - 1].stretches.back();
+      const Point from = before.closed ? before.points.front() : before.points.back();
+      travel_mm += distance_mm(from, road.stretches.front().points.front());
+    }
+    for (const WidthStretch& stretch : road.stretches) {
       const double mm = length_mm(stretch.points, stretch.closed);
       ways.push_back({mm, speed_mm_s(road, stretch), slowing_of(stretch.kind)});
       const double least = fan_share_least(settings_, stretch.kind, stretch.hold);
       wishes.push_back({mm, in_whole_percents(least * growth)});
     }
   }
-  cooling_ = layer_cooling(settings_, index_, travelling_s(settings_, roads), ways);
+  cooling_ = layer_cooling(settings_, index_, travel_mm / settings_.travel_speed_mm_s, ways);
   return fan_plan(cooling_.fan_share, wishes);
 }
 
-void MotionBuilder::road(const Road& road, const std::vector<double>& fan, std::size_t& way,
+void MotionBuilder::road(const LaidRoad& road, const std::vector<double>& fan, std::size_t& way,
                          const Sink& sink) {
   ++totals_.roads;
   bool first = true;
-  for (const WidthStretch& stretch : width_stretches(road, height_)) {
+  for (const WidthStretch& stretch : road.stretches) {
     set_fan(fan[way++], sink);
     if (first) {
       sink(RoadStart{stretch.kind, stretch.width});
@@ -150,9 +160,8 @@ void MotionBuilder::road(const Road& road, const std::vector<double>& fan, std::
 void MotionBuilder::lay(const WidthStretch& stretch, RoadKind kind, double speed,
                         const Sink& sink) {
   const double d = settings_.filament_diameter.mm();
-  const double filament_per_mm = settings_.extrusion_multiplier *
-                                 (index_ == 0 ? settings_.first_layer_flow : 1) * stretch.area_mm2 /
-                                 (std::numbers::pi * d * d / 4);
+  const double filament_per_mm =
+      flow_factor(settings_, index_) * stretch.area_mm2 / (std::numbers::pi * d * d / 4);
   if (stretch.points.size() > 2) {
     ArcFitter& fitter = state_.arcs.value_or(false) ? fitter_ : segments_;
     pieces_ = fitter.pieces(stretch.points, stretch.closed);
@@ -248,8 +257,9 @@ void MotionBuilder::finish(const Sink& sink) {
   for (const std::string& line : settings_.end_gcode) sink(Verbatim{line});
 }
 
-double MotionBuilder::speed_mm_s(const Road& road, const WidthStretch& stretch) const {
-  return full_speed_mm_s(settings_, index_, road, stretch.hold, stretch.area_mm2);
+double MotionBuilder::speed_mm_s(const LaidRoad& road, const WidthStretch& stretch) const {
+  return full_speed_mm_s(settings_, index_,
+                         {road.kind, road.small, stretch.hold, stretch.area_mm2});
 }
 
 }  // namespace core

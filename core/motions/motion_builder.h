@@ -92,9 +92,17 @@ class MotionBuilder {
   void preamble(const Sink& sink);
   void start_layer(const Slice& slice, const Sink& sink);
   void set_up_layer(double fan_share, const Sink& sink);
-  [[nodiscard]] std::vector<double> plan_layer(const std::vector<Road>& roads);
+  // A road in stretches of one width, opened at its seam.
+  struct LaidRoad {
+    RoadKind kind;
+    bool small;  // a small perimeter
+    std::vector<WidthStretch> stretches;
+  };
+
+  [[nodiscard]] std::vector<double> plan_layer(const std::vector<LaidRoad>& roads);
   void set_fan(double share, const Sink& sink);
-  void road(const Road& road, const std::vector<double>& fan, std::size_t& way, const Sink& sink);
+  void road(const LaidRoad& road, const std::vector<double>& fan, std::size_t& way,
+            const Sink& sink);
   void lay(const WidthStretch& stretch, RoadKind kind, double speed, const Sink& sink);
   void lay(const RoadPiece& piece, RoadKind kind, double filament_per_mm, double speed,
            const Sink& sink);
@@ -102,7 +110,7 @@ class MotionBuilder {
   void retract(const Sink& sink);
   void unretract(const Sink& sink);
   void lift(Length to, const Sink& sink);
-  [[nodiscard]] double speed_mm_s(const Road& road, const WidthStretch& stretch) const;
+  [[nodiscard]] double speed_mm_s(const LaidRoad& road, const WidthStretch& stretch) const;
 
   Settings settings_;
   ArcFitter fitter_;

@@ -47,15 +47,19 @@ bool is_small_perimeter(const Road& road) {
   return road.closed && is_perimeter(road.kind) && length_mm(road) <= kSmallPerimeter_mm;
 }
 
-double full_speed_mm_s(const Settings& settings, LayerIndex layer, const Road& road, Hold hold,
-                       double area_mm2) {
+double flow_factor(const Settings& settings, LayerIndex layer) {
+  return settings.extrusion_multiplier * (layer == 0 ? settings.first_layer_flow : 1);
+}
+
+double full_speed_mm_s(const Settings& settings, LayerIndex layer, const RoadSpeedCase& road) {
   double speed = speed_of_kind(settings, road.kind);
-  if (settings.small_perimeter_speed_mm_s > 0 && is_small_perimeter(road)) {
+  if (settings.small_perimeter_speed_mm_s > 0 && road.small) {
     speed = std::min(speed, settings.small_perimeter_speed_mm_s);
   }
-  const double limit = hold == Hold::kWhole ? 0 : settings.overhang_speed_mm_s[step_of(hold)];
+  const double limit =
+      road.hold == Hold::kWhole ? 0 : settings.overhang_speed_mm_s[step_of(road.hold)];
   if (limit > 0) speed = std::min(speed, limit);
-  const double flow_mm2 = area_mm2 * settings.extrusion_multiplier;
+  const double flow_mm2 = road.area_mm2 * flow_factor(settings, layer);
   if (settings.volumetric_speed_max_mm3_s > 0) {
     speed = std::min(speed, settings.volumetric_speed_max_mm3_s / flow_mm2);
   }

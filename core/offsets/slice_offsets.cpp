@@ -25,10 +25,6 @@ Length wide_depth(const Settings& settings, Length layer_height) {
   return perimeter_depth(settings, layer_height, settings.perimeters + 1);
 }
 
-Length narrow_half(const Settings& settings, Length layer_height) {
-  return Length::from_mm(kNarrowShare / 2 * perimeter_spacing(settings, layer_height).mm());
-}
-
 std::int64_t OffsetCutter::fill(const Slice& slice, SliceOffsets& cut) const {
   if (slice.region.empty()) return 0;
   const Settings& settings = slice.index == 0 ? first_settings_ : settings_;

@@ -35,13 +35,6 @@ namespace core {
 // them. Narrower places have roads of their own widths (roads/beading.h).
 [[nodiscard]] Length wide_depth(const Settings& settings, Length layer_height);
 
-// Two neighbouring centre lines of perimeter roads are never nearer than this share of their
-// spacing; where the part is too narrow for that, one road of its own width takes their place.
-inline constexpr double kNarrowShare = 0.6;
-
-// Half of that distance: how much deeper than its centre line a perimeter's core lies.
-[[nodiscard]] Length narrow_half(const Settings& settings, Length layer_height);
-
 // Depth below the wall's edge at which its rows end, as a share of their distance (wall_fill.h).
 // A share of one half would lay exactly what joined rows need, but leave notches between two joins.
 inline constexpr double kRowEndShare = 0.05;

@@ -22,7 +22,8 @@ class CornerIndex {
   CornerIndex(const Region& region, Length arm);
 
   // The nearest corner within `reach` that turns to the same side as `turn`; of equally near ones
-  // the lowest, then the leftmost. COSTS: O(log corners + corners in the rows within reach).
+  // the first by row, then by x, then by y.
+  // COSTS: O(log corners + corners in the rows within reach).
   [[nodiscard]] std::optional<Corner> nearest(Point to, double turn, Length reach) const;
 
  private:

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <limits>
-#include <tuple>
+#include <numeric>
 
 #include "core/offsets/voronoi_diagram.h"  // VoronoiDiagram, make_voronoi_diagram
 #include "core/roads/axis_curve.h"         // AxisCurve, Disc
@@ -28,25 +29,41 @@ constexpr double kShareMin = 1e-3;
 
 // For each vertex the one that it is taken for: the highest of those that hang together.
 std::vector<std::uint32_t> merged_vertices(const std::vector<VoronoiVertex>& vertices) {
-  std::vector<std::uint32_t> into(vertices.size()), order(vertices.size());
-  for (std::uint32_t i = 0; i < into.size(); ++i) into[i] = order[i] = i;
+  std::vector<std::uint32_t> into(vertices.size());
+  std::iota(into.begin(), into.end(), 0U);
   const auto last = [&](std::uint32_t vertex) {
     while (into[vertex] != vertex) vertex = into[vertex] = into[into[vertex]];
     return vertex;
   };
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return std::tie(vertices[a].x, vertices[a].y, a) < std::tie(vertices[b].x, vertices[b].y, b);
-  });
+  // By column, and upwards in each: what is near stands together, or in the next column.
+  struct Entry {
+    double column, y;
+    std::uint32_t vertex;
+    auto operator<=>(const Entry&) const = default;
+  };
+  std::vector<Entry> order;
+  order.reserve(vertices.size());
+  for (std::uint32_t i = 0; i < vertices.size(); ++i) {
+    order.push_back({std::floor(vertices[i].x / kSameNode), vertices[i].y, i});
+  }
+  std::sort(order.begin(), order.end());
   for (std::size_t i = 0; i < order.size(); ++i) {
-    const VoronoiVertex& at = vertices[order[i]];
-    for (std::size_t j = i + 1; j < order.size(); ++j) {
-      const VoronoiVertex& to = vertices[order[j]];
-      if (to.x - at.x > kSameNode) break;
-      if (std::abs(to.y - at.y) > kSameNode) continue;
-      const std::uint32_t a = last(order[i]), b = last(order[j]);
-      (vertices[a].height < vertices[b].height ? into[a] : into[b]) =
-          vertices[a].height < vertices[b].height ? b : a;
-    }
+    const VoronoiVertex& at = vertices[order[i].vertex];
+    const auto merge_from = [&](std::size_t j, double column) {
+      for (; j < order.size() && order[j].column == column; ++j) {
+        const VoronoiVertex& to = vertices[order[j].vertex];
+        if (to.y - at.y > kSameNode) break;
+        if (std::abs(to.x - at.x) > kSameNode) continue;
+        const std::uint32_t a = last(order[i].vertex), b = last(order[j].vertex);
+        (vertices[a].height < vertices[b].height ? into[a] : into[b]) =
+            vertices[a].height < vertices[b].height ? b : a;
+      }
+    };
+    merge_from(i + 1, order[i].column);
+    const Entry beside{order[i].column + 1, at.y - kSameNode, 0};
+    merge_from(static_cast<std::size_t>(std::lower_bound(order.begin(), order.end(), beside) -
+                                        order.begin()),
+               beside.column);
   }
   for (std::uint32_t i = 0; i < into.size(); ++i) into[i] = last(i);
   return into;

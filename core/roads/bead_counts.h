@@ -18,7 +18,7 @@
 namespace core {
 
 // Sets the counts of central edges and the states of all, and splits edges where a transition ends.
-// ENSURES: where two edges with one state meet, it is the same at the node.
+// ENSURES: where two edges of one count meet, their states at the node are equal.
 // COSTS: O(edges) for each of at most kCountPassesMax passes.
 void decide_bead_counts(const Beading& beading, AxisGraph& graph);
 

@@ -96,6 +96,7 @@ class Walk {
     } else if (!going_) {
       begin(span.from);
     }
+    if (room_a > 0 && room_b > 0) return add_stretch(span.site, a.at, first, b.at, last);
     // Where the line meets the axis; the same point from both sides.
     const double share = span.forward ? room_a / (room_a - room_b) : room_b / (room_b - room_a);
     const Vector start = graph_.nodes()[edge.from].at, stop = graph_.nodes()[edge.to].at;

@@ -64,7 +64,6 @@ class Beading {
 
   // The count that stands for a wide place; those below it are numbers of beads.
   [[nodiscard]] int wide() const { return 2 * pairs_ + 2; }
-  [[nodiscard]] int pairs() const { return pairs_; }
   [[nodiscard]] double spacing() const { return spacing_; }
   [[nodiscard]] double rim() const { return rim_; }
   [[nodiscard]] double room(double radius) const { return 2 * radius - rim_; }

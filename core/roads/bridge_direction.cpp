@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "core/roads/row_cuts.h"  // rows_over
+#include "core/roads/row_cuts.h"  // even_rows_over
 #include "core/trigonometry.h"    // arc_tangent, cosine, hypotenuse, sine
 
 namespace core {
@@ -77,7 +77,8 @@ Vector best_direction(const BridgeArea& area, Length distance, const DirectionTr
   Vector best{1, 0};
   double least = std::numeric_limits<double>::max();
   for (const Vector direction : DirectionVotes(area.region).directions(trials)) {
-    const RowGrid all = rows_over(area.region, direction, static_cast<double>(distance.units()));
+    const RowGrid all =
+        even_rows_over(area.region, direction, static_cast<double>(distance.units()));
     const double thinned = std::max(1.0, static_cast<double>(all.count) / kTrialRows);
     const BridgeRows rows = bridge_rows(area, direction, Length::from_mm(distance.mm() * thinned));
     // By the rows' number: the cost of all, not of those that are measured.

@@ -209,7 +209,7 @@ Region rings_near(const Region& region, const Box& box) {
 
 BridgeRows bridge_rows(const BridgeArea& area, Vector direction, Length distance) {
   BridgeRows result;
-  result.grid = rows_over(area.region, direction, static_cast<double>(distance.units()));
+  result.grid = even_rows_over(area.region, direction, static_cast<double>(distance.units()));
   const RowGrid& grid = result.grid;
   const auto region = cut_rows(grid, area.region), room = cut_rows(grid, area.room);
   const auto held = cut_rows(grid, area.held), holes = cut_rows(grid, area.holes);

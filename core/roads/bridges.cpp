@@ -8,6 +8,7 @@
 #include "core/booleans/boolean.h"          // clean, intersect, subtract
 #include "core/offsets/slice_offsets.h"     // perimeter_depth, perimeter_spacing
 #include "core/offsets/voronoi_mountain.h"  // offset
+#include "core/regions/point_location.h"    // PointLocation
 #include "core/roads/bridge_direction.h"    // best_direction
 #include "core/roads/bridge_rows.h"         // bridge_rows
 #include "core/roads/unheld.h"              // unheld
@@ -112,10 +113,11 @@ class BridgePlanner {
   [[nodiscard]] Region holes_in_air(const Region& around) const {
     std::vector<Ring> holes;
     const Box box = around.box();
+    const PointLocation below(site_.below);
     for (const Ring& ring : site_.slice.rings()) {
       if (doubled_area_units(ring) > 0 || !box.overlaps(box_of(ring))) continue;
       const bool held =
-          std::any_of(ring.begin(), ring.end(), [&](Point p) { return site_.below.contains(p); });
+          std::any_of(ring.begin(), ring.end(), [&](Point p) { return below.contains(p); });
       if (held) continue;
       holes.emplace_back(ring.rbegin(), ring.rend());
     }
@@ -126,9 +128,8 @@ class BridgePlanner {
 
   // A flat road of the flow that the user wants.
   [[nodiscard]] Length flat_width() const {
-    const double h = site_.height.mm();
     const double area = settings_.internal_bridge_flow * bead_area_mm2(width_, site_.height);
-    return Length::from_mm(std::max(area / h + h * (1 - std::numbers::pi / 4), h));
+    return std::max(bead_width(area, site_.height), site_.height);
   }
 
   void lay(const BridgeRows& rows, const BridgeArea& area, RoadKind kind, Length width,

@@ -30,7 +30,7 @@ namespace core {
 // Directions that are tried for an area.
 inline constexpr DirectionTrials kBridgeTrials{6, 8};
 
-// Of this share of a road's width the air begins.
+// The air begins this far beyond the slice below, in widths of a road.
 inline constexpr double kBridgeReachWidths = 0.5;
 
 // Rows reach this far onto what holds them, in widths of a road; on a rib as thin as one, less.

@@ -27,7 +27,6 @@ class ContourSites {
  public:
   explicit ContourSites(const std::vector<Ring>& rings);
 
-  [[nodiscard]] std::size_t size() const { return sites_.size(); }
   [[nodiscard]] const ContourSite& operator[](std::uint32_t site) const { return sites_[site]; }
   // Sites of ring i: from starts()[i] to starts()[i + 1].
   [[nodiscard]] const std::vector<std::uint32_t>& starts() const { return starts_; }

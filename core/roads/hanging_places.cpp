@@ -69,7 +69,7 @@ class HangingSearch {
     std::vector<Ring> begun;
     for (Island& island : islands(slice_)) {
       const Region whole = region_of(std::move(island));
-      if (!intersect(whole, below_).empty()) continue;
+      if (!intersect(whole, rings_near(below_, whole.box())).empty()) continue;
       found_.push_back({HangingKind::kIsland, middle_of(whole.box()), whole.area_mm2()});
       begun.insert(begun.end(), whole.rings().begin(), whole.rings().end());
     }

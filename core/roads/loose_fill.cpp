@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <numbers>
 #include <utility>
 
 #include "core/booleans/simplified.h"      // simplified
@@ -27,6 +26,9 @@ constexpr int kDistanceSteps = 4;
 // What the width may change to make what is laid equal to what was asked for.
 constexpr double kWidthMin = 0.75;  // road widths
 constexpr double kWidthMax = 1.15;
+
+// Rows farther apart than this are none: patterns reach some cells beyond what they fill.
+constexpr double kDistanceMax_mm = 2'000;
 
 // A free end is drawn on over at most this many road distances of the inside.
 constexpr double kEndReachDistances = 1.5;
@@ -64,6 +66,7 @@ class LooseFill {
         room_(within) {}
 
   void fill(const Region& piece) {
+    if (distance(0) > kDistanceMax_mm * kUnitsPerMm) return;
     const Region middle =
         flatten(offsetter_.offset(piece, Length::from_units(spacing_.units() / 2)),
                 settings_.arc_tolerance);
@@ -84,8 +87,8 @@ class LooseFill {
       take_better(lay(step + 1));
     }
     if (best.roads.empty()) return;
-    const double h = slice_.height.mm(), w = settings_.road_width.mm();
-    const double width = bead_mm_ * asked_mm / best.length_mm + h * (1 - std::numbers::pi / 4);
+    const double area_mm2 = bead_mm_ * slice_.height.mm() * asked_mm / best.length_mm;
+    const double width = bead_width(area_mm2, slice_.height).mm(), w = settings_.road_width.mm();
     const Length fitted = Length::from_mm(std::clamp(width, w * kWidthMin, w * kWidthMax));
     for (Road& road : best.roads) {
       road.width = fitted;

@@ -18,7 +18,8 @@ namespace core {
 
 // The ways in the order in which they have to be laid, each from its begin to its end.
 // `stretches`: of the lines, in the order of rows, and along each row.
-// COSTS: O(points + ends · log + rows · rows that may be laid at a time).
+// COSTS: O(points + ends · log + rows · rows that may be laid at a time), and the
+// stretches of every two neighbouring rows multiplied.
 [[nodiscard]] JoinedLines join_monotonic(const std::vector<ClippedLine>& lines,
                                          const std::vector<RowStretch>& stretches,
                                          const LineClipper& clipper, Length longest);

@@ -135,7 +135,7 @@ std::vector<Run> runs_of(const std::vector<Place>& places, bool closed) {
   return runs;
 }
 
-// The shortest run shorter than `shortest` is held as the longer one beside it, again and again.
+// Every run shorter than `shortest_mm` is held as the longer one beside it, until none is left.
 void smooth(std::vector<Place>& places, bool closed, double shortest_mm) {
   for (std::vector<Run> runs = runs_of(places, closed); runs.size() > 1;
        runs = runs_of(places, closed)) {

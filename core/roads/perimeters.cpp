@@ -10,7 +10,7 @@
 #include "core/offsets/polygon_offset.h"     // PolygonOffsetter
 #include "core/offsets/slice_offsets.h"      // perimeter_depth, wide_depth
 #include "core/regions/contact_check.h"      // surely_clean
-#include "core/regions/contour_proximity.h"  // stays_near
+#include "core/regions/contour_proximity.h"  // frechet_within
 #include "core/regions/simplify.h"           // simplify
 #include "core/roads/axis_graph.h"           // AxisGraph
 #include "core/roads/bead_counts.h"          // decide_bead_counts

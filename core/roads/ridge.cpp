@@ -129,7 +129,7 @@ void Ridge::drop_spurs(const CornerRule& rule) {
       });
     }
     // Those that meet in one fork side by side, the farthest reaching first.
-    std::sort(spurs.begin(), spurs.end(), [](const Branch& a, const Branch& b) {
+    std::stable_sort(spurs.begin(), spurs.end(), [](const Branch& a, const Branch& b) {
       return a.end != b.end ? a.end < b.end : a.reach > b.reach;
     });
     std::vector<std::size_t> doomed;

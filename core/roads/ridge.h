@@ -9,8 +9,8 @@
 
 namespace core {
 
-// What is taken for a corner. Where all discs of a radius r reach to r · reach from its tip, the
-// angle's sine is 2 / reach.
+// What is taken for a corner: a disc of radius r in it lies r · reach from its tip, and the sine of
+// half its angle is 1 / reach.
 struct CornerRule {
   double reach = 2;  // of radii: 1 / sin of half the angle; 2 for 60°
   // Discs of this radius and more may widen more slowly than that, but only for such a length: a
@@ -28,8 +28,9 @@ class Ridge {
   Ridge(const VoronoiDiagram& diagram, double open_height);
 
   // A spur, the branch from a free end to the first fork, goes when it reaches beyond the disc
-  // about that fork by no more than in a corner of `angle`. What spurs of its own a branch has lost
-  // counts as its reach. Where all branches of a fork would go, the two that reach farthest stay.
+  // about that fork by no more than in a corner of `rule.reach`. What spurs of its own a branch
+  // has lost counts as its reach. Where all branches of a fork would go, the two that reach
+  // farthest stay.
   // COSTS: O(edges) for each generation of spurs on spurs.
   void drop_spurs(const CornerRule& rule = {});
 

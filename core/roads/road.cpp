@@ -93,6 +93,12 @@ double bead_area_mm2(Length width, Length height) {
   return h * (w - h) + std::numbers::pi * h * h / 4;
 }
 
+Length bead_width(double area_mm2, Length height) {
+  const double h = height.mm();
+  const double ellipse = 4 * area_mm2 / (std::numbers::pi * h);
+  return Length::from_mm(ellipse < h ? ellipse : area_mm2 / h + h * (1 - std::numbers::pi / 4));
+}
+
 double road_area_mm2(RoadKind kind, Length width, Length height) {
   return bead_area_mm2(width, kind == RoadKind::kBridge ? width : height);
 }

@@ -89,6 +89,9 @@ void start_at(Road& road, RingPlace place);
 //       ←── w ──→
 [[nodiscard]] double bead_area_mm2(Length width, Length height);
 
+// The width of a bead of this cross-section. REQUIRES: height > 0.
+[[nodiscard]] Length bead_width(double area_mm2, Length height);
+
 // That of a road of this kind. A bridge is round: nothing presses it flat.
 [[nodiscard]] double road_area_mm2(RoadKind kind, Length width, Length height);
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/check.h"                    // RIND_CHECK
+#include "core/regions/region.h"           // doubled_area_units
 #include "core/roads/nearest_point.h"      // NearestPoint
 #include "core/roads/order_improvement.h"  // improve_order
 #include "core/trigonometry.h"             // hypotenuse
@@ -97,27 +98,6 @@ Point turn_to(Road& road, std::size_t index) {
   return road.points.back();
 }
 
-struct Outline {
-  Ring ring;
-  Box box;
-  double area = 0;
-};
-
-// The smallest island round the point; island 0 when rounding put it outside all.
-std::size_t island_at(Point point, const std::vector<Outline>& outlines) {
-  std::size_t best = 0;
-  bool found = false;
-  for (std::size_t i = 0; i < outlines.size(); ++i) {
-    const Outline& outline = outlines[i];
-    if (!outline.box.overlaps({point, point})) continue;
-    if (found && outline.area >= outlines[best].area) continue;
-    if (!Region::from_clean_rings({outline.ring}).contains(point)) continue;
-    best = i;
-    found = true;
-  }
-  return best;
-}
-
 }  // namespace
 
 std::vector<Road> nearest_order(std::vector<Road> roads, Point& at) {
@@ -134,22 +114,6 @@ std::vector<Road> nearest_order(std::vector<Road> roads, Point& at) {
     ordered.push_back(std::move(roads[next->owner]));
   }
   return ordered;
-}
-
-std::vector<IslandRoads> by_island(std::vector<Road> roads, const Region& slice) {
-  std::vector<Outline> outlines;
-  for (Island& island : islands(slice)) {
-    Outline outline{std::move(island.outer), {}, 0};
-    outline.box = box_of(outline.ring);
-    outline.area = doubled_area_units(outline.ring);
-    outlines.push_back(std::move(outline));
-  }
-  std::vector<IslandRoads> all(std::max<std::size_t>(1, outlines.size()));
-  for (Road& road : roads) {
-    const std::size_t island = all.size() > 1 ? island_at(road.points.front(), outlines) : 0;
-    all[island].push_back(std::move(road));
-  }
-  return all;
 }
 
 static void append_in_stages(IslandRoads island, bool outer_first, Point& at,

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "core/geometry.h"           // Point
-#include "core/regions/region.h"     // Region
 #include "core/roads/layer_roads.h"  // IslandRoads, LayerRoads
 #include "core/roads/road.h"         // Road
 
@@ -21,10 +20,6 @@ namespace core {
 // point, where that is nearer. `at` moves to the end of the last road.
 // COSTS: O(points), and some O(1) a road for the next one, by a grid of the points to start at.
 [[nodiscard]] std::vector<Road> nearest_order(std::vector<Road> roads, Point& at);
-
-// Which island of the slice each road belongs to; in each island, roads keep their order.
-// COSTS: a look at each island's box for each road.
-[[nodiscard]] std::vector<IslandRoads> by_island(std::vector<Road> roads, const Region& slice);
 
 // All roads of a layer: its first ones, then island by island the inner perimeters, the outer ones
 // (before them where wanted, but for those that overhang), bottoms, the wall with its bridges and

@@ -1,11 +1,11 @@
 // Turns a layer, split into wall and inside, into roads, island by island:
 //
-//     ┌───────────────┐   perimeters    closed roads along the contour, cut open where the part is
-//     │ ┌───────────┐ │                 too narrow for them (perimeters.h)
+//     ┌───────────────┐   perimeters    roads along the contour, as many and as wide as fit
+//     │ ┌───────────┐ │                 (perimeters.h)
 //     │ │╱╱╱╱╱╱╱╱╱╱╱│ │   the wall      parallel roads, joined at their ends (line_fill.h)
 //     │ │╱╱╱     ╱╱╱│ │   its gaps      roads of fitting width where whole ones don't fit, so that
 //     │ │╱╱╱  ╱  ╱╱╱│ │                 the wall is dense (gap_fill.h)
-//     │ │╱╱╱ ╱   ╱╱╱│ │   the inside    straight roads farther apart, anchored in the wall
+//     │ │╱╱╱ ╱   ╱╱╱│ │   the inside    a pattern, anchored in the wall (loose_fill.h)
 //
 // The first layer has a skirt, too. What is printed when is decided later (road_order.h), because
 // a closed road's start depends on the layer below.

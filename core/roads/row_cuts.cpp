@@ -32,7 +32,7 @@ double RowGrid::across(std::size_t row) const {
   return first + static_cast<double>(row) * distance;
 }
 
-RowGrid rows_over(const Region& region, Vector direction, double distance) {
+RowGrid even_rows_over(const Region& region, Vector direction, double distance) {
   RowGrid grid{direction, 0, distance, 0};
   if (region.empty()) return grid;
   double low = grid.to_rows(region.rings().front().front()).y, high = low;

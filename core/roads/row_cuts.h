@@ -39,7 +39,7 @@ struct RowGrid {
 // Rows that share the region's breadth evenly, as many as fit at `distance` or a little less: the
 // outermost lie half a distance inside. No row where the region is empty.
 // COSTS: O(points).
-[[nodiscard]] RowGrid rows_over(const Region& region, Vector direction, double distance);
+[[nodiscard]] RowGrid even_rows_over(const Region& region, Vector direction, double distance);
 
 // For each row its spans inside the region, in ascending order; they are disjoint.
 // COSTS: O(points + crossings · log).

@@ -35,7 +35,7 @@ double clamped_area(const Piece& piece, double a, double b) {
 
 class Strips {
  public:
-  Strips(const Region& region, const RowGrid& grid) : grid_(grid) {
+  Strips(const Region& region, const RowStrips& grid) : grid_(grid) {
     double low = std::numeric_limits<double>::max(), high = std::numeric_limits<double>::lowest();
     std::vector<std::vector<std::array<double, 2>>> rings;
     for (const Ring& ring : region.rings()) {
@@ -129,7 +129,7 @@ class Strips {
                         grid_.turn.to_plane(to, top), grid_.turn.to_plane(from, top)});
   }
 
-  const RowGrid& grid_;
+  const RowStrips& grid_;
   std::int64_t first_ = 0;
   std::vector<std::vector<Piece>> strips_;
 };
@@ -137,7 +137,7 @@ class Strips {
 }  // namespace
 
 Region row_rests(const Region& region, const std::vector<RowStretch>& stretches,
-                 const RowGrid& grid, double least_mm2) {
+                 const RowStrips& grid, double least_mm2) {
   const std::vector<Ring> outlines =
       Strips(region, grid).windows(stretches, least_mm2 * kUnitsPerMm * kUnitsPerMm);
   if (outlines.empty()) return {};

@@ -24,7 +24,7 @@ struct RowStretch {
   bool from_covered = false, to_covered = false;  // another road covers what is beyond the end
 };
 
-struct RowGrid {
+struct RowStrips {
   RowTurn turn;
   double distance = 0;  // units
   double reach = 0;     // likewise: how far a road covers beyond its end
@@ -34,6 +34,6 @@ struct RowGrid {
 // REQUIRES: stretches in the order of rows. COSTS: O(points + strips passed), and in each strip
 // its contours times its windows; an intersection where a window is worth it.
 [[nodiscard]] Region row_rests(const Region& region, const std::vector<RowStretch>& stretches,
-                               const RowGrid& grid, double least_mm2);
+                               const RowStrips& grid, double least_mm2);
 
 }  // namespace core

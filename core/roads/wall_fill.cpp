@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numbers>
 #include <utility>
 
 #include "core/booleans/boolean.h"           // subtract
 #include "core/booleans/simplified.h"        // simplified
 #include "core/offsets/polygon_offset.h"     // PolygonOffsetter
-#include "core/offsets/slice_offsets.h"      // narrow_half, perimeter_spacing
+#include "core/offsets/slice_offsets.h"      // perimeter_spacing
 #include "core/regions/contour_proximity.h"  // stays_near
 #include "core/regions/polyline.h"           // length_mm
 #include "core/roads/bead_cover.h"           // uncovered
@@ -21,6 +20,9 @@
 namespace core {
 
 namespace {
+
+// Rings of a band end where their two sides would be nearer than this share of the spacing.
+constexpr double kNarrowShare = 0.6;
 
 // Up to this many roads side by side make a band.
 constexpr double kBandRoads = 4;
@@ -61,11 +63,6 @@ struct SolidStyle {
   SolidPattern pattern = SolidPattern::kRectilinear;
   Length width;
 };
-
-Length width_of_area(double area_mm2, Length height) {
-  const double h = height.mm();
-  return Length::from_mm(area_mm2 / h + h * (1 - std::numbers::pi / 4));
-}
 
 class WallFill {
  public:
@@ -122,7 +119,7 @@ class WallFill {
   void fill_band(const Region& band) {
     const Length distance = ring_distance(band);
     const Length width = style_.width + distance - spacing_;
-    const Length half_narrow = narrow_half(settings_, height_);
+    const Length half_narrow = scaled(spacing_, kNarrowShare / 2);
     std::vector<Road> rings;
     std::size_t innermost = 0;
     for (Length depth = scaled(distance, 0.5); true; depth += distance) {
@@ -174,9 +171,9 @@ class WallFill {
     FilledRows rows = pattern.fill({piece, layer_, style_.kind, style_.width, distance,
                                     scaled(distance, end_share), settings_.arc_tolerance,
                                     style_.pattern == SolidPattern::kMonotonic});
-    const RowGrid grid{RowTurn(pattern.angle_degrees(layer_)),
-                       static_cast<double>(distance.units()),
-                       static_cast<double>(style_.width.units()) / 2};
+    const RowStrips grid{RowTurn(pattern.angle_degrees(layer_)),
+                         static_cast<double>(distance.units()),
+                         static_cast<double>(style_.width.units()) / 2};
     const double narrowest = settings_.road_width_min.mm();
     const Region gaps =
         row_rests(piece, rows.stretches, grid, kRestSquaresMin * narrowest * narrowest);
@@ -186,7 +183,7 @@ class WallFill {
       const double holds_mm2 = piece.area_mm2() - gaps.area_mm2();
       const double w = style_.width.mm();
       const double least = std::max(w * (1 - kWidthChangeMax), distance.mm() + kTouchMm);
-      const double width = width_of_area(holds_mm2 * height_.mm() / laid_mm, height_).mm();
+      const double width = bead_width(holds_mm2 * height_.mm() / laid_mm, height_).mm();
       const Length fitted = Length::from_mm(std::clamp(width, least, w * (1 + kWidthChangeMax)));
       for (Road& row : rows.roads) row.width = fitted;
     }
@@ -226,7 +223,7 @@ std::vector<Road> surface_roads(const Region& surface, RoadKind kind, LayerIndex
   std::vector<Road> roads = WallFill(style, layer, height, settings).fill(surface);
   if (kind != RoadKind::kTopSolid || settings.top_flow == 1) return roads;
   const auto flowing = [&](Length width) {
-    return width_of_area(settings.top_flow * bead_area_mm2(width, height), height);
+    return bead_width(settings.top_flow * bead_area_mm2(width, height), height);
   };
   for (Road& road : roads) {
     road.width = flowing(road.width);
@@ -239,11 +236,8 @@ std::vector<Road> ironing_roads(const Region& top, LayerIndex layer, Length heig
                                 const Settings& settings) {
   if (top.empty()) return {};
   const Length spacing = settings.ironing_spacing;
-  const double h = height.mm(), area_mm2 = settings.ironing_flow * h * spacing.mm();
-  // Narrower beads than they are high are taken as ellipses (road.h).
-  const Length flat = width_of_area(area_mm2, height);
-  const Length width =
-      flat < height ? Length::from_mm(area_mm2 * 4 / (std::numbers::pi * h)) : flat;
+  const double area_mm2 = settings.ironing_flow * height.mm() * spacing.mm();
+  const Length width = bead_width(area_mm2, height);
   const Length inset = Length::from_units(settings.nozzle_diameter.units() / 2);
   return LineFill(settings.fill_angle_degrees)
       .fill({top, layer, RoadKind::kIroning, width, spacing, inset, settings.arc_tolerance, true})

@@ -67,4 +67,8 @@ Ring rectangle(double x0_mm, double y0_mm, double x1_mm, double y1_mm) {
           point_mm(x0_mm, y1_mm)};
 }
 
+core::Region rectangle_region(double x, double y, double width, double height) {
+  return core::Region::from_clean_rings({rectangle(x, y, x + width, y + height)});
+}
+
 }  // namespace test

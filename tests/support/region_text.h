@@ -21,4 +21,7 @@ std::string to_text(const core::Region& region);
 
 core::Ring rectangle(double x0_mm, double y0_mm, double x1_mm, double y1_mm);
 
+// From its lower left corner; millimetres.
+core::Region rectangle_region(double x, double y, double width, double height);
+
 }  // namespace test

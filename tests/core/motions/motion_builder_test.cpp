@@ -121,6 +121,26 @@ TEST_CASE("without a seam's gap a closed road ends where it began") {
   CHECK_EQ(recorder.all<Extrude>().back().to, at_mm(1, 1));
 }
 
+TEST_CASE("a small perimeter is slower, with a seam's gap and without") {
+  for (const double gap : {0.0, 0.06}) {
+    CAPTURE(gap);
+    Settings settings;
+    settings.small_perimeter_speed_mm_s = 12;
+    settings.cool_short_layers = false;
+    settings.seam_gap = Length::from_mm(gap);
+    MotionBuilder builder(settings);
+    Recorder recorder;
+    const Road small{RoadKind::kOuterPerimeter,
+                     Length::from_mm(0.45),
+                     true,
+                     {at_mm(1, 1), at_mm(9, 1), at_mm(9, 9), at_mm(1, 9)}};
+    builder.layer(slice_of(5, kSquare), {small}, recorder.sink());
+    const auto laid = recorder.all<Extrude>();
+    REQUIRE_EQ(laid.size(), 4);
+    for (const Extrude& piece : laid) CHECK_EQ(piece.speed_mm_s, 12);
+  }
+}
+
 TEST_CASE("what is retracted is returned, but for the retraction at the end") {
   const Settings settings;
   MotionBuilder builder(settings);

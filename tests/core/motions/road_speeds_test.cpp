@@ -14,6 +14,10 @@ Road square(RoadKind kind, std::int32_t side_mm) {
 constexpr LayerIndex kHigh = 10;
 constexpr double kArea_mm2 = 0.08;
 
+RoadSpeedCase case_of(const Road& road, Hold hold = Hold::kWhole) {
+  return {road.kind, is_small_perimeter(road), hold, kArea_mm2};
+}
+
 }  // namespace
 
 TEST_CASE("perimeters are slower the less of them is held, never faster than their kind") {
@@ -21,7 +25,7 @@ TEST_CASE("perimeters are slower the less of them is held, never faster than the
   settings.outer_perimeter_speed_mm_s = 50;
   const Road road = square(RoadKind::kOuterPerimeter, 20);
   const auto speed = [&](Hold hold) {
-    return full_speed_mm_s(settings, kHigh, road, hold, kArea_mm2);
+    return full_speed_mm_s(settings, kHigh, case_of(road, hold));
   };
   CHECK_EQ(speed(Hold::kWhole), 50);
   CHECK_EQ(speed(Hold::kThreeQuarters), 50);
@@ -39,7 +43,7 @@ TEST_CASE("bridges have speeds and fans of their own") {
   settings.bridge_fan_share = 0.7;
   settings.overhang_fan_share = {0.1, 0.2, 0.3, 0.4};
   const auto speed = [&](RoadKind kind) {
-    return full_speed_mm_s(settings, kHigh, square(kind, 20), Hold::kWhole, kArea_mm2);
+    return full_speed_mm_s(settings, kHigh, case_of(square(kind, 20)));
   };
   CHECK_EQ(speed(RoadKind::kBridge), 25);
   CHECK_EQ(speed(RoadKind::kInternalBridge), 35);
@@ -52,7 +56,7 @@ TEST_CASE("bridges have speeds and fans of their own") {
 TEST_CASE("small perimeters, the flow and the first layer set limits") {
   Settings settings;
   const auto speed = [&](const Road& road, LayerIndex layer = kHigh) {
-    return full_speed_mm_s(settings, layer, road, Hold::kWhole, kArea_mm2);
+    return full_speed_mm_s(settings, layer, case_of(road));
   };
   const Road small = square(RoadKind::kOuterPerimeter, 10), wide = square(small.kind, 11);
   CHECK_EQ(speed(small), 60);
@@ -65,6 +69,9 @@ TEST_CASE("small perimeters, the flow and the first layer set limits") {
   settings.extrusion_multiplier = 2;
   CHECK_EQ(speed(wide), doctest::Approx(2 / kArea_mm2));
   CHECK_EQ(speed(wide, 0), doctest::Approx(2 / kArea_mm2));
+  settings.first_layer_flow = 1.25;
+  CHECK_EQ(speed(wide, 0), doctest::Approx(1.6 / kArea_mm2));
+  CHECK_EQ(speed(wide), doctest::Approx(2 / kArea_mm2));
   settings.volumetric_speed_max_mm3_s = 0;
   CHECK_EQ(speed(wide, 0), settings.first_layer_speed_mm_s);
 }

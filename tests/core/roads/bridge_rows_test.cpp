@@ -9,8 +9,8 @@
 #include "core/booleans/boolean.h"
 #include "core/roads/bridge_direction.h"
 #include "tests/support/random_regions.h"
-#include "tests/support/rectangle.h"
 #include "tests/support/region_checks.h"
+#include "tests/support/region_text.h"
 
 using namespace core;
 
@@ -20,16 +20,17 @@ constexpr double kMm = kUnitsPerMm;
 
 // Two posts with `span` mm between them, a deck of 10 mm that reaches 1 mm onto each.
 BridgeArea deck(double span) {
-  const Region room = test::rectangle(0, 0, span + 8, 10);
-  const Region held = unite(test::rectangle(0, 0, 4, 10), test::rectangle(span + 4, 0, 4, 10));
-  return {test::rectangle(3, 0, span + 2, 10), room, held, {}, Length::from_mm(0.45)};
+  const Region room = test::rectangle_region(0, 0, span + 8, 10);
+  const Region held =
+      unite(test::rectangle_region(0, 0, 4, 10), test::rectangle_region(span + 4, 0, 4, 10));
+  return {test::rectangle_region(3, 0, span + 2, 10), room, held, {}, Length::from_mm(0.45)};
 }
 
 }  // namespace
 
 TEST_CASE("rows share the breadth evenly, and are cut where the region's edge is") {
-  const Region region = test::rectangle(1, 2, 7, 3);
-  const RowGrid grid = rows_over(region, {1, 0}, 0.4 * kMm);
+  const Region region = test::rectangle_region(1, 2, 7, 3);
+  const RowGrid grid = even_rows_over(region, {1, 0}, 0.4 * kMm);
   REQUIRE_EQ(grid.count, 8);
   CHECK_EQ(grid.distance, doctest::Approx(3 * kMm / 8));
   CHECK_EQ(grid.across(0), doctest::Approx(2 * kMm + grid.distance / 2));
@@ -38,7 +39,7 @@ TEST_CASE("rows share the breadth evenly, and are cut where the region's edge is
     CHECK_EQ(row.front().from, doctest::Approx(1 * kMm));
     CHECK_EQ(row.front().to, doctest::Approx(8 * kMm));
   }
-  CHECK_EQ(rows_over({}, {1, 0}, 1).count, 0);
+  CHECK_EQ(even_rows_over({}, {1, 0}, 1).count, 0);
 }
 
 TEST_CASE("spans of random regions are where a second computation finds the inside") {
@@ -47,7 +48,7 @@ TEST_CASE("spans of random regions are where a second computation finds the insi
     test::Random random(seed);
     const Region region = test::random_region(random, 200, 20);
     const double angle = random.between(0, std::numbers::pi);
-    const RowGrid grid = rows_over(region, {std::cos(angle), std::sin(angle)}, 0.5 * kMm);
+    const RowGrid grid = even_rows_over(region, {std::cos(angle), std::sin(angle)}, 0.5 * kMm);
     const auto rows = cut_rows(grid, region);
     for (int i = 0; i < 2'000; ++i) {
       const auto row =
@@ -79,29 +80,29 @@ TEST_CASE("rows across a gap are held an anchor deep at both ends, and joined ov
 
 TEST_CASE("an end that the area cuts short is carried on as far as the room goes") {
   BridgeArea area = deck(10);
-  area.region = test::rectangle(4, 0, 10, 10);  // ends where what holds begins
+  area.region = test::rectangle_region(4, 0, 10, 10);  // ends where what holds begins
   const BridgeRows rows = bridge_rows(area, {1, 0}, Length::from_mm(0.4));
   REQUIRE_EQ(rows.rows.size(), 25);
   CHECK_EQ(rows.rows.front().way.from, doctest::Approx((4 - 0.45) * kMm));
   CHECK_EQ(rows.rows.front().way.to, doctest::Approx((14 + 0.45) * kMm));
-  area.room = test::rectangle(3.8, 0, 10.4, 10);
+  area.room = test::rectangle_region(3.8, 0, 10.4, 10);
   const BridgeRows short_rows = bridge_rows(area, {1, 0}, Length::from_mm(0.4));
   CHECK_EQ(short_rows.rows.front().way.from, doctest::Approx(3.8 * kMm));
 }
 
 TEST_CASE("what is held on one side only is cut off") {
   BridgeArea area = deck(10);
-  area.held = test::rectangle(0, 0, 4, 10);
+  area.held = test::rectangle_region(0, 0, 4, 10);
   const BridgeRows rows = bridge_rows(area, {1, 0}, Length::from_mm(0.4));
   CHECK(rows.rows.empty());
   CHECK_EQ(rows.cut_spans_mm, doctest::Approx(25 * 11));
   CHECK(covered_by(rows, area).empty());
   // A rib thinner than the anchor is no side.
-  area.held = unite(area.held, test::rectangle(14, 0, 0.3, 10));
+  area.held = unite(area.held, test::rectangle_region(14, 0, 0.3, 10));
   CHECK(bridge_rows(area, {1, 0}, Length::from_mm(0.4)).rows.empty());
   // A hole in the bridge is one: its perimeter comes after the rows.
-  area.held = test::rectangle(0, 0, 4, 10);
-  area.holes = test::rectangle(14, 0, 4, 10);
+  area.held = test::rectangle_region(0, 0, 4, 10);
+  area.holes = test::rectangle_region(14, 0, 4, 10);
   CHECK_EQ(bridge_rows(area, {1, 0}, Length::from_mm(0.4)).rows.size(), 25);
 }
 
@@ -112,9 +113,10 @@ TEST_CASE("the direction is that of the shortest spans held on both sides") {
     CHECK_EQ(std::abs(along.x), doctest::Approx(1));
   }
   // A shelf between two long walls, 6 mm apart and 30 mm long: across it.
-  const Region held = unite(test::rectangle(0, -2, 30, 2), test::rectangle(0, 6, 30, 2));
-  const BridgeArea shelf{test::rectangle(0, -1, 30, 8),
-                         test::rectangle(0, -2, 30, 10),
+  const Region held =
+      unite(test::rectangle_region(0, -2, 30, 2), test::rectangle_region(0, 6, 30, 2));
+  const BridgeArea shelf{test::rectangle_region(0, -1, 30, 8),
+                         test::rectangle_region(0, -2, 30, 10),
                          held,
                          {},
                          Length::from_mm(0.45)};

@@ -11,8 +11,8 @@
 #include "core/regions/polyline.h"
 #include "core/roads/unheld.h"
 #include "tests/support/random_regions.h"
-#include "tests/support/rectangle.h"
 #include "tests/support/region_checks.h"
+#include "tests/support/region_text.h"
 
 using namespace core;
 
@@ -57,8 +57,8 @@ void check_held_at_both_ends(const Case& part, const std::vector<Road>& roads) {
 
 TEST_CASE("a deck between two posts is one bridge along its span, and nothing of it is left") {
   Case part;
-  part.slice = test::rectangle(0, 0, 28, 10);
-  part.below = unite(test::rectangle(0, 0, 4, 10), test::rectangle(24, 0, 4, 10));
+  part.slice = test::rectangle_region(0, 0, 28, 10);
+  part.below = unite(test::rectangle_region(0, 0, 4, 10), test::rectangle_region(24, 0, 4, 10));
   const Bridges laid = part.laid();
   REQUIRE_EQ(laid.roads.size(), 1);
   const Road& road = laid.roads.front();
@@ -73,7 +73,7 @@ TEST_CASE("a deck between two posts is one bridge along its span, and nothing of
     CHECK_LE(low, 4 - 0.45);
     CHECK_GE(high, 24 + 0.45);
   }
-  CHECK(intersect(laid.rest, test::rectangle(4, 0, 20, 10)).area_mm2() ==
+  CHECK(intersect(laid.rest, test::rectangle_region(4, 0, 20, 10)).area_mm2() ==
         doctest::Approx(0).epsilon(0.01));
   // Neighbours touch, and a round road's area is its flow.
   const double d = road.width.mm();
@@ -88,10 +88,10 @@ TEST_CASE("a deck between two posts is one bridge along its span, and nothing of
 
 TEST_CASE("a step as wide as a road, and what is held on one side, are no bridges") {
   Case part;
-  part.slice = test::rectangle(0, 0, 20, 20);
-  part.below = test::rectangle(0.4, 0, 19.6, 20);
+  part.slice = test::rectangle_region(0, 0, 20, 20);
+  part.below = test::rectangle_region(0.4, 0, 19.6, 20);
   CHECK(part.laid().roads.empty());
-  part.below = test::rectangle(8, 0, 12, 20);
+  part.below = test::rectangle_region(8, 0, 12, 20);
   const Bridges laid = part.laid();
   CHECK(laid.roads.empty());
   CHECK_EQ(test::widest_difference(laid.rest, part.wall()), 0);
@@ -111,8 +111,8 @@ TEST_CASE("the flow of bridges is what the user says") {
 
 TEST_CASE("over the loose inside, rows run across the loose roads below") {
   Case part;
-  part.slice = part.below = test::rectangle(0, 0, 30, 30);
-  part.below_loose = test::rectangle(3, 3, 24, 24);
+  part.slice = part.below = test::rectangle_region(0, 0, 30, 30);
+  part.below_loose = test::rectangle_region(3, 3, 24, 24);
   const Bridges laid = part.laid();
   REQUIRE_FALSE(laid.roads.empty());
   double length = 0;
@@ -131,7 +131,7 @@ TEST_CASE("over the loose inside, rows run across the loose roads below") {
   const double area = part.wall().area_mm2() - laid.rest.area_mm2();
   CHECK_EQ(length * 0.407, doctest::Approx(area).epsilon(0.03));
   // A strip as narrow as the loose roads are apart is filled like the rest.
-  part.below_loose = test::rectangle(3, 3, 1.5, 24);
+  part.below_loose = test::rectangle_region(3, 3, 1.5, 24);
   CHECK(part.laid().roads.empty());
 }
 

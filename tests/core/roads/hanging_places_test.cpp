@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "core/booleans/boolean.h"
-#include "tests/support/rectangle.h"
+#include "tests/support/region_text.h"
 
 using namespace core;
 
@@ -28,13 +28,13 @@ std::int64_t count(const HangingPlaces& found, HangingKind kind) {
 }  // namespace
 
 TEST_CASE("an island over nothing begins in the air; one that touches does not") {
-  const Region post = test::rectangle(0, 0, 5, 20);
-  const HangingPlaces found = places(unite(post, test::rectangle(15, 5, 5, 10)), post);
+  const Region post = test::rectangle_region(0, 0, 5, 20);
+  const HangingPlaces found = places(unite(post, test::rectangle_region(15, 5, 5, 10)), post);
   REQUIRE_EQ(found.largest.size(), 1);
   CHECK_EQ(found.largest.front().kind, HangingKind::kIsland);
   CHECK_EQ(found.largest.front().size, doctest::Approx(50));
   CHECK_EQ(found.largest.front().at, Point{175'000, 100'000});
-  CHECK_EQ(count(places(test::rectangle(0, 0, 8, 20), post), HangingKind::kIsland), 0);
+  CHECK_EQ(count(places(test::rectangle_region(0, 0, 8, 20), post), HangingKind::kIsland), 0);
   CHECK(places(post, post).largest.empty());
   SplitLayer first;
   first.slice.region = post;
@@ -45,15 +45,17 @@ TEST_CASE("a bridge is told where it is longer than bridge_max") {
   Settings settings;
   for (const double span : {5.0, 9.9, 10.1, 40.0}) {
     CAPTURE(span);
-    const Region below = unite(test::rectangle(0, 0, 4, 10), test::rectangle(4 + span, 0, 4, 10));
-    const HangingPlaces found = places(test::rectangle(0, 0, span + 8, 10), below, settings);
+    const Region below =
+        unite(test::rectangle_region(0, 0, 4, 10), test::rectangle_region(4 + span, 0, 4, 10));
+    const HangingPlaces found = places(test::rectangle_region(0, 0, span + 8, 10), below, settings);
     CHECK_EQ(count(found, HangingKind::kSpan), span > 10 ? 1 : 0);
     CHECK_EQ(count(found, HangingKind::kOverhang), 0);
     if (span > 10) CHECK_EQ(found.largest.front().size, doctest::Approx(span));
   }
   settings.bridge_max = Length::from_mm(42);
-  const Region below = unite(test::rectangle(0, 0, 4, 10), test::rectangle(44, 0, 4, 10));
-  CHECK(places(test::rectangle(0, 0, 48, 10), below, settings).largest.empty());
+  const Region below =
+      unite(test::rectangle_region(0, 0, 4, 10), test::rectangle_region(44, 0, 4, 10));
+  CHECK(places(test::rectangle_region(0, 0, 48, 10), below, settings).largest.empty());
 }
 
 TEST_CASE("an overhang is told where it is steeper than overhang_angle_degrees") {
@@ -64,8 +66,8 @@ TEST_CASE("an overhang is told where it is steeper than overhang_angle_degrees")
       CAPTURE(angle);
       CAPTURE(degrees);
       const double step = 0.2 * std::tan(degrees * std::numbers::pi / 180);
-      const HangingPlaces found =
-          places(test::rectangle(0, 0, 20 + step, 20), test::rectangle(0, 0, 20, 20), settings);
+      const HangingPlaces found = places(test::rectangle_region(0, 0, 20 + step, 20),
+                                         test::rectangle_region(0, 0, 20, 20), settings);
       // Hairs are rounding.
       const double beyond = step - 0.2 * std::tan(angle * std::numbers::pi / 180);
       if (beyond > 0 && beyond < 0.04) continue;
@@ -75,9 +77,10 @@ TEST_CASE("an overhang is told where it is steeper than overhang_angle_degrees")
 }
 
 TEST_CASE("of many places the largest are kept, and all are counted") {
-  Region slice = test::rectangle(0, 0, 5, 5);
+  Region slice = test::rectangle_region(0, 0, 5, 5);
   const Region below = slice;
-  for (int i = 1; i <= 9; ++i) slice = unite(slice, test::rectangle(10.0 * i, 0, 1 + i * 0.1, 1));
+  for (int i = 1; i <= 9; ++i)
+    slice = unite(slice, test::rectangle_region(10.0 * i, 0, 1 + i * 0.1, 1));
   const HangingPlaces found = places(slice, below);
   CHECK_EQ(count(found, HangingKind::kIsland), 9);
   REQUIRE_EQ(found.largest.size(), kHangingPlacesMax);

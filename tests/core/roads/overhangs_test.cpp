@@ -11,8 +11,8 @@
 #include "core/regions/polyline.h"
 #include "core/vector.h"
 #include "tests/support/random_regions.h"
-#include "tests/support/rectangle.h"
 #include "tests/support/region_checks.h"
+#include "tests/support/region_text.h"
 
 using namespace core;
 
@@ -71,8 +71,8 @@ TEST_CASE("a square that is wider on one side overhangs there, by how far it is 
     const double step = one.first;
     const Hold hold = one.second;
     CAPTURE(step);
-    const Region slice = test::rectangle(0, 0, 20 + step, 20),
-                 below = test::rectangle(0, 0, 20, 20);
+    const Region slice = test::rectangle_region(0, 0, 20 + step, 20),
+                 below = test::rectangle_region(0, 0, 20, 20);
     std::vector<Road> roads = outer_roads(slice, settings);
     mark_holds(slice, below, settings, roads);
     REQUIRE_EQ(roads.size(), 1);
@@ -89,10 +89,10 @@ TEST_CASE("a square that is wider on one side overhangs there, by how far it is 
 
 TEST_CASE("a contour over nothing is in the air all along, and keeps its points") {
   Settings settings;
-  const Region slice = test::rectangle(30, 0, 10, 10);
+  const Region slice = test::rectangle_region(30, 0, 10, 10);
   std::vector<Road> roads = outer_roads(slice, settings);
   const std::vector<Point> points = roads.front().points;
-  mark_holds(slice, test::rectangle(0, 0, 10, 10), settings, roads);
+  mark_holds(slice, test::rectangle_region(0, 0, 10, 10), settings, roads);
   CHECK(in_air(roads.front()));
   CHECK_EQ(roads.front().points, points);
 }

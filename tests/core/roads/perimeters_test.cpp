@@ -13,7 +13,6 @@
 #include "core/offsets/slice_offsets.h"
 #include "core/regions/polyline.h"
 #include "tests/support/random_regions.h"
-#include "tests/support/rectangle.h"
 #include "tests/support/region_checks.h"
 #include "tests/support/region_text.h"
 #include "tests/support/road_checks.h"
@@ -136,7 +135,7 @@ double ratio(const Region& region, const Perimeters& plan) {
 TEST_CASE("strips of any width hold what is laid") {
   for (const int perimeters : {1, 2, 3}) {
     for (double width = 0.21; width < 3; width += 0.07) {
-      const Region region = turned(test::rectangle(0, 0, 100, width), 0.3);
+      const Region region = turned(test::rectangle_region(0, 0, 100, width), 0.3);
       const Perimeters planned = plan(region, perimeters);
       CAPTURE(perimeters);
       CAPTURE(width);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/regions/polyline.h"
+#include "core/roads/island_split.h"
 #include "tests/support/random_regions.h"
 #include "tests/support/region_text.h"
 
@@ -38,6 +39,13 @@ std::vector<std::vector<Point>> points_of(const std::vector<Road>& roads) {
     std::sort(all.back().begin(), all.back().end());
   }
   std::sort(all.begin(), all.end());
+  return all;
+}
+
+std::vector<IslandRoads> by_island(const std::vector<Road>& roads, const Region& slice) {
+  const IslandSplit split(slice);
+  std::vector<IslandRoads> all(split.islands().size());
+  for (const Road& road : roads) all[split.island_of(road.points.front())].push_back(road);
   return all;
 }
 

@@ -75,3 +75,12 @@ TEST_CASE("a closed road cut open ends by the gap before its start") {
   CHECK(length_mm(opened(road, Length::from_mm(20))) == doctest::Approx(30));
   CHECK_EQ(opened(open, Length::from_mm(1)).points, open.points);
 }
+
+TEST_CASE("a bead's width and its cross-section belong together") {
+  const Length h = Length::from_mm(0.2);
+  for (const double width : {0.05, 0.1, 0.19, 0.2, 0.21, 0.45, 1.2}) {
+    CAPTURE(width);
+    const double area = bead_area_mm2(Length::from_mm(width), h);
+    CHECK_EQ(core::bead_width(area, h).mm(), doctest::Approx(width).epsilon(1e-3));
+  }
+}

@@ -18,7 +18,7 @@ namespace {
 
 // The rests as a boolean finds them: the region without a rectangle for each row.
 Region by_boolean(const Region& region, const std::vector<RowStretch>& stretches,
-                  const RowGrid& grid) {
+                  const RowStrips& grid) {
   std::vector<Ring> covered;
   for (const RowStretch& stretch : stretches) {
     const double bottom = static_cast<double>(stretch.row) * grid.distance;
@@ -45,7 +45,7 @@ TEST_CASE("random regions: the rests are what a boolean with every row's rectang
         fill.fill({region, 0, RoadKind::kSolid, Length::from_mm(0.45), Length::from_mm(distance_mm),
                    Length::from_mm(0.2), Length::from_units(25)});
     for (RowStretch& stretch : rows.stretches) stretch.from_covered = stretch.to_covered = false;
-    const RowGrid grid{RowTurn(angle), distance_mm * kUnitsPerMm, 1'500};
+    const RowStrips grid{RowTurn(angle), distance_mm * kUnitsPerMm, 1'500};
     const Region rests = row_rests(region, rows.stretches, grid, 0);
     const Region expected = by_boolean(region, rows.stretches, grid);
     CHECK(rests.area_mm2() == doctest::Approx(expected.area_mm2()).epsilon(2e-3));
@@ -58,7 +58,7 @@ TEST_CASE("random regions: the rests are what a boolean with every row's rectang
 TEST_CASE("a window is cut where it holds enough, and not beyond a covered end") {
   // Rows of 10 mm in a strip of 14 mm: 2 mm are left at either end.
   const Region region = test::region_from_text("-2:0 12:0 12:1 -2:1");
-  const RowGrid grid{RowTurn(0), 10'000, 0};
+  const RowStrips grid{RowTurn(0), 10'000, 0};
   std::vector<RowStretch> rows = {{0, 0, 100'000}};
   CHECK(row_rests(region, rows, grid, 0.5).area_mm2() == doctest::Approx(4).epsilon(1e-3));
   CHECK(row_rests(region, rows, grid, 1.99).area_mm2() == doctest::Approx(4).epsilon(1e-3));
