@@ -47,7 +47,8 @@ Bead Beading::bead_of(int level, int count, double radius) const {
 }
 
 double Beading::centre_room(int count, double radius) const {
-  return std::max(room(radius) - 2 * (count / 2) * spacing_, room_min_);
+  const int pairs = count / 2;
+  return std::max(room(radius) - 2 * pairs * spacing_, room_min_);
 }
 
 }  // namespace core
