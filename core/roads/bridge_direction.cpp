@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <numbers>
@@ -31,7 +32,8 @@ class DirectionVotes {
       const double length = hypotenuse(way.x, way.y);
       if (length == 0) continue;
       const double turns = arc_tangent(way.y, way.x) / std::numbers::pi + 1;  // 0 … 2
-      const auto step = static_cast<std::size_t>(turns * kDirectionSteps + 0.5) % kDirectionSteps;
+      const auto step =
+          static_cast<std::size_t>(std::lround(turns * kDirectionSteps)) % kDirectionSteps;
       Vote& vote = votes_[step];
       vote.length += length;
       if (length <= vote.longest) continue;
