@@ -68,7 +68,7 @@ void LineClipper::clip(const std::vector<Point>& line, std::vector<ClippedLine>&
       }
       if (piece.points.back() != at) piece.points.push_back(at);
       piece.to = place;
-      if (piece.points.size() >= 2) pieces.push_back(std::move(piece));
+      if (piece.points.size() >= 2) pieces.push_back(std::exchange(piece, {}));
     }
     if (inside && piece.points.back() != line[i]) piece.points.push_back(line[i]);
   }

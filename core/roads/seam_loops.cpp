@@ -81,9 +81,11 @@ class Below {
     for (std::size_t i = 0; i < points.size(); ++i) {
       const Point next = points[i + 1 < points.size() ? i + 1 : 0];
       if (!contours_.crosses({points[i], next})) continue;
-      const double steps = std::ceil(distance_mm(points[i], next) / kHeldStep.mm());
-      for (double step = 1; step < steps; ++step) {
-        const RingPlace place{between(points[i], next, step / steps), i};
+      const auto steps =
+          static_cast<std::size_t>(std::ceil(distance_mm(points[i], next) / kHeldStep.mm()));
+      for (std::size_t step = 1; step < steps; ++step) {
+        const double share = static_cast<double>(step) / static_cast<double>(steps);
+        const RingPlace place{between(points[i], next, share), i};
         if (inside_.contains(place.at)) loop.held_between.push_back(place);
       }
     }

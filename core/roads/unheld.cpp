@@ -12,7 +12,7 @@ Region unheld(const Region& slice, const Region& below, Length reach) {
   // may leave out a piece of the other contour, near its start.
   if (frechet_within(slice, below, reach) && frechet_within(below, slice, reach)) return {};
   const Region gained = subtract(slice, below);
-  if (gained.empty()) return gained;
+  if (gained.empty()) return {};
   return subtract(gained, offset(simplified(below, kUnheldTolerance), -reach, kUnheldTolerance));
 }
 
