@@ -44,6 +44,9 @@ enum class SolidPattern { kRectilinear, kMonotonic, kConcentric };
 // Steps of the share of a road that the layer below holds: over 3/4, over 1/2, over 1/4, less.
 inline constexpr std::size_t kOverhangSteps = 4;
 
+// Which outer perimeters are made rough.
+enum class FuzzySkin { kNone, kOuter, kAll };
+
 // Which contours of the first layer get a brim.
 enum class BrimPlace { kOuter, kBoth, kInner };
 
@@ -54,6 +57,7 @@ struct Settings {
   WallShape wall_shape = WallShape::kBall;
   int wall_layers = 0;  // T of a cylinder; 0: from the wall's thickness
   BuildStyle style = BuildStyle::kThinWall;
+  bool spiral_vase = false;
   Length loose_width_min = Length::from_units(9'000);  // narrower tongues of the inside: solid
   double loose_area_min_mm2 = 1;                       // smaller islands of it: solid
 
@@ -70,6 +74,7 @@ struct Settings {
   double fill_angle_degrees = 45;  // of even layers; odd ones are turned by 90°
   Length loose_anchor = Length::from_units(3'000);  // how far loose roads reach into the wall
   LoosePattern loose_pattern = LoosePattern::kLines;
+  int loose_every_layers = 1;  // the inside is laid once in as many layers, as much thicker
   Length infill_anchor_max = Length::from_units(500'000);  // longest join of loose roads
   SolidPattern solid_pattern = SolidPattern::kRectilinear;
   SolidPattern top_pattern = SolidPattern::kMonotonic;
@@ -80,6 +85,11 @@ struct Settings {
   Length ironing_spacing = Length::from_units(1'000);
   SeamPosition seam = SeamPosition::kAligned;
   Length seam_gap = Length::from_units(600);  // between a closed road's end and its start
+
+  FuzzySkin fuzzy_skin = FuzzySkin::kNone;
+  Length fuzzy_skin_thickness =
+      Length::from_units(3'000);  // from the line farthest in to farthest out
+  Length fuzzy_skin_point_distance = Length::from_units(8'000);
 
   // The first layer. Lengths of 0: like the other layers.
   Length first_layer_height;
@@ -174,6 +184,8 @@ struct Settings {
   // The user's own lines.
   std::vector<std::string> start_gcode = {"G28"};
   std::vector<std::string> end_gcode = {"M84"};
+  std::vector<std::string> at_height;             // "12.4 pause" (height_actions.h)
+  std::vector<std::string> pause_gcode = {"M0"};  // in a file, where the print pauses
   std::string allow_gcode;  // commands that are refused unless they are named here
   Length park_lift = Length::from_units(100'000);  // nozzle off the part at the end and at a stop
 };

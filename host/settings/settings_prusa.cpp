@@ -35,6 +35,7 @@ enum class Kind {
   kPattern,      // of the inside; one that has no counterpart is left out
   kTopPattern,
   kSeam,
+  kFuzzySkin,
 };
 
 struct Alias {
@@ -60,6 +61,11 @@ constexpr std::array kAliases = {
     Alias{"fill_density", "loose_density", Kind::kShare},
     Alias{"fill_angle", "fill_angle_degrees"},
     Alias{"fill_pattern", "loose_pattern", Kind::kPattern},
+    Alias{"infill_every_layers", "loose_every_layers"},
+    Alias{"spiral_vase", "spiral_vase"},
+    Alias{"fuzzy_skin", "fuzzy_skin", Kind::kFuzzySkin},
+    Alias{"fuzzy_skin_thickness", "fuzzy_skin_thickness"},
+    Alias{"fuzzy_skin_point_dist", "fuzzy_skin_point_distance"},
     Alias{"top_fill_pattern", "top_pattern", Kind::kTopPattern},
     Alias{"top_infill_extrusion_width", "top_width", Kind::kWidth},
     Alias{"top_solid_infill_speed", "top_speed_mm_s", Kind::kSpeed},
@@ -108,6 +114,7 @@ constexpr std::array kAliases = {
     Alias{"disable_fan_first_layers", "fan_from_layer", Kind::kLayersAfter},
     Alias{"start_gcode", "start_gcode", Kind::kGcode},
     Alias{"end_gcode", "end_gcode", Kind::kGcode},
+    Alias{"pause_print_gcode", "pause_gcode", Kind::kGcode},
 };
 
 constexpr std::array<std::string_view, 14> kHallmarks = {"top_solid_layers",
@@ -170,6 +177,12 @@ constexpr std::array kSeams = {
     WordPair{"random", "random"},
 };
 
+constexpr std::array kFuzzySkins = {
+    WordPair{"none", "none"},
+    WordPair{"external", "external"},
+    WordPair{"all", "all"},
+};
+
 template <typename Names>
 Translated translate_word(const Names& names, std::string_view ours, std::string_view theirs) {
   for (const WordPair& name : names) {
@@ -188,6 +201,7 @@ Translated translate(const Alias& alias, std::string_view text) {
   if (alias.kind == Kind::kPattern) return translate_word(kPatterns, ours, first);
   if (alias.kind == Kind::kTopPattern) return translate_word(kTopPatterns, ours, first);
   if (alias.kind == Kind::kSeam) return translate_word(kSeams, ours, first);
+  if (alias.kind == Kind::kFuzzySkin) return translate_word(kFuzzySkins, ours, first);
   if (alias.kind == Kind::kShare) return {{ours, std::string(first)}};
   if (alias.kind == Kind::kBrim) return brim_settings(first);
   if (first.ends_with('%')) return {};

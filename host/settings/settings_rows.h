@@ -78,6 +78,9 @@ struct Setting {
 // Largest bed: coordinates of the part must fit.
 inline constexpr double kBedMaxMm = core::kCoordinateMax / core::kUnitsPerMm / 2;
 
+// Layers whose inside is laid at once.
+inline constexpr double kLooseEveryMax = 10;
+
 inline constexpr std::array kSettings = {
     Setting{"layer_height", &PrintSettings::layer_height, "mm", 0.01, 2, "height of every layer"},
     Setting{"wall_thickness", &PrintSettings::wall_thickness, "mm", 0.05, 100,
@@ -92,6 +95,9 @@ inline constexpr std::array kSettings = {
     Setting{"style", choice<&PrintSettings::style>("thin-wall", "regular", "fast"), "", 0, 0,
             "way of building the inside: thin-wall, dense wall and loose inside; for comparison: "
             "regular, dense everywhere; fast, loose in hidden layers"},
+    Setting{
+        "spiral_vase", &PrintSettings::spiral_vase, "", 0, 1,
+        "whether layers of one contour, above the bottom, are one perimeter that rises steadily"},
     Setting{"loose_width_min", &PrintSettings::loose_width_min, "mm", 0, 20,
             "least width of the loose inside; narrower places are made solid"},
     Setting{"loose_area_min_mm2", &PrintSettings::loose_area_min_mm2, "mm²", 0, 10'000,
@@ -122,6 +128,9 @@ inline constexpr std::array kSettings = {
             choice<&PrintSettings::loose_pattern>("lines", "grid", "triangles", "honeycomb",
                                                   "gyroid", "cubic", "concentric"),
             "", 0, 0, "pattern of the inside's fill"},
+    Setting{"loose_every_layers", &PrintSettings::loose_every_layers, "", 1, kLooseEveryMax,
+            "number of layers whose inside is laid at once, in the highest of them, as far as the "
+            "nozzle allows"},
     Setting{"infill_anchor_max", &PrintSettings::infill_anchor_max, "mm", 0, 1'000,
             "longest join of the inside's roads along the wall; 0: none are joined"},
     Setting{"solid_pattern",
@@ -146,6 +155,13 @@ inline constexpr std::array kSettings = {
         "corner where there is one; nearest, near the road before; rear; random"},
     Setting{"seam_gap", &PrintSettings::seam_gap, "mm", 0, 1,
             "distance from the end of a closed road to its start; off: none", kOffIsZero},
+    Setting{"fuzzy_skin", choice<&PrintSettings::fuzzy_skin>("none", "external", "all"), "", 0, 0,
+            "rough surface: external, on outer contours; all, in holes, too; not on the first "
+            "layer"},
+    Setting{"fuzzy_skin_thickness", &PrintSettings::fuzzy_skin_thickness, "mm", 0, 5,
+            "range in which a rough perimeter is moved in and out, half of it on either side"},
+    Setting{"fuzzy_skin_point_distance", &PrintSettings::fuzzy_skin_point_distance, "mm", 0.05, 20,
+            "mean distance of a rough perimeter's points"},
     Setting{"first_layer_height", &PrintSettings::first_layer_height, "mm", 0.01, 2,
             "height of the first layer; auto: layer_height", kAutoIsZero},
     Setting{"first_layer_width", &PrintSettings::first_layer_width, "mm", 0.05, 10,
@@ -302,6 +318,12 @@ inline constexpr std::array kSettings = {
             "lines of G-code that are sent first, with \\n between them; ';' starts a comment"},
     Setting{"end_gcode", &PrintSettings::end_gcode, "", 0, kVerbatimLinesMax,
             "lines of G-code that are sent last"},
+    Setting{"at_height", &PrintSettings::at_height, "", 0, kVerbatimLinesMax,
+            "lines of a height in mm and what is done there: pause, nozzle_celsius NUMBER, gcode "
+            "LINE, or a command as M600; before the first layer that starts at that height or "
+            "above it"},
+    Setting{"pause_gcode", &PrintSettings::pause_gcode, "", 0, kVerbatimLinesMax,
+            "lines of G-code that stand for a pause in a file; a print pauses by itself"},
     Setting{"allow_gcode", &PrintSettings::allow_gcode, "", 0, 0,
             "commands that are allowed in start_gcode and end_gcode, although they are refused "
             "otherwise, as M500,M501; only on the command line"},
