@@ -85,10 +85,8 @@ struct Settings {
   Length ironing_spacing = Length::from_units(1'000);
   SeamPosition seam = SeamPosition::kAligned;
   Length seam_gap = Length::from_units(600);  // between a closed road's end and its start
-
   FuzzySkin fuzzy_skin = FuzzySkin::kNone;
-  Length fuzzy_skin_thickness =
-      Length::from_units(3'000);  // from the line farthest in to farthest out
+  Length fuzzy_skin_thickness = Length::from_units(3'000);  // half of it in, half out
   Length fuzzy_skin_point_distance = Length::from_units(8'000);
 
   // The first layer. Lengths of 0: like the other layers.

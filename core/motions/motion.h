@@ -78,13 +78,18 @@ struct SetBedTemperature {
   bool wait = false;
 };
 
-// One line of the user's start or end G-code, passed on as it is.
+// One line of the user's G-code, passed on as it is.
 struct Verbatim {
   std::string line;
 };
 
+// The print waits for the user, who asked for it at this height.
+struct Pause {
+  Length height;
+};
+
 using Motion =
     std::variant<LayerStart, RoadStart, RoadChange, Travel, Lift, Extrude, ExtrudeArc, MoveFilament,
-                 SetFan, SetNozzleTemperature, SetBedTemperature, Verbatim>;
+                 SetFan, SetNozzleTemperature, SetBedTemperature, Verbatim, Pause>;
 
 }  // namespace core

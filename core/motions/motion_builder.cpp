@@ -34,7 +34,7 @@ class MotionBuilder::Boundary {
 };
 
 MotionBuilder::MotionBuilder(const Settings& settings)
-    : settings_(settings), fitter_(settings.arc_fit_tolerance) {
+    : settings_(settings), actions_(settings), fitter_(settings.arc_fit_tolerance) {
   if (settings.arcs != ArcUse::kAuto) state_.arcs = settings.arcs == ArcUse::kOn;
 }
 
@@ -79,10 +79,35 @@ void MotionBuilder::set_fan(double share, const Sink& sink) {
   state_.fan = share;
 }
 
-void MotionBuilder::set_up_layer(double fan_share, const Sink& sink) {
+// What is due before a layer that starts at `bottom`. The user's lines may move anything: the
+// nozzle is off the part meanwhile, and its way back goes over the part.
+void MotionBuilder::act(Length bottom, const Sink& sink) {
+  const auto due = actions_.due(static_cast<std::size_t>(state_.actions), bottom);
+  state_.actions += static_cast<std::int64_t>(due.size());
+  const auto stands = [](const HeightAction& action) {
+    return action.kind != HeightAction::Kind::kNozzleTemperature;
+  };
+  if (std::none_of(due.begin(), due.end(), stands)) return;
+  const Length away = std::max(park_height(bottom, settings_), state_.nozzle_z.value_or(bottom));
+  if (state_.position_known) {
+    retract(sink);
+    lift(away, sink);
+  }
+  for (const HeightAction& action : due) {
+    if (action.kind == HeightAction::Kind::kPause) sink(Pause{action.height});
+    if (action.kind == HeightAction::Kind::kGcode) sink(Verbatim{action.line});
+  }
+  sink(SetFan{state_.fan});
+  state_.position_known = false;
+  state_.nozzle_z.reset();
+  lift(away, sink);
+}
+
+void MotionBuilder::set_up_layer(const Slice& slice, double fan_share, const Sink& sink) {
   set_fan(fan_share, sink);
   const double celsius =
-      index_ == 0 ? settings_.nozzle_first_layer_celsius : settings_.nozzle_celsius;
+      index_ == 0 ? settings_.nozzle_first_layer_celsius
+                  : actions_.nozzle_celsius(slice.bottom).value_or(settings_.nozzle_celsius);
   if (celsius != state_.nozzle_celsius) sink(SetNozzleTemperature{celsius, false});
   state_.nozzle_celsius = celsius;
   const double bed = index_ == 0 ? bed_first_layer_celsius(settings_) : settings_.bed_celsius;
@@ -95,6 +120,7 @@ void MotionBuilder::layer(const Slice& slice, const std::vector<Road>& roads, co
   if (roads.empty()) return;
   if (!state_.started) preamble(sink);
   start_layer(slice, sink);
+  act(slice.bottom, sink);
   std::vector<LaidRoad> laid;
   laid.reserve(roads.size());
   for (const Road& each : roads) {
@@ -105,7 +131,7 @@ void MotionBuilder::layer(const Slice& slice, const std::vector<Road>& roads, co
                     width_stretches(opens ? opened(each, settings_.seam_gap) : each, height_)});
   }
   const std::vector<double> fan = plan_layer(laid);
-  set_up_layer(cooling_.fan_share, sink);
+  set_up_layer(slice, cooling_.fan_share, sink);
   Boundary boundary(slice.region);
   std::size_t way = 0;
   for (const LaidRoad& each : laid) {
@@ -210,7 +236,8 @@ void MotionBuilder::travel(Point to, Boundary& boundary, const Sink& sink) {
       !boundary.crossed_by({state_.position, to});
   if (!same && !short_inside) {
     retract(sink);
-    lift(top_ + settings_.retraction_lift, sink);
+    const Length over = top_ + settings_.retraction_lift;
+    if (state_.nozzle_z.value_or(Length()) < over) lift(over, sink);
   } else {
     lift(top_, sink);
   }

@@ -2,7 +2,8 @@
 //
 //     preheat    heaters on, and nothing else: as soon as a print is likely
 //     preamble   once, before the first layer that has roads: heaters, start G-code
-//     layer      LayerStart, then for each road (retract) Lift Travel (return) RoadStart Extrude …
+//     layer      LayerStart, what is due at its height (height_actions.h), then for each road
+//                (retract) Lift Travel (return) RoadStart Extrude …
 //                (RoadChange Extrude …), where its width or what holds it changes
 //     finish     retract, lift, heaters and fan off, end G-code
 //
@@ -18,6 +19,7 @@
 
 #include "core/motions/arc_fit.h"          // ArcFitter
 #include "core/motions/cooling.h"          // LayerCooling
+#include "core/motions/height_actions.h"   // HeightActions
 #include "core/motions/motion.h"           // Motion
 #include "core/motions/width_stretches.h"  // WidthStretch
 #include "core/roads/road.h"               // Road, RoadKind
@@ -50,6 +52,7 @@ struct MotionState {
   double nozzle_celsius = 0;
   double bed_celsius = 0;
   std::optional<bool> arcs;  // whether round roads become arcs; nothing: not decided
+  std::int64_t actions = 0;  // carried out, of those at heights (height_actions.h)
 };
 
 class MotionBuilder {
@@ -80,6 +83,11 @@ class MotionBuilder {
 
   [[nodiscard]] const MotionTotals& totals() const { return totals_; }
 
+  // The lowest height at which something is still to be done (height_actions.h), if any.
+  [[nodiscard]] std::optional<Length> next_action() const {
+    return actions_.height_of(static_cast<std::size_t>(state_.actions));
+  }
+
   // Between two layers. A builder of the same settings that resumes from this state gives the same
   // motions as this one would. Its totals start from 0.
   [[nodiscard]] const MotionState& state() const { return state_; }
@@ -91,7 +99,8 @@ class MotionBuilder {
 
   void preamble(const Sink& sink);
   void start_layer(const Slice& slice, const Sink& sink);
-  void set_up_layer(double fan_share, const Sink& sink);
+  void act(Length bottom, const Sink& sink);
+  void set_up_layer(const Slice& slice, double fan_share, const Sink& sink);
   // A road in stretches of one width, opened at its seam.
   struct LaidRoad {
     RoadKind kind;
@@ -113,6 +122,7 @@ class MotionBuilder {
   [[nodiscard]] double speed_mm_s(const LaidRoad& road, const WidthStretch& stretch) const;
 
   Settings settings_;
+  HeightActions actions_;
   ArcFitter fitter_;
   ArcFitter segments_{Length()};   // none of them an arc
   std::vector<RoadPiece> pieces_;  // of the road at hand

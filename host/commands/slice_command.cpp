@@ -73,7 +73,8 @@ class SliceFile {
         layers_(std::move(layers)),
         statistics_(statistics),
         started_s_(started_s),
-        reporter_(reporter) {
+        reporter_(reporter),
+        gcode_(print_plan.settings.pause_gcode) {
     if (layers_) {
       layers_->begin(text_);
     } else {

@@ -51,11 +51,25 @@ void GcodeWriter::write(const core::Motion& motion,
     write_road(road->kind, road->width, into);
   } else if (const auto* change = std::get_if<core::RoadChange>(&motion)) {
     write_road(change->kind, change->width, into);
+  } else if (std::holds_alternative<core::Pause>(motion)) {
+    write_pause(into);
   }
   if (!command) return;
   firmware_link::TextBuffer text;
   into += firmware_link::encode(*command, text);
   into += '\n';
+}
+
+void GcodeWriter::write_pause(std::string& into) const {
+  into += ";PAUSE_PRINT\n";
+  firmware_link::TextBuffer text;
+  for (const std::string& line : pause_gcode_) {
+    const auto made = firmware_link::verbatim_from(line);
+    if (const auto* command = std::get_if<firmware_link::Verbatim>(&made)) {
+      into += firmware_link::encode(*command, text);
+      into += '\n';
+    }
+  }
 }
 
 void GcodeWriter::write_road(core::RoadKind kind, core::Length width, std::string& into) {

@@ -5,11 +5,13 @@
 //     ;Z:0.4                  ;WIDTH:0.45
 //     ;HEIGHT:0.2             G1 X10.5 Y3 E0.0123      a bridge is as high as it is wide: round
 //
-// Without its comments, the file is what `rind print` sends.
+// Without its comments and its pauses, the file is what `rind print` sends.
 #pragma once
 
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/motions/motion.h"         // Motion
 #include "firmware_link/wire/command.h"  // Command
@@ -18,6 +20,11 @@ namespace host {
 
 class GcodeWriter {
  public:
+  // `pause_gcode`: lines that stand for a pause, which a print makes by itself.
+  // REQUIRES: check_user_gcode() was fine.
+  explicit GcodeWriter(std::vector<std::string> pause_gcode = {})
+      : pause_gcode_(std::move(pause_gcode)) {}
+
   // Appends the text for a motion and its command (from MotionEncoder).
   // COSTS: at most three short lines besides the command's own.
   void write(const core::Motion& motion, const std::optional<firmware_link::Command>& command,
@@ -26,6 +33,9 @@ class GcodeWriter {
  private:
   void write_road(core::RoadKind kind, core::Length width, std::string& into);
 
+  void write_pause(std::string& into) const;
+
+  std::vector<std::string> pause_gcode_;
   std::optional<core::RoadKind> kind_;  // as last written; nullopt at a layer's start
   core::Length width_, height_;
   core::Length layer_height_;

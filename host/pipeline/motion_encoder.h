@@ -51,6 +51,7 @@ class MotionEncoder {
   std::optional<firmware_link::Command> encode_one(const core::LayerStart&) { return {}; }
   std::optional<firmware_link::Command> encode_one(const core::RoadStart&) { return {}; }
   std::optional<firmware_link::Command> encode_one(const core::RoadChange&) { return {}; }
+  std::optional<firmware_link::Command> encode_one(const core::Pause&) { return {}; }
   std::optional<firmware_link::Command> encode_one(const core::Travel& motion);
   std::optional<firmware_link::Command> encode_one(const core::Lift& motion);
   std::optional<firmware_link::Command> encode_one(const core::Extrude& motion);

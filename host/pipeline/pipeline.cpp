@@ -313,6 +313,11 @@ class Pipeline {
                       plan_.part_path, settings_.road_width_min.mm())};
     }
     if (outputs_.on_motion) builder_.finish(sink_);
+    if (const auto height = builder_.next_action(); outputs_.on_motion && height) {
+      signals_.warnings.put(
+          fmt::format("{}: at_height: no layer starts at {:g} mm or above; nothing was done there",
+                      plan_.part_path, height->mm()));
+    }
     return stopped() ? PipelineEnd::kStopped : PipelineEnd::kDone;
   }
 

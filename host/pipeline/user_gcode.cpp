@@ -8,6 +8,7 @@
 #include <string_view>
 #include <variant>
 
+#include "core/motions/height_actions.h"          // read_height_action
 #include "firmware_link/wire/command.h"           // verbatim_from
 #include "firmware_link/wire/gcode_words.h"       // commands_in
 #include "firmware_link/wire/refused_commands.h"  // refused_in
@@ -46,6 +47,28 @@ core::Status check_lines(const Lines& lines, const char* setting, const Lines& a
     }
   }
   return {};
+}
+
+// The G-code in at_height; lines of other actions are empty.
+Lines height_lines(const core::Settings& settings) {
+  Lines lines;
+  for (const std::string& text : settings.at_height) {
+    const core::Result<core::HeightAction> action = core::read_height_action(text);
+    lines.push_back(action.ok() ? action.value().line : "");
+  }
+  return lines;
+}
+
+struct NamedLines {
+  const char* setting;
+  Lines lines;
+};
+
+std::array<NamedLines, 4> lines_of(const core::Settings& settings) {
+  return {NamedLines{"start_gcode", settings.start_gcode},
+          NamedLines{"at_height", height_lines(settings)},
+          NamedLines{"pause_gcode", settings.pause_gcode},
+          NamedLines{"end_gcode", settings.end_gcode}};
 }
 
 // The command that restores a mode, and the commands that change it.
@@ -93,6 +116,59 @@ bool chooses_other_tool(std::string_view command) {
          firmware_link::is_classic(command);
 }
 
+Lines lasting_effects(const std::string& line) {
+  Lines effects;
+  if (renames_place(line)) {
+    effects.emplace_back(
+        "gives the nozzle's position other coordinates: the part is laid in those");
+  }
+  for (const std::string& command : firmware_link::commands_in(line)) {
+    for (const Kept& kept : kKept) {
+      if (kept.command == command) effects.emplace_back(kept.effect);
+    }
+    if (chooses_other_tool(command)) {
+      effects.emplace_back("chooses the tool that the part is laid with");
+    }
+  }
+  return effects;
+}
+
+// What the print needs behind the user's lines.
+Lines modes_after(const Lines& lines) {
+  Lines modes = {"G21", "G90", "M83"};
+  const Lines restored = restored_after(lines);
+  modes.insert(modes.end(), restored.begin(), restored.end());
+  modes.emplace_back("G92 E0");
+  return modes;
+}
+
+// at_height, with the modes behind the lines of each height.
+Lines with_modes_at_heights(const core::Settings& settings) {
+  using Kind = core::HeightAction::Kind;
+  const std::vector<core::HeightAction> actions = core::height_actions(settings);
+  Lines whole, of_height;
+  for (std::size_t i = 0; i < actions.size(); ++i) {
+    const core::HeightAction& action = actions[i];
+    const double mm = action.height.mm();
+    if (action.kind == Kind::kPause) {
+      whole.push_back(fmt::format("{} pause", mm));
+      of_height.insert(of_height.end(), settings.pause_gcode.begin(), settings.pause_gcode.end());
+    } else if (action.kind == Kind::kNozzleTemperature) {
+      whole.push_back(fmt::format("{} nozzle_celsius {}", mm, action.celsius));
+    } else {
+      whole.push_back(fmt::format("{} gcode {}", mm, action.line));
+      of_height.push_back(action.line);
+    }
+    if (of_height.empty()) continue;
+    if (i + 1 < actions.size() && actions[i + 1].height == action.height) continue;
+    Lines modes = modes_after(of_height);
+    modes.emplace_back("M400");
+    for (const std::string& line : modes) whole.push_back(fmt::format("{} gcode {}", mm, line));
+    of_height.clear();
+  }
+  return whole;
+}
+
 }  // namespace
 
 core::Result<Lines> allowed_commands(const std::string& text) {
@@ -119,8 +195,11 @@ core::Result<Lines> allowed_commands(const std::string& text) {
 core::Status check_user_gcode(const core::Settings& settings) {
   const core::Result<Lines> allowed = allowed_commands(settings.allow_gcode);
   if (!allowed.ok()) return allowed.error();
-  core::Status start = check_lines(settings.start_gcode, "start_gcode", allowed.value());
-  return start.ok() ? check_lines(settings.end_gcode, "end_gcode", allowed.value()) : start;
+  for (const NamedLines& lines : lines_of(settings)) {
+    core::Status fine = check_lines(lines.lines, lines.setting, allowed.value());
+    if (!fine.ok()) return fine;
+  }
+  return {};
 }
 
 std::vector<std::string> user_gcode_notes(const core::Settings& settings) {
@@ -129,20 +208,11 @@ std::vector<std::string> user_gcode_notes(const core::Settings& settings) {
     if (std::find(notes.begin(), notes.end(), text) == notes.end())
       notes.push_back(std::move(text));
   };
-  for (const std::string& line : settings.start_gcode) {
-    const std::string sent = firmware_link::without_comments(line);
-    if (renames_place(line)) {
-      note(
-          fmt::format("start_gcode: {} gives the nozzle's position other coordinates: the part is "
-                      "laid in those",
-                      sent));
-    }
-    for (const std::string& command : firmware_link::commands_in(line)) {
-      for (const Kept& kept : kKept) {
-        if (kept.command == command) note(fmt::format("start_gcode: {} {}", sent, kept.effect));
-      }
-      if (chooses_other_tool(command)) {
-        note(fmt::format("start_gcode: {} chooses the tool that the part is laid with", sent));
+  for (const NamedLines& lines : lines_of(settings)) {
+    if (lines.setting == std::string_view("end_gcode")) continue;
+    for (const std::string& line : lines.lines) {
+      for (const std::string& lasts : lasting_effects(line)) {
+        note(fmt::format("{}: {} {}", lines.setting, firmware_link::without_comments(line), lasts));
       }
     }
   }
@@ -161,11 +231,10 @@ std::vector<std::string> restored_after(const Lines& lines) {
 
 core::Settings with_own_modes(core::Settings settings) {
   Lines& start = settings.start_gcode;
-  const Lines restored = restored_after(start);
+  const Lines modes = modes_after(start);
   if (!start.empty()) start.insert(start.begin(), {"G21", "G90", "M82"});
-  start.insert(start.end(), {"G21", "G90", "M83"});
-  start.insert(start.end(), restored.begin(), restored.end());
-  start.emplace_back("G92 E0");
+  start.insert(start.end(), modes.begin(), modes.end());
+  settings.at_height = with_modes_at_heights(settings);
   Lines& end = settings.end_gcode;
   if (moves_filament(end)) end.insert(end.begin(), "G92 E0");
   return settings;

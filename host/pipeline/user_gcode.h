@@ -5,8 +5,12 @@
 // that they change are restored.
 //
 //     G21 G90 M82   start G-code   G21 G90 M83 G92 E0   the print   (G92 E0)   end G-code
+//     retract, lift   the lines of at_height   G21 G90 M83 G92 E0 M400   the print
 //
-// Also restored, if the start G-code changed it: the plane of arcs (G17), feeds in mm/min (G94),
+// Lines at a height start in the modes of the print. M400 behind them: what comes before it is done
+// for good, so that a resumed print never repeats it.
+//
+// Also restored, if the lines changed it: the plane of arcs (G17), feeds in mm/min (G94),
 // Celsius (M149 C), filament by its length (M200 D0), retraction by rind (M209 S0). Not restored,
 // because the user has changed it on purpose: offsets (G92 X…, G55), factors (M220, M221), the tool
 // (T1), limits (M203 …). user_gcode_notes() names those that change the part.
@@ -24,8 +28,8 @@ namespace host {
 // a word that is no command; a command that is never allowed.
 [[nodiscard]] core::Result<std::vector<std::string>> allowed_commands(const std::string& text);
 
-// Error if one of the user's lines (start and end G-code) must not be sent; it says which, why, and
-// what to do. Called before anything heats.
+// Error if one of the user's lines (start, end, at heights, in pauses) must not be sent; it says
+// which, why, and what to do. Called before anything heats.
 [[nodiscard]] core::Status check_user_gcode(const core::Settings& settings);
 
 // The lasting changes that the user's lines make to the print, one sentence each.
@@ -35,7 +39,8 @@ namespace host {
 // filament. Mostly empty.
 [[nodiscard]] std::vector<std::string> restored_after(const std::vector<std::string>& lines);
 
-// The same settings, with the commands for the modes added to start_gcode and end_gcode.
+// The same settings, with the commands for the modes added to start_gcode, at_height and
+// end_gcode. REQUIRES: check_user_gcode() was fine, and so are the settings.
 [[nodiscard]] core::Settings with_own_modes(core::Settings settings);
 
 }  // namespace host

@@ -57,11 +57,24 @@ std::optional<std::int64_t> CommandHistory::executed_before(std::int64_t number,
   return number;
 }
 
+std::int64_t CommandHistory::last_z_um(std::int64_t number) const {
+  for (std::int64_t i = number; i > begin_; --i) {
+    const auto* move = std::get_if<Move>(&at(i - 1).command);
+    if (move != nullptr && move->z_um) return *move->z_um;
+  }
+  return before_.z_um.value_or(0);
+}
+
 std::optional<std::int64_t> CommandHistory::executed_before(std::int64_t number,
                                                             double seconds) const {
   if (number == begin_) return std::nullopt;
   const double until = at(number - 1).seconds - seconds;
-  while (number > begin_ && at(number - 1).seconds > until) --number;
+  while (number > begin_ && at(number - 1).seconds > until) {
+    // Klipper, too, waits for its moves in M400.
+    const auto* words = std::get_if<firmware_link::Verbatim>(&at(number - 1).command);
+    if (words != nullptr && words->text() == "M400") return number;
+    --number;
+  }
   return number > begin_ ? std::optional(number) : std::nullopt;
 }
 

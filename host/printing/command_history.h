@@ -94,6 +94,10 @@ class CommandHistory {
   [[nodiscard]] std::optional<std::int64_t> executed_before(std::int64_t number,
                                                             double seconds) const;
 
+  // The height that the commands before `number` have sent the nozzle to; 0: none has.
+  // REQUIRES: begin() <= number <= end()
+  [[nodiscard]] std::int64_t last_z_um(std::int64_t number) const;
+
  private:
   [[nodiscard]] QueuedCommand& slot(std::int64_t number) {
     return commands_[static_cast<std::size_t>(number) % kHistoryCommandsMax];

@@ -93,6 +93,7 @@ void pass(Stream& stream, core::MotionState& motions) {
   stream.real(motions.fan);
   stream.real(motions.nozzle_celsius);
   stream.real(motions.bed_celsius);
+  stream.number(motions.actions);
 }
 
 // Both ways, so that what is written is what is read.
@@ -129,6 +130,7 @@ void pass(Stream& stream, JournalRecord& record) {
   stream.number(state);
   if (Stream::kReads) record.state = static_cast<PrintState>(state);
   stream.number(record.layers);
+  stream.number(record.last_planned);
   stream.number(record.height_in_doubt);
 }
 

@@ -43,8 +43,9 @@ struct JournalRecord {
   std::int64_t nozzle_z_um =
       0;  // the height that the nozzle was sent to: lifted, when it is parked
   PrintState state = PrintState::kRunning;
-  core::LayerIndex layers = 0;   // of the part; 0: not known yet
-  bool height_in_doubt = false;  // the nozzle was on its way to nozzle_z_um, or from there
+  core::LayerIndex layers = 0;     // of the part; 0: not known yet
+  std::int64_t last_planned = -1;  // the command before which the print paused by itself; -1: none
+  bool height_in_doubt = false;    // the nozzle was on its way to nozzle_z_um, or from there
 };
 
 // First kRecordBytes, whatever is in them, with sequence number and checksum; then kSeamBytes for

@@ -57,10 +57,13 @@ std::optional<JournalRecord> JournalWriter::record(PrintState state,
   record.sure_hash = mark.hash;
   record.accepted = accepted;
   record.machine = history.state_before(accepted);
-  record.nozzle_z_um = pauses_.nozzle_z_um().value_or(record.machine.z_um.value_or(0));
+  record.nozzle_z_um =
+      pauses_.nozzle_z_um().value_or(record.machine.z_um.value_or(history.last_z_um(accepted)));
   record.state = state;
   record.layers = layers_.load();
-  record.height_in_doubt = pauses_.height_in_doubt();
+  record.last_planned = pauses_.last_planned();
+  // The user's own lines may have moved the nozzle.
+  record.height_in_doubt = pauses_.height_in_doubt() || !record.machine.z_um;
   record.line = kNoLine;
   // A controller that was reset is told its height on the way back. Until that way is done, it must
   // not be taken for one that knows its position.

@@ -126,7 +126,9 @@ std::vector<Command> ParkMoves::restart(const MachineState& here, std::int64_t n
   if (bed) way.emplace_back(firmware_link::SetTemperature{Heater::kBed, here.bed_tenths, true});
   way.emplace_back(firmware_link::SetTemperature{Heater::kNozzle, here.nozzle_tenths, true});
   const std::int64_t from_um = std::max(nozzle_z_um, here.z_um.value_or(nozzle_z_um));
-  const std::vector<Command> off = lift_off(retraction_10nm(settings_), from_um, settings_);
+  // Behind the user's own lines the filament is drawn back, and come_back() leaves it so.
+  const std::int64_t draw_back_10nm = here.position_known() ? retraction_10nm(settings_) : 0;
+  const std::vector<Command> off = lift_off(draw_back_10nm, from_um, settings_);
   way.insert(way.end(), off.begin(), off.end());
   way.push_back(command_of("G28 X Y"));
   way.push_back(travel_move(position_.x_um, position_.y_um, settings_.travel_speed_mm_s));

@@ -50,7 +50,7 @@ class ParkMoves {
       : settings_(settings), position_(position) {}
 
   // `here`: the machine as the print's commands so far have set it. Empty where its position is not
-  // known, which is before the first road and after the last.
+  // known, which is before the first road, after the last, and behind lines of the user's.
   [[nodiscard]] std::vector<firmware_link::Command> leave_part(const MachineState& here) const;
 
   // `reheat`: the nozzle has cooled.

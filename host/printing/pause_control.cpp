@@ -13,6 +13,13 @@ void PauseControl::set_out(Phase phase, std::vector<Command> way) {
   way_.assign(way.begin(), way.end());
 }
 
+bool PauseControl::want_planned(std::int64_t command) {
+  if (command == last_planned_) return false;
+  last_planned_ = command;
+  user_wants_ = true;
+  return true;
+}
+
 void PauseControl::follow(std::vector<Command> way, std::int64_t nozzle_z_um) {
   set_out(Phase::kReturning, std::move(way));
   nozzle_z_um_ = nozzle_z_um;

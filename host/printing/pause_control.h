@@ -35,6 +35,12 @@ class PauseControl {
   [[nodiscard]] bool pause_wanted() const { return user_wants_; }
   [[nodiscard]] bool underrun() const { return underrun_; }
 
+  // A pause that the print itself has before this command. False: it was wanted once already, also
+  // by the print that this one resumes (`last_planned`).
+  bool want_planned(std::int64_t command);
+  void set_last_planned(std::int64_t command) { last_planned_ = command; }
+  [[nodiscard]] std::int64_t last_planned() const { return last_planned_; }
+
   // Which moves are made from now on.
   void set_park_moves(const ParkMoves& park_moves) { park_moves_ = park_moves; }
 
@@ -73,6 +79,7 @@ class PauseControl {
   double hot_s_;
   bool user_wants_ = false;
   bool underrun_ = false;
+  std::int64_t last_planned_ = -1;  // the command; -1: none
   bool cooled_ = false;
   double away_since_s_ = 0;
   Phase phase_ = Phase::kPrinting;

@@ -37,6 +37,7 @@ PrintController::PrintController(const PrintSettings& settings, const PrintOptio
       recovery_({link_, commands_, pauses_, start_, journal_, control_, reporter_},
                 options.resumption),
       ending_({link_, commands_, pauses_, feed_, start_, journal_, reports_, control_}) {
+  if (options.resumption) pauses_.set_last_planned(options.resumption->record.last_planned);
   link_.start_session(recovery_.searching());
 }
 
@@ -123,13 +124,9 @@ bool PrintController::give_next(Instant now) {
     session().check_position(now);
     return true;
   }
-  if (next.pause && paused_before_ != commands_.next()) {
-    paused_before_ = commands_.next();
+  if (next.pause && pauses_.want_planned(commands_.next())) {
     pause_cause_ = "part";
-    reporter_.note("bad_layer",
-                   *next.pause + "; resume to print what could be repaired, or else stop",
-                   {{"layer", next.layer}});
-    pauses_.want_pause(true);
+    reporter_.note(next.pause->event, next.pause->why, {{"layer", next.layer}});
     return true;
   }
   const auto* move = std::get_if<firmware_link::Move>(&next.command);

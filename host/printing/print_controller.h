@@ -117,7 +117,6 @@ class PrintController {
   bool stop_requested_ = false;
   std::string refused_;  // why it may not start, or not continue; empty: it may
   std::string pause_cause_ = "user";
-  std::int64_t paused_before_ = -1;  // the command that has asked for it last
 };
 
 }  // namespace host

@@ -1,5 +1,7 @@
 #include "host/printing/queue_filler.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <string_view>
 #include <variant>
@@ -29,6 +31,11 @@ void QueueFiller::start_layer(const Checkpoint& checkpoint) {
   next_.hash = kHashStart;
 }
 
+void QueueFiller::pause(const std::string& why) {
+  next_.pause = std::make_shared<const PlannedPause>(
+      PlannedPause{"bad_layer", why + "; resume to print what could be repaired, or else stop"});
+}
+
 void QueueFiller::add_line(core::Point to, double speed_mm_s) {
   if (position_ && speed_mm_s > 0) {
     const double dx = static_cast<double>(to.x) - position_->x;
@@ -54,6 +61,10 @@ void QueueFiller::note(const core::Motion& motion) {
     position_ = arc->to;
   } else if (const auto* travel = std::get_if<core::Travel>(&motion)) {
     add_line(travel->to, travel->speed_mm_s);
+  } else if (const auto* pause = std::get_if<core::Pause>(&motion)) {
+    next_.pause = std::make_shared<const PlannedPause>(PlannedPause{
+        "planned_pause",
+        fmt::format("pause at {:g} mm, as at_height says; resume to go on", pause->height.mm())});
   }
 }
 

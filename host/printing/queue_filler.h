@@ -25,8 +25,8 @@ class QueueFiller {
   QueueFiller(CommandQueue& queue, const core::Settings& settings, const JournalRecord* resumed);
 
   void start_layer(const Checkpoint& checkpoint);
-  // Before the next command.
-  void pause(const std::string& why) { next_.pause = std::make_shared<const std::string>(why); }
+  // Before the next command, because of a bad layer.
+  void pause(const std::string& why);
 
   // False when the queue was closed, or error() says why.
   [[nodiscard]] bool take(const core::Motion& motion,

@@ -14,6 +14,12 @@
 
 namespace host {
 
+// A pause that is part of the print.
+struct PlannedPause {
+  const char* event;  // what kind of note tells it
+  std::string why;
+};
+
 struct QueuedCommand {
   firmware_link::Command command;
   core::LayerIndex layer = 0;  // counted from 1; 0: before the first
@@ -28,7 +34,7 @@ struct QueuedCommand {
   std::uint64_t hash = kHashStart;
 
   // Why to pause before it; null: no pause.
-  std::shared_ptr<const std::string> pause;
+  std::shared_ptr<const PlannedPause> pause;
 
   // Of the first command of a resumed print: the machine before it. Null elsewhere.
   std::shared_ptr<const MachineState> before;

@@ -1,8 +1,11 @@
 #include "host/settings/setting_options.h"
 
 #include <CLI/CLI.hpp>
+#include <memory>
 #include <string>
 #include <vector>
+
+#include "host/settings/settings_text.h"  // write_lines
 
 namespace host {
 namespace {
@@ -18,6 +21,23 @@ void add_shortcut(CLI::App& command, Options& options, const std::string& flag,
           },
           help)
       ->type_name(value_name)
+      ->trigger_on_parse();
+}
+
+// `--at "HEIGHT ACTION"`, once or several times: one line of at_height each.
+void add_height_actions(CLI::App& command, Options& options) {
+  auto lines = std::make_shared<std::vector<std::string>>();
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--at",
+          [&options, lines](const std::vector<std::string>& values) {
+            lines->insert(lines->end(), values.begin(), values.end());
+            options.settings.assignments.emplace_back("at_height", write_lines(*lines));
+          },
+          "what is done at a height, as '12.4 pause', '12.4 M600', '30 nozzle_celsius 220'; may be "
+          "repeated")
+      ->type_name("'MM ACTION'")
+      ->allow_extra_args(false)
       ->trigger_on_parse();
 }
 
@@ -39,6 +59,7 @@ void add_settings(CLI::App& command, Options& options) {
                    "leave out the profile's bed and G-code if they can't be read");
   add_shortcut(command, options, "--allow-gcode", "allow_gcode", "CODES",
                "send these commands, which are refused otherwise, as M500,M501");
+  add_height_actions(command, options);
   command
       .add_option_function<std::vector<std::string>>(
           "--set",

@@ -5,7 +5,8 @@
 #include <utility>
 
 #include "core/limits.h"
-#include "core/settings.h"  // wall_layers
+#include "core/motions/height_actions.h"  // read_height_action
+#include "core/settings.h"                // wall_layers
 #include "host/settings/settings_table.h"
 
 namespace host {
@@ -104,11 +105,20 @@ Status part_has_a_place(const PrintSettings& settings) {
   return {};
 }
 
+Status actions_are_known(const PrintSettings& settings) {
+  for (std::size_t i = 0; i < settings.at_height.size(); ++i) {
+    const auto action = core::read_height_action(settings.at_height[i]);
+    if (!action.ok())
+      return bad(fmt::format("at_height, line {}: {}", i + 1, action.error().message));
+  }
+  return {};
+}
+
 }  // namespace
 
 Status validate_settings(const PrintSettings& settings) {
-  for (const auto rule :
-       {every_value_in_range, wall_fits_window, roads_fit_nozzle, part_has_a_place}) {
+  for (const auto rule : {every_value_in_range, wall_fits_window, roads_fit_nozzle,
+                          part_has_a_place, actions_are_known}) {
     Status status = rule(settings);
     if (!status.ok()) return status;
   }

@@ -103,7 +103,9 @@ class Known {
 };
 
 Lines& lines_of(PrintSettings& settings, std::string_view key) {
-  return key == "start_gcode" ? settings.start_gcode : settings.end_gcode;
+  if (key == "start_gcode") return settings.start_gcode;
+  if (key == "at_height") return settings.at_height;
+  return key == "pause_gcode" ? settings.pause_gcode : settings.end_gcode;
 }
 
 class Assembly {
@@ -167,7 +169,7 @@ class Assembly {
                                          write_lines(lines_of(whole_.settings, raw.key))));
     }
     const Known known(whole_.settings, loaded_.values);
-    for (const char* key : {"start_gcode", "end_gcode"}) {
+    for (const char* key : {"start_gcode", "at_height", "pause_gcode", "end_gcode"}) {
       Lines& lines = lines_of(whole_.settings, key);
       Result<Lines> filled = fill_placeholders(lines, lookup(known), GcodeOrigin::kOwn);
       if (!filled.ok()) {

@@ -43,13 +43,14 @@ inline void make_pluggable(Rig& rig, double wait_s) {
 
 // Another program prints the rest on the same controller. Nothing interrupts it.
 [[nodiscard]] inline host::PrintOutcome print_rest(Rig& rig, const std::string& part,
-                                                   const std::string& journal_path) {
+                                                   const std::string& journal_path,
+                                                   const core::Settings& settings = coarse()) {
   const auto read = host::read_journal(journal_path);
   REQUIRE(read.ok());
   core::Result<host::Journal> journal = host::Journal::reopen(journal_path);
   REQUIRE(journal.ok());
   rig.wire = std::make_unique<BreakablePort>(*rig.port);
-  rig.print_plan = open(coarse(), part);
+  rig.print_plan = open(settings, part);
   rig.control.stop = nullptr;
   rig.control.kept_journal = &journal.value();
   const host::JournalRecord& record = read.value().record;

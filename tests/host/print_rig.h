@@ -117,7 +117,7 @@ inline std::vector<std::string> sliced_lines(const core::Settings& settings,
                                              const std::string& path) {
   host::PrintPlan print_plan = open(settings, path);
   std::string text;
-  host::GcodeWriter writer;
+  host::GcodeWriter writer(settings.pause_gcode);
   host::PipelineOutputs outputs;
   outputs.on_motion = [&](const core::Motion& motion,
                           const std::optional<firmware_link::Command>& command) {

@@ -349,3 +349,38 @@ TEST_CASE("a perimeter goes on without travel where less of it is held: slower, 
   CHECK_EQ(builder.totals().filament_mm[static_cast<std::size_t>(RoadKind::kOverhangPerimeter)],
            doctest::Approx(laid[1].filament_mm));
 }
+
+TEST_CASE("what is due at a height is done once, wherever a print resumes") {
+  Settings settings;
+  settings.at_height = {"0.5 pause", "0.6 M117 a", "1 nozzle_celsius 220", "1.3 M117 b"};
+  const auto build = [&](MotionBuilder& builder, LayerIndex from, LayerIndex to) {
+    Recorder recorder;
+    for (LayerIndex i = from; i < to; ++i) {
+      builder.layer(slice_of(i, kSquare),
+                    i == 3 ? std::vector<Road>() : std::vector{line(1, 1, 5, 1)}, recorder.sink());
+    }
+    return recorder;
+  };
+  MotionBuilder whole(settings);
+  const Recorder all = build(whole, 0, 9);
+  CHECK_EQ(all.all<Pause>().size(), 1);
+  CHECK_EQ(all.all<Verbatim>().size(), 3);  // with the start
+  CHECK_EQ(all.all<SetNozzleTemperature>().back().celsius, 220);
+  CHECK_FALSE(whole.next_action().has_value());
+  for (LayerIndex at = 1; at < 9; ++at) {
+    CAPTURE(at);
+    MotionBuilder begin(settings);
+    Recorder joined = build(begin, 0, at);
+    MotionBuilder rest(settings);
+    rest.resume_from(begin.state());
+    const Recorder more = build(rest, at, 9);
+    joined.motions.insert(joined.motions.end(), more.motions.begin(), more.motions.end());
+    REQUIRE_EQ(joined.motions.size(), all.motions.size());
+    CHECK_EQ(joined.all<Pause>().size(), 1);
+    CHECK_EQ(joined.all<Verbatim>().size(), 3);
+    CHECK_EQ(joined.all<SetNozzleTemperature>().size(), all.all<SetNozzleTemperature>().size());
+    for (std::size_t i = 0; i < all.motions.size(); ++i) {
+      CHECK_EQ(joined.motions[i].index(), all.motions[i].index());
+    }
+  }
+}

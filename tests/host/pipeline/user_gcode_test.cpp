@@ -69,6 +69,28 @@ TEST_CASE("rind's modes stand before and behind the user's lines") {
         Lines{"G21", "G90", "M83", "G17", "G94", "M149 C", "M200 D0", "M209 S0", "G92 E0"});
 }
 
+TEST_CASE("rind's modes stand behind the lines of a height, once") {
+  core::Settings settings;
+  settings.at_height = {"3 M600", "1 gcode G18", "3 pause", "2 nozzle_celsius 215", "1 M117 a"};
+  settings.pause_gcode = {"G93"};
+  CHECK(host::with_own_modes(settings).at_height ==
+        Lines{"1 gcode G18", "1 gcode M117 a", "1 gcode G21", "1 gcode G90", "1 gcode M83",
+              "1 gcode G17", "1 gcode G92 E0", "1 gcode M400", "2 nozzle_celsius 215",
+              "3 gcode M600", "3 pause", "3 gcode G21", "3 gcode G90", "3 gcode M83", "3 gcode G94",
+              "3 gcode G92 E0", "3 gcode M400"});
+}
+
+TEST_CASE("lines at heights and in pauses are checked as others are, and what lasts is named") {
+  core::Settings settings;
+  settings.at_height = {"1 pause", "1 M112"};
+  CHECK(contains(host::check_user_gcode(settings).error().message, "at_height, line 2 ('M112')"));
+  settings.at_height = {"1 M220 S50"};
+  CHECK(host::check_user_gcode(settings).ok());
+  CHECK(contains(host::user_gcode_notes(settings).at(0), "at_height: M220 S50 changes the speed"));
+  settings.pause_gcode = {"M997"};
+  CHECK(contains(host::check_user_gcode(settings).error().message, "pause_gcode, line 1"));
+}
+
 TEST_CASE("filament counts from 0 before an end that moves it") {
   core::Settings settings;
   settings.end_gcode = {"M84"};

@@ -77,3 +77,21 @@ TEST_CASE("short moves may have no block of their own, and some commands empty t
   CHECK_EQ(history.executed_before(24, std::size_t{1}), 23);
   CHECK_EQ(history.mark_before(0).hash, 7);
 }
+
+TEST_CASE("no time is gone back behind a command that waits for all moves") {
+  host::CommandHistory history;
+  history.start_at(0, in_a_road(), {std::make_shared<host::Checkpoint>(), 7});
+  host::QueuedCommand queued;
+  firmware_link::Move move;
+  for (int i = 0; i < 8; ++i) {
+    move.x_um = i * 1'000;
+    queued.command = move;
+    if (i == 4) {
+      queued.command = std::get<firmware_link::Verbatim>(firmware_link::verbatim_from("M400"));
+    }
+    queued.seconds = i;
+    history.push(queued);
+  }
+  CHECK_EQ(history.executed_before(8, 1.5), 6);
+  CHECK_EQ(history.executed_before(8, 5.5), 5);
+}

@@ -62,6 +62,8 @@ host::JournalRecord record_of(std::mt19937_64& random) {
   record.line_kinds = static_cast<std::uint32_t>(random());
   record.machine = {maybe(), maybe(), maybe(), maybe(), any(), 2'100, 600, 255};
   record.nozzle_z_um = any();
+  record.last_planned = any();
+  record.checkpoint.motions.actions = 7;
   record.state = static_cast<host::PrintState>(random() % 5);
   return record;
 }
@@ -95,6 +97,8 @@ TEST_CASE("a record is read back as it was written") {
     CHECK_EQ(read->record.checkpoint.encoder.filament_rest_10nm, -0.25);
     CHECK_EQ(read->record.checkpoint.motions.position.x, -5);
     CHECK(read->record.checkpoint.motions.arcs == record.checkpoint.motions.arcs);
+    CHECK_EQ(read->record.checkpoint.motions.actions, 7);
+    CHECK_EQ(read->record.last_planned, record.last_planned);
     CHECK_EQ(read->record.sure_hash, record.sure_hash);
     CHECK_EQ(read->record.line_kinds, record.line_kinds);
     CHECK_EQ(read->record.machine.f_mm_min, record.machine.f_mm_min);

@@ -76,7 +76,7 @@ TEST_CASE("a pause goes with the next command, once") {
   fill(filler, 1);
   const std::vector<host::QueuedCommand> all = all_in(queue);
   REQUIRE(all[0].pause != nullptr);
-  CHECK_EQ(*all[0].pause, "why");
+  CHECK_EQ(all[0].pause->why.substr(0, 4), "why;");
   CHECK(all[1].pause == nullptr);
 }
 
