@@ -2,7 +2,9 @@
 
 #include <utility>
 
+#include "core/roads/crumbs.h"      // drop_crumbs
 #include "core/roads/road_order.h"  // printing_order
+#include "core/roads/short_ways.h"  // lay_short_ways
 
 namespace core {
 namespace {
@@ -60,6 +62,8 @@ void LayerPlanner::order(const LayerPlan& plan, const Ordering& ordering) const 
   LayerRoads roads = plan.roads;
   set_starts(plan.seams, ordering.seams, roads);
   *ordering.roads = printing_order(std::move(roads));
+  lay_short_ways(plan.layer.slice.region, settings_, *ordering.roads);
+  drop_crumbs(plan.layer, settings_, *ordering.roads);
 }
 
 }  // namespace core

@@ -5,12 +5,18 @@
 #include <utility>
 
 #include "core/regions/polyline.h"  // distance_mm
+#include "core/roads/short_ways.h"  // kShortWayMax
 
 namespace core {
 namespace {
 
 // Less is not worth a change.
 constexpr double kGainMinMm = 1e-6;
+
+double cost_mm(Point from, Point to) {
+  const double mm = distance_mm(from, to);
+  return mm <= kShortWayMax.mm() ? mm : mm + kStopMm;
+}
 
 Point end_of(const Road& road) { return road.closed ? road.points.front() : road.points.back(); }
 
@@ -54,7 +60,7 @@ class Order {
 
   // From the end of one stop to the begin of another; after the last there is no way.
   [[nodiscard]] double way(Point end, std::size_t next) const {
-    return next < stops_.size() ? distance_mm(end, stops_[next].begin) : 0;
+    return next < stops_.size() ? cost_mm(end, stops_[next].begin) : 0;
   }
 
   void turn(std::size_t first, std::size_t last) {
@@ -75,8 +81,7 @@ class Order {
     std::size_t best_last = 0;
     for (std::size_t last = first; last < std::min(stops_.size(), first + kOrderReach); ++last) {
       const double now = to_first + way(stops_[last].end, last + 1);
-      const double turned =
-          distance_mm(before, stops_[last].end) + way(stops_[first].begin, last + 1);
+      const double turned = cost_mm(before, stops_[last].end) + way(stops_[first].begin, last + 1);
       if (now - turned <= best) continue;
       best = now - turned;
       best_last = last;
@@ -101,8 +106,8 @@ class Order {
       if (at >= first && at <= after) continue;
       const Point left = stops_[at - 1].end;
       const double gain = freed + way(left, at);
-      const double straight = gain - distance_mm(left, begin) - way(end, at);
-      const double turned = gain - distance_mm(left, end) - way(begin, at);
+      const double straight = gain - cost_mm(left, begin) - way(end, at);
+      const double turned = gain - cost_mm(left, end) - way(begin, at);
       if (std::max(straight, turned) <= best) continue;
       best = std::max(straight, turned);
       best_at = at;
@@ -135,13 +140,22 @@ void improve_order(std::vector<Road>& roads, Point from) {
   roads = order.take(std::move(roads));
 }
 
-double travel_mm(const std::vector<Road>& roads, Point from) {
-  double mm = 0;
+double travel_cost_mm(const std::vector<Road>& roads, Point from) {
+  double sum = 0;
   for (const Road& road : roads) {
-    mm += distance_mm(from, road.points.front());
+    sum += cost_mm(from, road.points.front());
     from = end_of(road);
   }
-  return mm;
+  return sum;
+}
+
+double travel_mm(const std::vector<Road>& roads, Point from) {
+  double sum = 0;
+  for (const Road& road : roads) {
+    sum += distance_mm(from, road.points.front());
+    from = end_of(road);
+  }
+  return sum;
 }
 
 }  // namespace core

@@ -56,6 +56,7 @@ TEST_CASE("the same roads, closed ones as they were, and no more travel than bef
     improve_order(improved, {0, 0});
     before_mm += travel_mm(nearest, {0, 0});
     after_mm += travel_mm(improved, {0, 0});
+    CHECK_LE(travel_cost_mm(improved, {0, 0}), travel_cost_mm(nearest, {0, 0}));
     CHECK_LE(travel_mm(improved, {0, 0}), travel_mm(nearest, {0, 0}));
     std::vector<bool> seen(nearest.size(), false);
     for (const Road& road : improved) {
@@ -98,4 +99,18 @@ TEST_CASE("none, one, and roads that touch") {
   roads = {road, road, road};
   improve_order(roads, {0, 0});
   CHECK_EQ(travel_mm(roads, {0, 0}), 0);
+}
+
+TEST_CASE("what is longer than a short way costs a stop, too") {
+  const auto road = [](Point from, Point to) {
+    return Road{RoadKind::kSolid, Length::from_mm(0.45), false, {from, to}};
+  };
+  const std::vector<Road> roads = {road({0, 0}, {100'000, 0}), road({100'000, 16'000}, {0, 16'000}),
+                                   road({0, 30'000}, {100'000, 30'000})};
+  CHECK_EQ(travel_cost_mm(roads, {0, 0}), doctest::Approx(1.6 + kStopMm + 1.4));
+  CHECK_EQ(travel_mm(roads, {0, 0}), doctest::Approx(3));
+  // 2.9 mm in one go, or 1.4 mm and 1.6 mm: one stop either way, but for a turn that spares it.
+  std::vector<Road> turned = {road({0, 0}, {100'000, 0}), road({0, 10'000}, {100'000, 14'000})};
+  improve_order(turned, {0, 0});
+  CHECK_EQ(travel_cost_mm(turned, {0, 0}), doctest::Approx(1.4));
 }
