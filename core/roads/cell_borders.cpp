@@ -26,6 +26,9 @@ constexpr double kCellsMax = 16;
 constexpr std::size_t kNearMax = 48;
 constexpr double kCapStep = 3;
 
+// Steps of work for each edge, beyond which the whole diagram costs less.
+constexpr std::size_t kWorkPerEdge = 1'000;
+
 struct Edge {
   Vector from;
   Vector along;  // of length 1; the region lies on its left
@@ -45,15 +48,25 @@ class BorderSearch {
     add_sites(rings);
   }
 
-  [[nodiscard]] CellBorders find() {
-    for (std::uint32_t i = 0; i < edges_.size(); ++i) add_edge_cell(i);
+  [[nodiscard]] std::optional<CellBorders> find() {
+    const std::size_t work_max = kWorkPerEdge * edges_.size();
+    for (std::uint32_t i = 0; i < edges_.size(); ++i) {
+      add_edge_cell(i);
+      if (work() > work_max) return std::nullopt;
+    }
     for (std::uint32_t i = 0; i < edges_.size(); ++i) {
       if (edges_[i].corner != UINT32_MAX) add_corner_cell(i);
+      if (work() > work_max) return std::nullopt;
     }
     return std::move(found_);
   }
 
  private:
+  // Edges that were looked at, and curves that were evaluated.
+  [[nodiscard]] std::size_t work() const {
+    return edges_seen_ + edge_envelope_.evaluations() + corner_envelope_.evaluations();
+  }
+
   // Edges have the first numbers, in the order of the grid's segments; reflex corners follow.
   void add_sites(const std::vector<Ring>& rings) {
     for (const Ring& ring : rings) {
@@ -106,6 +119,7 @@ class BorderSearch {
     }
     near_.clear();
     grid_.collect(box, near_);
+    edges_seen_ += near_.size();
   }
 
   // What is lowest along a stretch of a site. Where very many edges are near, most discs are small:
@@ -356,6 +370,7 @@ class BorderSearch {
   std::vector<Edge> edges_;
   CellBorders found_;
   std::vector<std::uint32_t> near_;
+  std::size_t edges_seen_ = 0;
   std::vector<EdgeCurve> edge_curves_;
   std::vector<Border<EdgeCurve>> edge_border_;
   std::vector<CornerCurve> corner_curves_;
@@ -368,7 +383,7 @@ class BorderSearch {
 
 }  // namespace
 
-CellBorders find_cell_borders(const std::vector<Ring>& rings, double clearance_max) {
+std::optional<CellBorders> find_cell_borders(const std::vector<Ring>& rings, double clearance_max) {
   return BorderSearch(rings, clearance_max).find();
 }
 

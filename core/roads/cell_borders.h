@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/geometry.h"                 // Ring
@@ -23,7 +24,9 @@ struct CellBorders {
 };
 
 // As seen from the site with the lower number.
+// nullopt: so many sites are near one another that the whole diagram costs less.
 // COSTS: as make_narrow_diagram(). REQUIRES: a clean region's rings; clearance_max > 0, units.
-[[nodiscard]] CellBorders find_cell_borders(const std::vector<Ring>& rings, double clearance_max);
+[[nodiscard]] std::optional<CellBorders> find_cell_borders(const std::vector<Ring>& rings,
+                                                           double clearance_max);
 
 }  // namespace core

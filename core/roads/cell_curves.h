@@ -29,6 +29,11 @@ namespace core {
 struct EdgeCurve {
   static constexpr double kSame = 1e-4;
 
+  struct Place {
+    explicit Place(double u) : t(u) {}
+    double t;
+  };
+
   double a = 0;
   double b = 0;
   double c = 0;
@@ -37,6 +42,7 @@ struct EdgeCurve {
   std::uint32_t site = 0;  // that is touched
 
   [[nodiscard]] double value(double u) const { return (a * u + b) * u + c; }
+  [[nodiscard]] double value(const Place& place) const { return value(place.t); }
 
   [[nodiscard]] double crossing(const EdgeCurve& other, double from, double to) const {
     const double qa = a - other.a, qb = b - other.b, qc = c - other.c;
@@ -50,16 +56,23 @@ struct EdgeCurve {
     return sum != 0 && within(qc / sum) ? qc / sum : halfway;
   }
 
-  [[nodiscard]] double closest(const EdgeCurve& other, double from, double to) const {
+  [[nodiscard]] double closest(const EdgeCurve& other, const Place& from, const Place& to) const {
     const double qa = other.a - a, qb = other.b - b;
-    if (qa <= 0) return other.value(from) - value(from) <= other.value(to) - value(to) ? from : to;
-    return std::fmin(std::fmax(-qb / (2 * qa), from), to);
+    if (qa > 0) return std::fmin(std::fmax(-qb / (2 * qa), from.t), to.t);
+    return other.value(from) - value(from) <= other.value(to) - value(to) ? from.t : to.t;
   }
 };
 
 // −1/r(φ) = −(k + x cos φ + y sin φ), from a reflex corner over the angle of the direction.
 struct CornerCurve {
   static constexpr double kSame = 1e-12;
+
+  struct Place {
+    explicit Place(double angle) : t(angle), x(cosine(angle)), y(sine(angle)) {}
+    double t;
+    double x;
+    double y;
+  };
 
   double k = 0;
   double x = 0;
@@ -68,9 +81,8 @@ struct CornerCurve {
   double high = std::numeric_limits<double>::max();
   std::uint32_t site = 0;
 
-  [[nodiscard]] double value(double angle) const {
-    return -(k + x * cosine(angle) + y * sine(angle));
-  }
+  [[nodiscard]] double value(double angle) const { return value(Place(angle)); }
+  [[nodiscard]] double value(const Place& place) const { return -(k + x * place.x + y * place.y); }
 
   [[nodiscard]] double crossing(const CornerCurve& other, double from, double to) const {
     const auto [first, second] = angles_where(x - other.x, y - other.y, other.k - k);
@@ -78,11 +90,11 @@ struct CornerCurve {
     return from <= second && second <= to ? second : (from + to) / 2;
   }
 
-  [[nodiscard]] double closest(const CornerCurve& other, double from, double to) const {
+  [[nodiscard]] double closest(const CornerCurve& other, const Place& from, const Place& to) const {
     // other − this is least where its cosine and sine part point that way.
     const double angle = arc_tangent(other.y - y, other.x - x);
-    if (from <= angle && angle <= to) return angle;
-    return other.value(from) - value(from) <= other.value(to) - value(to) ? from : to;
+    if (from.t <= angle && angle <= to.t) return angle;
+    return other.value(from) - value(from) <= other.value(to) - value(to) ? from.t : to.t;
   }
 
   // Both angles, within ±π of 0 as nearly as can be, at which px cos φ + py sin φ = p; NaN if none.

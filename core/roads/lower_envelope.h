@@ -1,7 +1,7 @@
 // The lower envelope of a few curves over one parameter: which curve is the lowest where.
 //
 //     ╲      ╱╲                A curve type offers
-//      ╲____╱  ╲___ ╱            double value(double t)             what is compared
+//      ╲____╱  ╲___ ╱            double value(place of t)           what is compared
 //     1 ┆ 2 ┆ 1 ┆ 3 ┆            double low, high                   where the curve is defined
 //                                two members for pairs of curves    below
 //
@@ -24,16 +24,17 @@ struct EnvelopePiece {
   std::uint32_t curve = 0;
 };
 
-// Curve:  kSame, values nearer than which are one, and two members beside those above:
+// Curve:  kSame, values nearer than which are one; Place, what values need to know of a parameter,
+//         explicitly made from it; and two members beside those above:
 //         double crossing(const Curve& other, double from, double to)
 //             where the two meet, if it lies between, else halfway
-//         double closest(const Curve& other, double from, double to)
+//         double closest(const Curve& other, const Place& from, const Place& to)
 //             where other.value() - value() is least: between, or at one of the two
 template <typename Curve>
 class LowerEnvelope {
  public:
   // REQUIRES: from < to; at every parameter at least one curve is defined.
-  // COSTS: O(curves²) at worst; keeps its memory.
+  // COSTS: O(curves²) at worst, evaluations() tells; keeps its memory.
   const std::vector<EnvelopePiece>& find(const std::vector<Curve>& curves, double from, double to) {
     curves_ = &curves;
     splits_left_ = kSplitsPerCurve * curves.size();
@@ -49,7 +50,12 @@ class LowerEnvelope {
     return pieces_;
   }
 
+  // How often curves have been evaluated, in all calls.
+  [[nodiscard]] std::size_t evaluations() const { return evaluations_; }
+
  private:
+  using Place = typename Curve::Place;
+
   // True breaks are fewer. Rounding may seem to make more: they are cut short here.
   static constexpr std::size_t kSplitsPerCurve = 8;
 
@@ -61,14 +67,16 @@ class LowerEnvelope {
     for (std::uint32_t i = 0; i < curves_->size(); ++i) {
       if ((*curves_)[i].low <= middle && middle <= (*curves_)[i].high) open_.push_back(i);
     }
-    split(from, lowest(from), to, lowest(to));
+    const Place start(from), end(to);
+    split(start, lowest(start), end, lowest(end));
   }
 
-  [[nodiscard]] std::uint32_t lowest(double t) const {
+  [[nodiscard]] std::uint32_t lowest(const Place& place) {
     std::uint32_t best = open_.front();
     double least = std::numeric_limits<double>::max();
+    evaluations_ += open_.size();
     for (const std::uint32_t i : open_) {
-      const double there = value(i, t);
+      const double there = value(i, place);
       if (there >= least) continue;
       least = there;
       best = i;
@@ -76,11 +84,11 @@ class LowerEnvelope {
     return best;
   }
 
-  [[nodiscard]] double value(std::uint32_t curve, double t) const {
-    return (*curves_)[curve].value(t);
+  [[nodiscard]] double value(std::uint32_t curve, const Place& place) const {
+    return (*curves_)[curve].value(place);
   }
 
-  void split(double from, std::uint32_t first, double to, std::uint32_t last) {
+  void split(const Place& from, std::uint32_t first, const Place& to, std::uint32_t last) {
     // Curves that touch where one of them ends do not cross.
     if (value(first, to) <= value(last, to) + Curve::kSame) {
       last = first;
@@ -89,13 +97,13 @@ class LowerEnvelope {
     }
     const Curve& a = (*curves_)[first];
     if (first != last) {
-      const double at = a.crossing((*curves_)[last], from, to);
+      const Place at(a.crossing((*curves_)[last], from.t, to.t));
       const std::uint32_t there = lowest(at);
       const bool other =
           there != first && there != last && value(there, at) < a.value(at) - Curve::kSame;
-      if (!other || splits_left_ == 0 || !(from < at && at < to)) {
-        add(at, first);
-        add(to, last);
+      if (!other || splits_left_ == 0 || !(from.t < at.t && at.t < to.t)) {
+        add(at.t, first);
+        add(to.t, last);
         return;
       }
       --splits_left_;
@@ -103,10 +111,12 @@ class LowerEnvelope {
       split(at, there, to, last);
       return;
     }
+    evaluations_ += open_.size();
     for (const std::uint32_t i : open_) {
       if (i == first || splits_left_ == 0) continue;
-      const double at = a.closest((*curves_)[i], from, to);
-      if (!(from < at && at < to)) continue;
+      const double closest = a.closest((*curves_)[i], from, to);
+      if (!(from.t < closest && closest < to.t)) continue;
+      const Place at(closest);
       if (value(i, at) >= a.value(at) - Curve::kSame) continue;
       const std::uint32_t there = lowest(at);
       --splits_left_;
@@ -114,7 +124,7 @@ class LowerEnvelope {
       split(at, there, to, last);
       return;
     }
-    add(to, first);
+    add(to.t, first);
   }
 
   void add(double to, std::uint32_t curve) {
@@ -127,6 +137,7 @@ class LowerEnvelope {
 
   const std::vector<Curve>* curves_ = nullptr;
   std::size_t splits_left_ = 0;
+  std::size_t evaluations_ = 0;
   std::vector<double> stops_;
   std::vector<std::uint32_t> open_;
   std::vector<EnvelopePiece> pieces_;

@@ -20,9 +20,7 @@ constexpr double kCornerHeight = 4;
 
 class NarrowDiagram {
  public:
-  NarrowDiagram(const std::vector<Ring>& rings, double clearance_max)
-      : clearance_max_(clearance_max) {
-    CellBorders found = find_cell_borders(rings, clearance_max);
+  NarrowDiagram(CellBorders found, double clearance_max) : clearance_max_(clearance_max) {
     diagram_.sites = std::move(found.sites);
     for (const CellBorder& border : found.borders) add(border);
   }
@@ -121,7 +119,9 @@ class NarrowDiagram {
 std::optional<VoronoiDiagram> make_narrow_diagram(const std::vector<Ring>& rings,
                                                   double clearance_max) {
   if (!surely_clean(rings)) return std::nullopt;
-  return NarrowDiagram(rings, clearance_max).make();
+  std::optional<CellBorders> found = find_cell_borders(rings, clearance_max);
+  if (!found) return std::nullopt;
+  return NarrowDiagram(*std::move(found), clearance_max).make();
 }
 
 }  // namespace core

@@ -8,8 +8,8 @@
 // off. Anything else means that rounding has decided a near tie in two ways, and there is no
 // answer.
 //
-// It costs a tenth of the whole diagram (voronoi_diagram.h), which is used where this has no
-// answer.
+// It costs a tenth of the whole diagram (voronoi_diagram.h) where a few sites are near one another.
+// The whole one is used where this has no answer.
 #pragma once
 
 #include <optional>
@@ -22,10 +22,11 @@ namespace core {
 
 // Vertices nearer to one another than 4 units in x and y are one: coordinates and heights are true
 // to 10 units. Edges end at vertices of height `clearance_max` where the region is wider. Each edge
-// has its start, its site and its twin's; cells are not linked. nullopt: contours touch, or there
-// is a near tie; ask for the whole diagram. REQUIRES: a clean region's rings; clearance_max > 0,
+// has its start, its site and its twin's; cells are not linked. nullopt: contours touch, there is
+// a near tie, or very many sites are near one another; ask for the whole diagram. REQUIRES: a clean region's rings; clearance_max > 0,
 // units.
-// COSTS: O(n · k²) at worst, with k sites within twice the clearance of a site.
+// COSTS: O(n · k²) with k sites within twice the clearance of a site, and at most as much as the
+// whole diagram.
 [[nodiscard]] std::optional<VoronoiDiagram> make_narrow_diagram(const std::vector<Ring>& rings,
                                                                 double clearance_max);
 

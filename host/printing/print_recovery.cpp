@@ -24,7 +24,7 @@ constexpr double kMotorsHold_s = 60;
 }  // namespace
 
 PrintRecovery::PrintRecovery(const Parts& parts, std::optional<Resumption> resumption)
-    : parts_(parts), resumption_(resumption), searching_(resumption_.has_value()) {
+    : parts_(parts), resumption_(std::move(resumption)), searching_(resumption_.has_value()) {
   parts_.journal.suspend(searching_);
 }
 

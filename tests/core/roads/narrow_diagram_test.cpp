@@ -4,14 +4,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <vector>
 
 #include "core/regions/contact_check.h"
+#include "core/roads/cell_borders.h"
+#include "core/trigonometry.h"
 #include "tests/support/grid_regions.h"
 #include "tests/support/random_regions.h"
 #include "tests/support/region_checks.h"
 #include "tests/support/region_text.h"
 
+using core::Point;
 using core::Region;
+using core::Ring;
 using core::VoronoiDiagram;
 using core::VoronoiEdge;
 using core::VoronoiVertex;
@@ -76,6 +82,29 @@ TEST_CASE("where the region is wider, edges end at that clearance") {
 TEST_CASE("contours that touch are left to the whole diagram") {
   const Region touching = test::region_from_text("0:0 2:0 1:1, 1:1 2:2 0:2");
   CHECK_FALSE(core::make_narrow_diagram(touching.rings(), 5'000).has_value());
+}
+
+TEST_CASE("very many sites near one another are left to the whole diagram") {
+  // A ring, the width of which is as long as some hundred edges.
+  const auto ring_of = [](int corners) {
+    Ring outer, inner;
+    for (int i = 0; i < corners; ++i) {
+      const double angle = 2 * std::numbers::pi * i / corners;
+      const auto place = [&](double turn, double radius) {
+        return Point{static_cast<std::int32_t>(std::lround(radius * core::cosine(turn))),
+                     static_cast<std::int32_t>(std::lround(radius * core::sine(turn)))};
+      };
+      const double wave = 60 * core::cosine(7 * angle);
+      outer.push_back(place(angle, 200'000 + wave));
+      inner.push_back(place(-angle, 187'000 + wave));
+    }
+    return std::vector<Ring>{outer, inner};
+  };
+  CHECK(core::make_narrow_diagram(ring_of(600), 12'000).has_value());
+  const std::vector<Ring> crowded = ring_of(6'000);
+  REQUIRE(core::surely_clean(crowded));
+  CHECK_FALSE(core::find_cell_borders(crowded, 12'000).has_value());
+  CHECK_FALSE(core::make_narrow_diagram(crowded, 12'000).has_value());
 }
 
 TEST_CASE("random regions: the same diagram as Boost's, with and without coincidences") {
