@@ -57,7 +57,6 @@ struct Settings {
   WallShape wall_shape = WallShape::kBall;
   int wall_layers = 0;  // T of a cylinder; 0: from the wall's thickness
   BuildStyle style = BuildStyle::kThinWall;
-  bool spiral_vase = false;
   Length loose_width_min = Length::from_units(9'000);  // narrower tongues of the inside: solid
   double loose_area_min_mm2 = 1;                       // smaller islands of it: solid
 
@@ -74,7 +73,7 @@ struct Settings {
   double fill_angle_degrees = 45;  // of even layers; odd ones are turned by 90°
   Length loose_anchor = Length::from_units(3'000);  // how far loose roads reach into the wall
   LoosePattern loose_pattern = LoosePattern::kLines;
-  int loose_every_layers = 1;  // the inside is laid once in as many layers, as much thicker
+  int loose_every_layers = 1;  // whose inside is laid at once (loose_blocks.h)
   Length infill_anchor_max = Length::from_units(500'000);  // longest join of loose roads
   SolidPattern solid_pattern = SolidPattern::kRectilinear;
   SolidPattern top_pattern = SolidPattern::kMonotonic;
@@ -86,7 +85,7 @@ struct Settings {
   SeamPosition seam = SeamPosition::kAligned;
   Length seam_gap = Length::from_units(600);  // between a closed road's end and its start
   FuzzySkin fuzzy_skin = FuzzySkin::kNone;
-  Length fuzzy_skin_thickness = Length::from_units(3'000);  // half of it in, half out
+  Length fuzzy_skin_thickness = Length::from_units(3'000);  // as far in and out, at most
   Length fuzzy_skin_point_distance = Length::from_units(8'000);
 
   // The first layer. Lengths of 0: like the other layers.

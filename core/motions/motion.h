@@ -21,6 +21,7 @@ struct LayerStart {
 struct RoadStart {
   RoadKind kind = RoadKind::kSolid;
   Length width;
+  int layers = 1;  // as thick as so many
 };
 
 // The road at hand goes on with another width, or as another kind; nothing moves.

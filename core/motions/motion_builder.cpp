@@ -127,8 +127,9 @@ void MotionBuilder::layer(const Slice& slice, const std::vector<Road>& roads, co
     RIND_CHECK(each.points.size() >= 2);
     // A closed road's end has a bead's blob, which its start's would double.
     const bool opens = each.closed && settings_.seam_gap > Length();
-    laid.push_back({each.kind, is_small_perimeter(each),
-                    width_stretches(opens ? opened(each, settings_.seam_gap) : each, height_)});
+    laid.push_back(
+        {each.kind, is_small_perimeter(each), each.layers,
+         width_stretches(opens ? opened(each, settings_.seam_gap) : each, height_ * each.layers)});
   }
   const std::vector<double> fan = plan_layer(laid);
   set_up_layer(slice, cooling_.fan_share, sink);
@@ -171,7 +172,7 @@ void MotionBuilder::road(const LaidRoad& road, const std::vector<double>& fan, s
   for (const WidthStretch& stretch : road.stretches) {
     set_fan(fan[way++], sink);
     if (first) {
-      sink(RoadStart{stretch.kind, stretch.width});
+      sink(RoadStart{stretch.kind, stretch.width, road.layers});
     } else {
       sink(RoadChange{stretch.kind, stretch.width});
     }

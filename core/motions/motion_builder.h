@@ -105,6 +105,7 @@ class MotionBuilder {
   struct LaidRoad {
     RoadKind kind;
     bool small;  // a small perimeter
+    int layers;  // Road::layers
     std::vector<WidthStretch> stretches;
   };
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/roads/crumbs.h"      // drop_crumbs
+#include "core/roads/fuzzy_skin.h"  // make_fuzzy
 #include "core/roads/road_order.h"  // printing_order
 #include "core/roads/short_ways.h"  // lay_short_ways
 
@@ -13,18 +14,22 @@ using Neighbour = std::shared_ptr<const Region>;
 
 bool alike(const Neighbour& a, const Neighbour& b) { return a == b || (a && b && *a == *b); }
 
+bool alike(const LooseBlock& a, const LooseBlock& b) {
+  return alike(a.region, b.region) && a.layers == b.layers;
+}
+
 // What is solid follows from the slice and what is loose. The first layer has a skirt.
 bool alike(const SplitLayer& a, const SplitLayer& b) {
   return a.slice.index != 0 && a.slice.height == b.slice.height && a.loose == b.loose &&
          a.slice.region == b.slice.region && alike(a.below, b.below) && alike(a.above, b.above) &&
          alike(a.below_loose, b.below_loose) && a.below_height == b.below_height &&
-         a.corners_above == b.corners_above;
+         a.corners_above == b.corners_above && alike(a.block, b.block);
 }
 
 }  // namespace
 
 LayerPlanner::Reservation LayerPlanner::reserve(SplitLayer split) {
-  std::shared_ptr<LayerPlan>& last = last_[static_cast<std::size_t>(split.slice.index % 2)];
+  std::shared_ptr<LayerPlan>& last = last_[turn_of(split.slice.index)];
   const bool anew = loose_changes_ && !split.loose.empty();
   if (last && !anew && alike(last->split, split)) {
     ++reused_;
@@ -48,13 +53,14 @@ void LayerPlanner::fill(LayerPlan& plan, bool with_roads) const {
 LayerPlanner::Ordering LayerPlanner::place_seams(const std::shared_ptr<LayerPlan>& plan,
                                                  LayerIndex index) {
   std::vector<RingPlace> places = seams_.place(index, plan->roads, plan->seams);
-  Ordered& last = last_ordered_[static_cast<std::size_t>(index % 2)];
-  if (last.plan == plan && last.ordering.seams == places) {
+  Ordered& last = last_ordered_[turn_of(index)];
+  const bool fuzzy = settings_.fuzzy_skin != FuzzySkin::kNone;
+  if (last.plan == plan && last.ordering.seams == places && !fuzzy) {
     Ordering again = last.ordering;
     again.to_order = false;
     return again;
   }
-  last = {plan, {std::make_shared<std::vector<Road>>(), std::move(places), true}};
+  last = {plan, {std::make_shared<std::vector<Road>>(), std::move(places), index, true}};
   return last.ordering;
 }
 
@@ -64,6 +70,7 @@ void LayerPlanner::order(const LayerPlan& plan, const Ordering& ordering) const 
   *ordering.roads = printing_order(std::move(roads));
   lay_short_ways(plan.layer.slice.region, settings_, *ordering.roads);
   drop_crumbs(plan.layer, settings_, *ordering.roads);
+  make_fuzzy(*ordering.roads, ordering.index, settings_);
 }
 
 }  // namespace core

@@ -8,10 +8,10 @@
 //     roads in order <──┬── order() in any thread <── new ──┬── place_seams(), layers in order
 //                       └── those of the layer two below <──┘
 //
-// Two below, because the fill of the layer below is turned.
+// Two below, because the fill of the layer below is turned; with blocks of n layers whose inside is
+// laid at once (loose_blocks.h), 2n below. A rough surface has an order of its own in each layer.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <utility>
@@ -25,6 +25,7 @@
 #include "core/roads/seam_loops.h"      // LayerSeams
 #include "core/roads/seams.h"           // SeamMemory, SeamPlacer
 #include "core/settings.h"              // Settings
+#include "core/walls/loose_blocks.h"    // loose_block_layers
 #include "core/walls/split_layer.h"     // SplitLayer
 #include "core/walls/wall_style.h"      // WallStyle
 
@@ -49,6 +50,7 @@ class LayerPlanner {
   struct Ordering {
     std::shared_ptr<std::vector<Road>> roads;  // in printing order, once order() was called
     std::vector<RingPlace> seams;              // of the plan's loops
+    LayerIndex index = 0;                      // of the layer that asked first
     bool to_order = false;                     // this caller has to call order(), nobody else does
   };
 
@@ -58,7 +60,9 @@ class LayerPlanner {
         style_(settings),
         roads_(settings),
         loose_changes_(changes_with_height(settings.loose_pattern)),
-        seams_(settings.seam) {}
+        seams_(settings.seam),
+        last_(2 * static_cast<std::size_t>(loose_block_layers(settings))),
+        last_ordered_(last_.size()) {}
 
   // COSTS: a comparison.
   [[nodiscard]] Reservation reserve(SplitLayer split);
@@ -81,18 +85,23 @@ class LayerPlanner {
   [[nodiscard]] std::int64_t reused() const { return reused_; }
 
  private:
+  // Layers of the same turn have the same directions of fill.
+  [[nodiscard]] std::size_t turn_of(LayerIndex index) const {
+    return static_cast<std::size_t>(index) % last_.size();
+  }
+
   Settings settings_;
   WallStyle style_;
   RoadPlanner roads_;
   bool loose_changes_;  // from layer to layer, whatever the layers are like
   SeamPlacer seams_;
-  // Of even and odd layers.
-  std::array<std::shared_ptr<LayerPlan>, 2> last_;
+  // By turn_of().
+  std::vector<std::shared_ptr<LayerPlan>> last_;
   struct Ordered {
     std::shared_ptr<LayerPlan> plan;
     Ordering ordering;
   };
-  std::array<Ordered, 2> last_ordered_;
+  std::vector<Ordered> last_ordered_;
   std::int64_t reused_ = 0;
 };
 

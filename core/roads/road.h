@@ -54,6 +54,8 @@ struct Road {
 
   // Closed: the points at which it may start; empty: at any. Of no meaning once it is in order.
   std::vector<std::uint32_t> starts{};
+
+  int layers = 1;  // as thick as so many layers (loose_blocks.h)
 };
 
 [[nodiscard]] double length_mm(const Road& road);

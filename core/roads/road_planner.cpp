@@ -17,6 +17,7 @@
 #include "core/roads/skirt.h"               // skirt_roads
 #include "core/roads/solid_areas.h"         // solid_areas
 #include "core/roads/wall_fill.h"           // ironing_roads, surface_roads, wall_roads
+#include "core/walls/regularise.h"          // regularise_loose
 
 namespace core {
 
@@ -112,6 +113,27 @@ Region plan_perimeters(std::vector<IslandPlan>& plans, Length height, const Sett
   return Region::from_clean_rings(std::move(interior));
 }
 
+// What is loose of an island. Of a block of layers, what is common to them is laid in the highest.
+std::vector<Road> inside_roads(const IslandPlan& plan, const SplitLayer& layer,
+                               const Settings& settings) {
+  const Region& room = plan.room.empty() ? plan.loose : plan.room;
+  const LooseBlock& block = layer.block;
+  if (!block.region) return loose_roads(plan.loose, room, layer.slice, settings);
+  const Region own =
+      regularise_loose(subtract(plan.loose, *block.region), regularise_options(settings));
+  std::vector<Road> roads = loose_roads(own, room, layer.slice, settings);
+  if (block.layers == 0) return roads;
+  Slice thick;
+  thick.index = block.number;
+  thick.height = layer.slice.height * block.layers;
+  thick.bottom = layer.slice.top() - thick.height;
+  for (Road& road : loose_roads(intersect(plan.loose, *block.region), room, thick, settings)) {
+    road.layers = block.layers;
+    roads.push_back(std::move(road));
+  }
+  return roads;
+}
+
 // What is filled of each island.
 void share_fill(const IslandSplit& split, SolidAreas areas, Region loose,
                 std::vector<IslandPlan>& plans) {
@@ -149,10 +171,7 @@ LayerRoads RoadPlanner::plan(const SplitLayer& layer) const {
   LayerRoads planned;
   for (IslandPlan& plan : plans) {
     append(solid_roads(plan.areas, slice, settings), plan.roads);
-    if (!plan.loose.empty()) {
-      const Region& room = plan.room.empty() ? plan.loose : plan.room;
-      append(loose_roads(plan.loose, room, slice, settings), plan.roads);
-    }
+    if (!plan.loose.empty()) append(inside_roads(plan, layer, settings), plan.roads);
     if (!plan.roads.empty()) planned.islands.push_back(std::move(plan.roads));
   }
   if (planned.islands.empty()) return planned;

@@ -55,6 +55,10 @@ Region without_tongues(const Region& loose, Length width_min, Length arc_toleran
 
 }  // namespace
 
+RegulariseOptions regularise_options(const Settings& settings) {
+  return {settings.loose_width_min, settings.loose_area_min_mm2, settings.arc_tolerance};
+}
+
 Region regularise_loose(const Region& loose, const RegulariseOptions& options) {
   RIND_CHECK(options.width_min >= Length() && options.area_min_mm2 >= 0);
   RIND_CHECK(options.arc_tolerance > Length());

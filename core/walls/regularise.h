@@ -13,6 +13,7 @@
 #pragma once
 
 #include "core/regions/region.h"  // Region
+#include "core/settings.h"        // Settings
 #include "core/units.h"           // Length
 
 namespace core {
@@ -22,6 +23,8 @@ struct RegulariseOptions {
   double area_min_mm2 = 0;  // REQUIRES: >= 0; smaller islands become solid
   Length arc_tolerance;     // REQUIRES: > 0
 };
+
+[[nodiscard]] RegulariseOptions regularise_options(const Settings& settings);
 
 // The part of `loose` that stays loose.
 // ENSURES: a subset of `loose`, to 2 units (boolean.h).

@@ -7,8 +7,16 @@
 #include "core/offsets/layer_offsets.h"  // Layer
 #include "core/regions/corner_index.h"   // CornerIndex
 #include "core/regions/region.h"         // Region
+#include "core/units.h"                  // LayerIndex
 
 namespace core {
+
+// What is laid of the inside at once for several layers (loose_blocks.h).
+struct LooseBlock {
+  std::shared_ptr<const Region> region{};  // null: nothing
+  int layers = 0;                          // in the layer where it is laid; 0 in the others
+  LayerIndex number = 0;                   // of the block, from the bed
+};
 
 // solid ∪ loose = slice.region, solid ∩ loose = ∅. The neighbours are known after LayerNeighbours.
 struct SplitLayer : Layer {
@@ -19,6 +27,8 @@ struct SplitLayer : Layer {
   std::shared_ptr<const Region> below{}, above{};
   std::shared_ptr<const Region> below_loose{};  // what the window says is loose in the layer below
   Length below_height{};                        // of that layer
+
+  LooseBlock block{};
 
   // Of the slices above it, from the next one on: as many as CornersAhead knows. Null: none.
   std::vector<std::shared_ptr<const CornerIndex>> corners_above{};

@@ -30,9 +30,7 @@ SplitLayer WallStyle::apply(SplitLayer layer) const {
 
 SplitLayer WallStyle::regularised(SplitLayer layer) const {
   if (layer.loose.empty()) return layer;
-  Region regular = regularise_loose(layer.loose, {.width_min = settings_.loose_width_min,
-                                                  .area_min_mm2 = settings_.loose_area_min_mm2,
-                                                  .arc_tolerance = settings_.arc_tolerance});
+  Region regular = regularise_loose(layer.loose, regularise_options(settings_));
   if (regular == layer.loose) return layer;
   layer.loose = std::move(regular);
   layer.solid = subtract_within(layer.slice.region, layer.loose);

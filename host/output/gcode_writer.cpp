@@ -48,9 +48,9 @@ void GcodeWriter::write(const core::Motion& motion,
     layer_height_ = height_ = layer->height;
     kind_.reset();
   } else if (const auto* road = std::get_if<core::RoadStart>(&motion)) {
-    write_road(road->kind, road->width, into);
+    write_road(road->kind, road->width, layer_height_ * road->layers, into);
   } else if (const auto* change = std::get_if<core::RoadChange>(&motion)) {
-    write_road(change->kind, change->width, into);
+    write_road(change->kind, change->width, layer_height_, into);
   } else if (std::holds_alternative<core::Pause>(motion)) {
     write_pause(into);
   }
@@ -72,9 +72,10 @@ void GcodeWriter::write_pause(std::string& into) const {
   }
 }
 
-void GcodeWriter::write_road(core::RoadKind kind, core::Length width, std::string& into) {
+void GcodeWriter::write_road(core::RoadKind kind, core::Length width, core::Length pressed,
+                             std::string& into) {
   const auto out = std::back_inserter(into);
-  const core::Length height = kind == core::RoadKind::kBridge ? width : layer_height_;
+  const core::Length height = kind == core::RoadKind::kBridge ? width : pressed;
   if (kind_ != kind) fmt::format_to(out, ";TYPE:{}\n", prusa_type_name(kind));
   if (!kind_ || width_ != width) fmt::format_to(out, ";WIDTH:{}\n", width.mm());
   if (height_ != height) fmt::format_to(out, ";HEIGHT:{}\n", height.mm());

@@ -31,7 +31,7 @@ class GcodeWriter {
              std::string& into);
 
  private:
-  void write_road(core::RoadKind kind, core::Length width, std::string& into);
+  void write_road(core::RoadKind kind, core::Length width, core::Length height, std::string& into);
 
   void write_pause(std::string& into) const;
 

@@ -28,7 +28,7 @@ Stretches stretches_of(const LayerPicture& picture) {
   Stretches all;
   all.reserve(picture.roads->size());
   for (const core::Road& road : *picture.roads) {
-    all.push_back(core::width_stretches(road, picture.window->layer().slice.height));
+    all.push_back(core::width_stretches(road, picture.window->layer().slice.height * road.layers));
   }
   return all;
 }

@@ -6,6 +6,8 @@
 
 #include "core/motions/motion_builder.h"   // MotionState
 #include "core/roads/seams.h"              // SeamMemory
+#include "core/settings.h"                 // Settings
+#include "core/slices/slice.h"             // Slice
 #include "core/units.h"                    // LayerIndex, Length
 #include "host/pipeline/motion_encoder.h"  // MotionEncoder
 
@@ -20,5 +22,10 @@ struct Checkpoint {
   MotionEncoder::State encoder;
   core::SeamMemory seams;
 };
+
+// Whether the slice is too far below the start to matter to any layer from there on: to walls, to
+// the loose of the layer under them, or to what is laid at once for several layers.
+[[nodiscard]] bool is_far_below(const core::Slice& slice, const Checkpoint& start,
+                                const core::Settings& settings);
 
 }  // namespace host

@@ -15,6 +15,7 @@
 #include "core/roads/layer_planner.h"
 #include "core/walls/corners_ahead.h"
 #include "core/walls/layer_neighbours.h"
+#include "core/walls/loose_blocks.h"
 #include "core/walls/wall_splitter.h"
 #include "core/walls/wall_style.h"
 #include "host/part/layer_rules.h"
@@ -42,6 +43,7 @@ class Pipeline {
         cutter_(settings_),
         splitter_(settings_),
         ahead_(core::seam_layers_ahead(settings_)),
+        blocks_(settings_),
         planner_(settings_),
         builder_(with_own_modes(settings_)),
         motion_clock_({settings_.acceleration_mm_s2, settings_.filament_acceleration_mm_s2,
@@ -118,7 +120,7 @@ class Pipeline {
       auto pause = bad_layers_.check(*found, plan_.part.summary.layers);
       if (!pause.ok()) return pause.error();
       batch.pause = std::move(pause).value();
-    } while (below_start(*found));
+    } while (plan_.start && is_far_below(*found, *plan_.start, settings_));
     core::Slice& slice = *found;
     if (core::compensates(settings_)) slice.region = core::compensated(slice, settings_);
     signals_.slices_cut.fetch_add(1);
@@ -127,14 +129,6 @@ class Pipeline {
     batch.offsets = cutter_.reserve(slice);
     batch.slice = std::move(slice);
     return {};
-  }
-
-  // True if this slice is too far below to matter to the wall of the layer under the start.
-  [[nodiscard]] bool below_start(const core::Slice& slice) const {
-    if (!plan_.start) return false;
-    const core::Length under = plan_.start->bottom - std::max(settings_.layer_height, slice.height);
-    return slice.index + core::wall_layers(settings_) + 1 < plan_.start->layer &&
-           slice.top() + settings_.wall_thickness <= under;
   }
 
   // True for a layer below the start: it was printed before, and can't be split correctly here.
@@ -176,7 +170,9 @@ class Pipeline {
 
   void reserve(std::optional<core::SplitLayer> settled, LayerBatch& batch) {
     if (settled) ahead_.push(*std::move(settled));
-    while (std::optional<core::SplitLayer> layer = ahead_.next()) {
+    while (std::optional<core::SplitLayer> layer = ahead_.next()) blocks_.push(*std::move(layer));
+    if (window_emptied_) blocks_.end();
+    while (std::optional<core::SplitLayer> layer = blocks_.next()) {
       if (below_start(*layer)) continue;
       const core::LayerIndex index = layer->slice.index;
       const core::Length bottom = layer->slice.bottom;
@@ -240,8 +236,9 @@ class Pipeline {
     }
     statistics_.mountain_retries += batch.offset_retries;
     statistics_.boolean_retries += batch.use.boolean_retries;
-    statistics_.allocations.add(layers_timed_, batch.use.allocations);
-    statistics_.layer_times.add(layers_timed_++, statistics_.clock.add_layer(batch.use.seconds));
+    statistics_.allocations.add(counts_.layers_timed, batch.use.allocations);
+    statistics_.layer_times.add(counts_.layers_timed++,
+                                statistics_.clock.add_layer(batch.use.seconds));
   }
 
   void fail(const core::Error& error) {
@@ -289,7 +286,7 @@ class Pipeline {
         return core::Error{core::ErrorCode::kBadPart,
                            what + "; it needs a support, or --on-floating warn to print it"};
       }
-      if (islands_told_++ < kHangingTold) signals_.warnings.put(what);
+      if (counts_.islands_told++ < kHangingTold) signals_.warnings.put(what);
     }
     return {};
   }
@@ -373,6 +370,7 @@ class Pipeline {
   core::WallSplitter splitter_;
   core::LayerNeighbours neighbours_;
   core::CornersAhead ahead_;
+  core::LooseBlocks blocks_;
   core::LayerPlanner planner_;  // plan() only reads its settings
   std::atomic<bool> window_emptied_ = false;
   std::deque<std::pair<core::LayerIndex, std::string>> pauses_;  // of layers in the window
@@ -384,8 +382,10 @@ class Pipeline {
   core::MotionBuilder::Sink sink_;
   std::int64_t commands_ = 0;  // of the whole print
   double filament_before_mm_ = 0;
-  core::LayerIndex layers_timed_ = 0;
-  std::size_t islands_told_ = 0;
+  struct Counts {
+    core::LayerIndex layers_timed = 0;
+    std::size_t islands_told = 0;
+  } counts_;
   std::optional<core::Error> error_;
   std::atomic<bool> refused_ = false;  // an output returned false, or there was an error
 };

@@ -95,9 +95,6 @@ inline constexpr std::array kSettings = {
     Setting{"style", choice<&PrintSettings::style>("thin-wall", "regular", "fast"), "", 0, 0,
             "way of building the inside: thin-wall, dense wall and loose inside; for comparison: "
             "regular, dense everywhere; fast, loose in hidden layers"},
-    Setting{
-        "spiral_vase", &PrintSettings::spiral_vase, "", 0, 1,
-        "whether layers of one contour, above the bottom, are one perimeter that rises steadily"},
     Setting{"loose_width_min", &PrintSettings::loose_width_min, "mm", 0, 20,
             "least width of the loose inside; narrower places are made solid"},
     Setting{"loose_area_min_mm2", &PrintSettings::loose_area_min_mm2, "mm²", 0, 10'000,
@@ -159,7 +156,7 @@ inline constexpr std::array kSettings = {
             "rough surface: external, on outer contours; all, in holes, too; not on the first "
             "layer"},
     Setting{"fuzzy_skin_thickness", &PrintSettings::fuzzy_skin_thickness, "mm", 0, 5,
-            "range in which a rough perimeter is moved in and out, half of it on either side"},
+            "farthest that a point of a rough perimeter is moved, in or out"},
     Setting{"fuzzy_skin_point_distance", &PrintSettings::fuzzy_skin_point_distance, "mm", 0.05, 20,
             "mean distance of a rough perimeter's points"},
     Setting{"first_layer_height", &PrintSettings::first_layer_height, "mm", 0.01, 2,

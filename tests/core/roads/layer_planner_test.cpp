@@ -104,6 +104,60 @@ TEST_CASE("a plan is shared and its order is not where seams differ") {
   CHECK_EQ(plans.orders(), 7);
 }
 
+// Volume of the loose roads.
+double loose_mm3(const LayerPlan& plan) {
+  double sum = 0;
+  for (const IslandRoads& island : plan.roads.islands) {
+    for (const Road& road : island) {
+      if (road.kind != RoadKind::kLoose) continue;
+      const Length height = plan.layer.slice.height * road.layers;
+      sum += length_mm(road) * bead_area_mm2(road.width, height);
+    }
+  }
+  return sum;
+}
+
+TEST_CASE("the inside of a block is laid once, as much as in all its layers") {
+  for (const LoosePattern pattern : {LoosePattern::kLines, LoosePattern::kGyroid}) {
+    Settings settings;
+    settings.layer_height = Length::from_mm(0.1);
+    settings.loose_every_layers = 3;
+    settings.loose_pattern = pattern;
+    LooseBlocks blocks(settings);
+    LayerPlanner planner(settings);
+    for (LayerIndex i = 0; i < 18; ++i) blocks.push(split(kSquare, kInside, settings, i));
+    std::vector<double> laid;
+    while (auto layer = blocks.next()) {
+      const LayerPlanner::Reservation reserved = planner.reserve(*std::move(layer));
+      if (reserved.to_fill) planner.fill(*reserved.plan, true);
+      laid.push_back(loose_mm3(*reserved.plan));
+    }
+    REQUIRE_EQ(laid.size(), 18);
+    const double asked = 0.2 * kInside.area_mm2() * 0.3;
+    for (std::size_t i = 0; i < laid.size(); ++i) {
+      CAPTURE(i);
+      if (i % 3 == 2) {
+        CHECK(laid[i] == doctest::Approx(asked).epsilon(0.03));
+      } else {
+        CHECK_EQ(laid[i], 0);
+      }
+    }
+    // The rows of the next block are turned; those of the one after it are the same. The first
+    // layer's skirt is its own.
+    CHECK_EQ(planner.reused(), pattern == LoosePattern::kLines ? 18 - 6 - 1 : 0);
+  }
+}
+
+TEST_CASE("a rough surface is another one in each layer, on the same plan") {
+  Settings settings;
+  settings.fuzzy_skin = FuzzySkin::kOuter;
+  Plans plans(settings);
+  for (LayerIndex i = 1; i < 8; ++i)
+    static_cast<void>(plans.reuses(split(kSquare, kInside, settings, i)));
+  CHECK_EQ(plans.reused(), 5);
+  CHECK_EQ(plans.orders(), 7);
+}
+
 TEST_CASE("without roads only the style is applied") {
   Settings settings;
   settings.style = BuildStyle::kRegular;
