@@ -23,8 +23,8 @@ namespace core {
 // Vertices nearer to one another than 4 units in x and y are one: coordinates and heights are true
 // to 10 units. Edges end at vertices of height `clearance_max` where the region is wider. Each edge
 // has its start, its site and its twin's; cells are not linked. nullopt: contours touch, there is
-// a near tie, or very many sites are near one another; ask for the whole diagram. REQUIRES: a clean region's rings; clearance_max > 0,
-// units.
+// a near tie, or very many sites are near one another; ask for the whole diagram.
+// REQUIRES: a clean region's rings; clearance_max > 0, units.
 // COSTS: O(n · k²) with k sites within twice the clearance of a site, and at most as much as the
 // whole diagram.
 [[nodiscard]] std::optional<VoronoiDiagram> make_narrow_diagram(const std::vector<Ring>& rings,
