@@ -137,15 +137,15 @@ TEST_CASE("where seams move from layer to layer, they go on as in the whole prin
   }
 }
 
-TEST_CASE("where the inside is laid once in two layers and the surface is rough, too") {
+TEST_CASE("where the inside is laid once in three layers and the surface is rough, too") {
   const test::PartFolder folder;
   const parts::Part tower = parts::together(
       {parts::box({5, 5, 0}, 14, 12, 4), parts::box({8, 7, 0}, 6, 5, 6), parts::dome(7)});
   const std::string path = folder.add("tower.stl", tower);
   core::Settings settings = settings_of(core::WallShape::kBall, core::BuildStyle::kThinWall);
-  settings.layer_height = Length::from_mm(0.2);
-  settings.wall_thickness = Length::from_mm(0.6);
-  settings.loose_every_layers = 2;
+  settings.layer_height = Length::from_mm(0.13);
+  settings.wall_thickness = Length::from_mm(0.52);
+  settings.loose_every_layers = 3;
   settings.fuzzy_skin = core::FuzzySkin::kAll;
   check_tails(settings, path, compute(settings, path, {}));
 }

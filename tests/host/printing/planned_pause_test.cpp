@@ -36,7 +36,7 @@ bool away(const Rig& rig) {
   return state.x_mm == 5 && state.y_mm == 5 && state.z_mm > 10;
 }
 
-// Resumes each pause, and counts them.
+// Resumes each pause, and counts them; more than a few are no end.
 struct Resumer {
   Rig& rig;
   int pauses = 0;
@@ -47,8 +47,7 @@ struct Resumer {
     const bool new_pause = now && !was_away;
     was_away = now;
     if (!new_pause) return std::nullopt;
-    ++pauses;
-    return UserRequest::kResume;
+    return ++pauses > 3 ? UserRequest::kStop : UserRequest::kResume;
   }
 };
 
@@ -84,6 +83,7 @@ TEST_CASE("a print pauses at the height, and is the file's otherwise") {
   const test::PartFolder folder;
   const std::string part = print_test::small_part(folder);
   Rig rig(acting(), part);
+  rig.options.banner_wait_s = 0.05;
   Resumer resumer{rig};
   rig.control.request = [&] { return resumer.request(); };
   CHECK_EQ(rig.print().exit_code, host::kExitDone);
@@ -110,6 +110,7 @@ TEST_CASE("interrupted around an action, the resumed print does not repeat it") 
       CAPTURE(at);
       CAPTURE(stopped);
       Rig rig(acting(), part);
+      rig.options.banner_wait_s = 0.05;
       {
         core::Result<host::Journal> journal = print_test::new_journal(journal_path);
         REQUIRE(journal.ok());
@@ -140,6 +141,7 @@ TEST_CASE("a print that ended in its own pause goes on behind it, as hot as it w
   for (const bool stopped : {false, true}) {
     CAPTURE(stopped);
     Rig rig(acting(), part);
+    rig.options.banner_wait_s = 0.05;
     {
       core::Result<host::Journal> journal = print_test::new_journal(journal_path);
       REQUIRE(journal.ok());
