@@ -58,7 +58,10 @@ class FuzzyRoad {
     double next = 0;  // from the segment's start to the next point
     for (std::size_t i = 0; i + (road_.closed ? 0 : 1) < count; ++i) {
       const double length = distance_units(road_.points[i], road_.points[(i + 1) % count]);
-      for (; next < length; next += step_) put(i, length, next);
+      while (next < length) {
+        put(i, length, next);
+        next += step_;
+      }
       next -= length;
     }
     // A closed road's last point is not next to its first.
@@ -68,7 +71,8 @@ class FuzzyRoad {
     } else if (made_.points.size() > 3 && next < distance_ / 4) {
       drop_last();
     }
-    return made_.points.size() >= (road_.closed ? 3U : 2U) ? std::move(made_) : road_;
+    if (made_.points.size() < (road_.closed ? 3U : 2U)) return road_;
+    return std::move(made_);
   }
 
  private:
