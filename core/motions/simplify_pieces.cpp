@@ -1,38 +1,126 @@
 #include "core/motions/simplify_pieces.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <optional>
 
-#include "core/regions/polyline.h"  // distance_mm
+#include "core/regions/polyline.h"  // distance_mm, distance_units
 #include "core/regions/simplify.h"  // kept_points
+#include "core/trigonometry.h"      // hypotenuse
+#include "core/vector.h"            // Vector
 
 namespace core {
+namespace {
+
+// A point of the simplified run: a point of the run itself, or a corner in place of two of them.
+struct Kept {
+  Point at;
+  std::size_t first = 0;  // points of the run that it stands for: from this one
+  std::size_t last = 0;   // to this one
+};
+
+double distance_to(Point point, Point from, Point to) {
+  const Vector a = to_vector(from), along = to_vector(to) - a, off = to_vector(point) - a;
+  const double squared = dot(along, along);
+  const double share = squared > 0 ? std::clamp(dot(off, along) / squared, 0.0, 1.0) : 0;
+  const Vector rest = off - along * share;
+  return hypotenuse(rest.x, rest.y);
+}
+
+// Where a → b, drawn on beyond b, meets d → c, drawn on beyond c. Nothing where they turn by more
+// than a right angle.
+std::optional<Point> corner(Point a, Point b, Point c, Point d) {
+  const Vector u = to_vector(b) - to_vector(a), v = to_vector(d) - to_vector(c);
+  const Vector gap = to_vector(c) - to_vector(b);
+  const double turn = u.x * v.y - u.y * v.x;
+  if (turn == 0 || dot(u, v) <= 0) return std::nullopt;
+  const double beyond_b = (gap.x * v.y - gap.y * v.x) / turn;
+  const double before_c = -(gap.x * u.y - gap.y * u.x) / turn;
+  if (beyond_b < 0 || before_c > 0) return std::nullopt;
+  const Vector at = to_vector(b) + u * beyond_b;
+  return Point{static_cast<std::int32_t>(std::lround(at.x)),
+               static_cast<std::int32_t>(std::lround(at.y))};
+}
+
+// Whether a corner may stand for the run's points from `first` to `last`.
+bool stands_for(Point at, const std::vector<Point>& run, std::size_t first, std::size_t last,
+                double tolerance) {
+  double off = distance_to(at, run[first], run[first + 1]);
+  for (std::size_t i = first + 1; i < last; ++i) {
+    off = std::min(off, distance_to(at, run[i], run[i + 1]));
+    const double left_out =
+        std::min(distance_to(run[i], run[first], at), distance_to(run[i], at, run[last]));
+    if (left_out > tolerance) return false;
+  }
+  return off <= tolerance;
+}
+
+// The run's points that are kept, two of them as one where a corner may stand for them.
+std::vector<Kept> simplified(const std::vector<Point>& run, Length tolerance) {
+  const auto reach = static_cast<double>(tolerance.units());
+  std::vector<Kept> kept;
+  const std::vector<std::size_t> indices = kept_points(run, tolerance);
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    const std::size_t first = indices[i];
+    if (reach > 0 && i > 0 && i + 2 < indices.size()) {
+      const std::size_t last = indices[i + 1];
+      const Point before = kept.back().at, after = run[indices[i + 2]];
+      const double way = distance_units(run[first], run[last]);
+      const bool shorter =
+          way < distance_units(before, run[first]) && way < distance_units(run[last], after);
+      const auto at = shorter ? corner(before, run[first], run[last], after) : std::nullopt;
+      if (at && stands_for(*at, run, first, last, reach)) {
+        kept.push_back({*at, first, last});
+        ++i;
+        continue;
+      }
+    }
+    kept.push_back({run[first], first, first});
+  }
+  return kept;
+}
+
+// What the pieces from point `first` to point `last` of a run are laid over, in mm.
+double laid_over_mm(const RoadPiece* pieces, std::size_t first, std::size_t last) {
+  double sum = 0;
+  for (std::size_t i = first; i < last; ++i) sum += pieces[i].laid_over_mm;
+  return sum;
+}
+
+}  // namespace
 
 void simplify_pieces(Point from, std::vector<RoadPiece>& pieces, Length tolerance) {
   std::vector<Point> run;
-  std::size_t kept = 0;
+  std::vector<RoadPiece> simpler;
+  std::size_t done = 0;
   for (std::size_t first = 0; first < pieces.size();) {
     if (pieces[first].is_arc) {
       from = pieces[first].to;
-      pieces[kept++] = pieces[first++];
+      pieces[done++] = pieces[first++];
       continue;
     }
     run.assign(1, from);
     std::size_t end = first;
     for (; end < pieces.size() && !pieces[end].is_arc; ++end) run.push_back(pieces[end].to);
-    std::size_t at = first;
-    for (const std::size_t index : kept_points(run, tolerance)) {
-      if (index == 0) continue;
-      RoadPiece piece = pieces[first + index - 1];
-      double laid_over_mm = 0;
-      for (; at < first + index; ++at) laid_over_mm += pieces[at].laid_over_mm;
-      piece.laid_over_mm = laid_over_mm;
+    simpler.clear();
+    const std::vector<Kept> kept = simplified(run, tolerance);
+    double carried = 0;  // half of what a corner stands for is laid behind it
+    for (std::size_t i = 1; i < kept.size(); ++i) {
+      RoadPiece piece;
+      piece.to = kept[i].at;
       piece.length_mm = distance_mm(from, piece.to);
+      const double half = laid_over_mm(&pieces[first], kept[i].first, kept[i].last) / 2;
+      piece.laid_over_mm =
+          carried + laid_over_mm(&pieces[first], kept[i - 1].last, kept[i].first) + half;
+      carried = half;
       from = piece.to;
-      pieces[kept++] = piece;
+      simpler.push_back(piece);
     }
+    for (const RoadPiece& piece : simpler) pieces[done++] = piece;
     first = end;
   }
-  pieces.resize(kept);
+  pieces.resize(done);
 }
 
 }  // namespace core

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "core/regions/polyline.h"  // between, distance_mm
@@ -18,48 +19,68 @@ class Stretches {
   void add(Point to, double a, double b, Hold hold) {
     const double mm = distance_mm(last_, to);
     if (mm == 0) return;
-    const double low = std::min(a, b), high = std::max(a, b);
-    const bool wider = std::max(high, high_) > std::min(low, low_) * (1 + kWidthChangeShare);
-    if (done_.empty() || done_.back().hold != hold || wider) {
-      close();
+    if (done_.empty() || done_.back().hold != hold || too_wide(a, b)) {
       done_.push_back({laid_as(kind_, hold), hold, Length(), 0, false, {last_}});
-      low_ = low;
-      high_ = high;
-    } else {
-      low_ = std::min(low, low_);
-      high_ = std::max(high, high_);
+      sums_.emplace_back();
     }
     done_.back().points.push_back(to);
-    length_mm_ += mm;
-    width_mm2_ += mm * (a + b) / 2;
-    volume_mm3_ += mm *
-                   (road_area_mm2(kind_, Length::from_mm(a), height_) +
-                    road_area_mm2(kind_, Length::from_mm(b), height_)) /
-                   2;
+    Sums& sums = sums_.back();
+    sums.low = std::min({sums.low, a, b});
+    sums.high = std::max({sums.high, a, b});
+    sums.length_mm += mm;
+    sums.width_mm2 += mm * (a + b) / 2;
+    sums.volume_mm3 += mm *
+                       (road_area_mm2(kind_, Length::from_mm(a), height_) +
+                        road_area_mm2(kind_, Length::from_mm(b), height_)) /
+                       2;
     last_ = to;
   }
 
   [[nodiscard]] std::vector<WidthStretch> finish() {
-    close();
+    join_last();
+    for (std::size_t i = 0; i < done_.size(); ++i) {
+      done_[i].width = Length::from_mm(sums_[i].width_mm2 / sums_[i].length_mm);
+      done_[i].area_mm2 = sums_[i].volume_mm3 / sums_[i].length_mm;
+    }
     return std::move(done_);
   }
 
  private:
-  void close() {
-    if (done_.empty()) return;
-    done_.back().width = Length::from_mm(width_mm2_ / length_mm_);
-    done_.back().area_mm2 = volume_mm3_ / length_mm_;
-    length_mm_ = width_mm2_ = volume_mm3_ = 0;
+  // Of a stretch.
+  struct Sums {
+    double low = std::numeric_limits<double>::infinity(), high = 0;  // its widths
+    double length_mm = 0;
+    double width_mm2 = 0;
+    double volume_mm3 = 0;
+  };
+
+  // Whether widths from a to b are too different for the stretch at hand.
+  [[nodiscard]] bool too_wide(double a, double b) const {
+    const Sums& sums = sums_.back();
+    if (sums.length_mm < kWidthPieceMin.mm()) return false;
+    return std::max({a, b, sums.high}) > std::min({a, b, sums.low}) * (1 + kWidthChangeShare);
+  }
+
+  // A last stretch that is too short is part of the one before.
+  void join_last() {
+    if (done_.size() < 2 || sums_.back().length_mm >= kWidthPieceMin.mm()) return;
+    const WidthStretch& last = done_.back();
+    WidthStretch& before = done_[done_.size() - 2];
+    if (before.hold != last.hold) return;
+    before.points.insert(before.points.end(), last.points.begin() + 1, last.points.end());
+    Sums& sums = sums_[sums_.size() - 2];
+    sums.length_mm += sums_.back().length_mm;
+    sums.width_mm2 += sums_.back().width_mm2;
+    sums.volume_mm3 += sums_.back().volume_mm3;
+    done_.pop_back();
+    sums_.pop_back();
   }
 
   RoadKind kind_;
   Point last_;
   Length height_;
   std::vector<WidthStretch> done_;
-  double low_ = 0, high_ = 0;  // widths of the stretch at hand
-  double length_mm_ = 0;
-  double width_mm2_ = 0;
-  double volume_mm3_ = 0;
+  std::vector<Sums> sums_;  // of each of them
 };
 
 std::size_t pieces_of(double length_mm, double a, double b) {

@@ -24,10 +24,10 @@ struct WidthStretch {
   std::vector<Point> points;  // the first is the last of the stretch before
 };
 
-// Widths within a stretch differ by at most this share of the narrowest, but for pieces of a
-// segment that would be shorter than kWidthPieceMin.
+// Widths within a stretch differ by at most this share of the narrowest, but where it would be
+// shorter than kWidthPieceMin.
 inline constexpr double kWidthChangeShare = 0.05;
-inline constexpr Length kWidthPieceMin = Length::from_units(2'000);
+inline constexpr Length kWidthPieceMin = Length::from_units(4'000);
 
 // ENSURES: the stretches' volumes sum up to the road's. COSTS: O(points + pieces).
 [[nodiscard]] std::vector<WidthStretch> width_stretches(const Road& road, Length height);

@@ -2,7 +2,9 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "core/motions/arc_fit.h"
@@ -88,4 +90,32 @@ TEST_CASE("arcs stay, and straight runs between them are simplified") {
   CHECK(pieces[1].is_arc);
   CHECK_EQ(pieces[2].to, (Point{40'000, 20'000}));
   CHECK_EQ(pieces[2].laid_over_mm, 2);
+}
+
+TEST_CASE("a corner that is cut by less than the tolerance is one point, and near the way") {
+  ArcFitter straight{Length()};
+  // A turn of 30° by an arc of 0.225 mm: its corner is 8 µm away from it.
+  std::vector<Point> points = {{0, 0}};
+  for (int i = 0; i <= 4; ++i) {
+    const double angle = i * 7.5 * std::numbers::pi / 180;
+    points.push_back({100'000 + static_cast<std::int32_t>(std::lround(2'250 * std::sin(angle))),
+                      static_cast<std::int32_t>(std::lround(2'250 * (1 - std::cos(angle))))});
+  }
+  points.push_back({points.back().x + 86'603, points.back().y + 50'000});
+  const std::vector<RoadPiece> exact = straight.pieces(points, false);
+  for (const std::int64_t tolerance : {60, 125}) {
+    CAPTURE(tolerance);
+    std::vector<RoadPiece> pieces = exact;
+    simplify_pieces(points.front(), pieces, Length::from_units(tolerance));
+    CHECK_EQ(pieces.size(), tolerance == 125 ? 2 : 3);
+    CHECK_EQ(laid_over_mm(pieces), doctest::Approx(laid_over_mm(exact)));
+    CHECK_LE(off_units(points, pieces), static_cast<double>(tolerance));
+    for (const RoadPiece& piece : pieces) {
+      double off = 1e18;
+      for (std::size_t i = 1; i < points.size(); ++i) {
+        off = std::min(off, test::distance_to_segment(piece.to, {points[i - 1], points[i]}));
+      }
+      CHECK_LE(off, static_cast<double>(tolerance));
+    }
+  }
 }

@@ -116,3 +116,17 @@ TEST_CASE("a segment whose width changes much is laid in steps, none of them a c
     CHECK_GE(core::length_mm(stretches[i].points, false), 0.19);
   }
 }
+
+TEST_CASE("a width that wavers fast is laid in stretches that are long enough") {
+  Road road{RoadKind::kGapFill, Length::from_mm(0.45), false, {}};
+  for (int i = 0; i <= 105; ++i) {
+    road.points.push_back(at_mm(0.1 * i, 0));
+    road.widths.push_back(Length::from_mm(i % 2 == 0 ? 0.6 : 0.3));
+  }
+  const auto stretches = core::width_stretches(road, kHeight);
+  CHECK_GT(stretches.size(), 15);
+  for (const auto& stretch : stretches) {
+    CHECK_GE(core::length_mm(stretch.points, false), core::kWidthPieceMin.mm() - 1e-3);
+  }
+  CHECK_EQ(laid_mm3(stretches), doctest::Approx(volume_by_slices_mm3(road)).epsilon(1e-3));
+}
