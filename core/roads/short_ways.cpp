@@ -24,7 +24,9 @@ bool is_perimeter(RoadKind kind) {
          kind == RoadKind::kOverhangPerimeter;
 }
 
+// Of one layer's thickness: a way between thicker ones would be too thin.
 bool is_fill(const Road& road) {
+  if (road.layers > 1) return false;
   return road.kind == RoadKind::kSolid || road.kind == RoadKind::kBottomSolid ||
          road.kind == RoadKind::kInternalBridge || road.kind == RoadKind::kGapFill ||
          road.kind == RoadKind::kLoose;

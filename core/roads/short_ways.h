@@ -5,7 +5,8 @@
 //     ═════▶ ╶──╨═══════ the next      pulls the filament back for a hair's breadth.
 //
 // A way is laid from one road of the fill to the next, where it is short, crosses no perimeter and
-// keeps half its width from the slice's contour. Tops and bridges over air are left alone.
+// keeps half its width from the slice's contour. Tops, bridges over air, and roads that are thicker
+// than the layer are left alone.
 #pragma once
 
 #include <vector>

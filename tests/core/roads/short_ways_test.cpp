@@ -98,6 +98,10 @@ TEST_CASE("no way across a perimeter, near the contour, to or from what is no fi
     CHECK_EQ(count({row(from.points, kind), to}, kSquare), 0);
     CHECK_EQ(count({from, row(to.points, kind)}, kSquare), 0);
   }
+  Road thick = row(to.points, RoadKind::kLoose);
+  CHECK_EQ(count({from, thick}, kSquare), 1);
+  thick.layers = 2;
+  CHECK_EQ(count({from, thick}, kSquare), 0);
 }
 
 TEST_CASE("a ring of the fill ends where its seam's gap begins, and the way begins there") {
