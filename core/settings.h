@@ -151,7 +151,13 @@ struct Settings {
   double retraction_mm = 1;
   double retraction_speed_mm_s = 40;
   Length retraction_travel_min = Length::from_units(50'000);  // shorter inside the part: none
+  bool only_retract_when_crossing_perimeters = false;         // inside the part: none, also if long
   Length retraction_lift;                                     // 0: travel at the layer's height
+  bool wipe = false;                                          // over the road just laid
+  Length wipe_distance;  // 0: as far as the nozzle comes while the filament is drawn back
+  double retraction_before_wipe = 0;  // share of the retraction
+  bool avoid_crossing_perimeters = false;
+  Length avoid_crossing_max_detour;  // longer than the straight way by more: straight; 0: any
 
   // Machine.
   Length bed_x = Length::from_units(3'000'000);
@@ -185,6 +191,9 @@ struct Settings {
   std::vector<std::string> pause_gcode = {"M0"};  // in a file, where the print pauses
   std::string allow_gcode;  // commands that are refused unless they are named here
   Length park_lift = Length::from_units(100'000);  // nozzle off the part at the end and at a stop
+  // Where the nozzle is parked then, from the bed's front left corner. Negative: near that corner.
+  Length park_x = Length::from_units(-10'000);
+  Length park_y = Length::from_units(-10'000);
 };
 
 // T: how many layers the wall reaches up and down: wall_layers, or ⌊w/h + ½⌋, at least 1.

@@ -58,7 +58,6 @@ constexpr std::array kLeftOut = {
     LeftOut{"retract_restart_extra", When::kOn, "as much filament comes back as was drawn back"},
     LeftOut{"use_firmware_retraction", When::kOn, "rind draws filament back itself"},
     LeftOut{"use_volumetric_e", When::kOn, "filament is counted by its length"},
-    LeftOut{"wipe", When::kOn, "the nozzle is not wiped"},
     LeftOut{"default_acceleration", When::kOn, kAccelerations},
     LeftOut{"perimeter_acceleration", When::kOn, kAccelerations},
     LeftOut{"external_perimeter_acceleration", When::kOn, kAccelerations},

@@ -269,6 +269,25 @@ inline constexpr std::array kSettings = {
             "length of the shortest travel within the part with retraction"},
     Setting{"retraction_lift", &PrintSettings::retraction_lift, "mm", 0, 50,
             "lift of the nozzle above the layer during travel with retraction"},
+    Setting{"only_retract_when_crossing_perimeters",
+            &PrintSettings::only_retract_when_crossing_perimeters, "", 0, 1,
+            "whether travel that stays within the part is without retraction however long it is, "
+            "but over finished tops"},
+    Setting{"wipe", &PrintSettings::wipe, "", 0, 1,
+            "whether the nozzle moves over the road just laid while filament is retracted"},
+    Setting{"wipe_distance", &PrintSettings::wipe_distance, "mm", 0.01, 100,
+            "length of the way over the road just laid; auto: as far as the nozzle comes during "
+            "the retraction at 4/5 of travel_speed_mm_s",
+            kAutoIsZero},
+    Setting{"retraction_before_wipe", &PrintSettings::retraction_before_wipe, "%", 0, 1,
+            "fraction of the retraction before the nozzle moves"},
+    Setting{"avoid_crossing_perimeters", &PrintSettings::avoid_crossing_perimeters, "", 0, 1,
+            "whether travel within an island goes around holes and notches"},
+    Setting{"avoid_crossing_max_detour", &PrintSettings::avoid_crossing_max_detour, "mm", 0.01,
+            10'000,
+            "length that such a way may have more than the straight one, which is taken otherwise; "
+            "off: any",
+            kOffIsZero},
     Setting{"bed_x", &PrintSettings::bed_x, "mm", 1, kBedMaxMm, "width of the bed"},
     Setting{"bed_y", &PrintSettings::bed_y, "mm", 1, kBedMaxMm, "depth of the bed"},
     Setting{"bed_origin_x", &PrintSettings::bed_origin_x, "mm", -kBedMaxMm, kBedMaxMm,
@@ -326,6 +345,13 @@ inline constexpr std::array kSettings = {
             "otherwise, as M500,M501; only on the command line"},
     Setting{"park_lift", &PrintSettings::park_lift, "mm", 0, 1'000,
             "lift of the nozzle at the end and at a stop"},
+    Setting{"park_x", &PrintSettings::park_x, "mm", 0, kBedMaxMm,
+            "distance of the nozzle from the bed's left side when it is parked; auto: 5 mm at the "
+            "end and at a stop, in a pause that of the corner farthest from the part",
+            kAutoIsNegative},
+    Setting{"park_y", &PrintSettings::park_y, "mm", 0, kBedMaxMm,
+            "distance of the nozzle from the bed's front when it is parked; auto: as park_x",
+            kAutoIsNegative},
 };
 
 }  // namespace host

@@ -98,6 +98,11 @@ Status part_has_a_place(const PrintSettings& settings) {
     return bad(fmt::format("part_x = {} mm, part_y = {} mm is not on the bed of {} by {} mm", x, y,
                            settings.bed_x.mm(), settings.bed_y.mm()));
   }
+  if (settings.park_x > settings.bed_x || settings.park_y > settings.bed_y) {
+    return bad(fmt::format("park_x = {} mm, park_y = {} mm is not on the bed of {} by {} mm",
+                           settings.park_x.mm(), settings.park_y.mm(), settings.bed_x.mm(),
+                           settings.bed_y.mm()));
+  }
   if (settings.axis_z != core::Length() && settings.axis_z < settings.layer_height) {
     return bad(fmt::format("axis_z = {} mm is less than one layer of {} mm; off: not limited",
                            settings.axis_z.mm(), settings.layer_height.mm()));
