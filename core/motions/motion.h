@@ -65,6 +65,13 @@ struct MoveFilament {
   double speed_mm_s = 0;
 };
 
+// Back over material just laid, or along it, while filament is drawn back.
+struct Wipe {
+  Point to;
+  double filament_mm = 0;  // negative
+  double speed_mm_s = 0;   // of the nozzle
+};
+
 struct SetFan {
   double share = 0;  // 0 … 1
 };
@@ -91,6 +98,6 @@ struct Pause {
 
 using Motion =
     std::variant<LayerStart, RoadStart, RoadChange, Travel, Lift, Extrude, ExtrudeArc, MoveFilament,
-                 SetFan, SetNozzleTemperature, SetBedTemperature, Verbatim, Pause>;
+                 Wipe, SetFan, SetNozzleTemperature, SetBedTemperature, Verbatim, Pause>;
 
 }  // namespace core

@@ -10,9 +10,11 @@
 #include "core/motions/cooling.h"          // layer_cooling
 #include "core/motions/fan_plan.h"         // fan_plan
 #include "core/motions/park_height.h"      // park_height
+#include "core/motions/park_place.h"       // park_place
 #include "core/motions/road_speeds.h"      // fan_share_least, full_speed_mm_s
 #include "core/motions/segment_merger.h"   // merge_short_pieces, sendable_speed
 #include "core/motions/simplify_pieces.h"  // simplify_pieces
+#include "core/motions/wipe_way.h"         // wipe_plan
 #include "core/regions/polyline.h"         // distance_mm, length_mm
 #include "core/regions/segment_grid.h"     // SegmentGrid
 
@@ -115,7 +117,8 @@ void MotionBuilder::set_up_layer(const Slice& slice, double fan_share, const Sin
   state_.bed_celsius = bed;
 }
 
-void MotionBuilder::layer(const Slice& slice, const std::vector<Road>& roads, const Sink& sink) {
+void MotionBuilder::layer(const Slice& slice, const std::vector<Road>& roads, const Sink& sink,
+                          const TravelSpace* space) {
   RIND_CHECK(!ended_);
   if (roads.empty()) return;
   if (!state_.started) preamble(sink);
@@ -128,17 +131,23 @@ void MotionBuilder::layer(const Slice& slice, const std::vector<Road>& roads, co
     // A closed road's end has a bead's blob, which its start's would double.
     const bool opens = each.closed && settings_.seam_gap > Length();
     laid.push_back(
-        {each.kind, is_small_perimeter(each), each.layers,
+        {each.kind, is_small_perimeter(each), each.layers, each.closed,
          width_stretches(opens ? opened(each, settings_.seam_gap) : each, height_ * each.layers)});
   }
   const std::vector<double> fan = plan_layer(laid);
   set_up_layer(slice, cooling_.fan_share, sink);
   Boundary boundary(slice.region);
+  space_ = space;
   std::size_t way = 0;
   for (const LaidRoad& each : laid) {
-    travel(each.stretches.front().points.front(), boundary, sink);
+    travel(each.stretches.front().points.front(), each.kind, boundary, sink);
     road(each, fan, way, sink);
+    last_ = &each;
   }
+  // The next layer does not know this road.
+  if (settings_.wipe) retract(sink);
+  last_ = nullptr;
+  space_ = nullptr;
 }
 
 // Sets the layer's cooling; returns the fan's share for each stretch of its roads.
@@ -229,25 +238,55 @@ void MotionBuilder::lay(const RoadPiece& piece, RoadKind kind, double filament_p
   state_.position = piece.to;
 }
 
-void MotionBuilder::travel(Point to, Boundary& boundary, const Sink& sink) {
-  const bool same = state_.position_known && state_.position == to;
-  const bool short_inside =
-      state_.position_known &&
-      distance_mm(state_.position, to) <= settings_.retraction_travel_min.mm() &&
-      !boundary.crossed_by({state_.position, to});
-  if (!same && !short_inside) {
+namespace {
+
+// A nozzle that oozes over a finished top leaves a trace.
+bool is_top(RoadKind kind) { return kind == RoadKind::kTopSolid || kind == RoadKind::kIroning; }
+
+bool is_outside(RoadKind kind) { return kind == RoadKind::kSkirt || kind == RoadKind::kBrim; }
+
+}  // namespace
+
+// Not where the way is inside the part and short, or, if so set, as long as may be.
+bool MotionBuilder::needs_retraction(const std::vector<Point>& way, RoadKind kind,
+                                     Boundary& boundary) const {
+  const bool after_top = last_ != nullptr && is_top(last_->kind);
+  const bool any_length =
+      settings_.only_retract_when_crossing_perimeters && !after_top && !is_outside(kind);
+  if (!any_length && length_mm(way, false) > settings_.retraction_travel_min.mm()) return true;
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    if (boundary.crossed_by({way[i - 1], way[i]})) return true;
+  }
+  return false;
+}
+
+std::vector<Point> MotionBuilder::way_to(Point to) const {
+  if (!state_.position_known) return {to, to};
+  if (space_ != nullptr) return space_->way(state_.position, to);
+  return {state_.position, to};
+}
+
+void MotionBuilder::travel(Point to, RoadKind kind, Boundary& boundary, const Sink& sink) {
+  if (state_.position_known && state_.position == to) {
+    lift(top_, sink);
+    unretract(sink);
+    return;
+  }
+  std::vector<Point> way = way_to(to);
+  if (!state_.position_known || needs_retraction(way, kind, boundary)) {
     retract(sink);
     const Length over = top_ + settings_.retraction_lift;
     if (state_.nozzle_z.value_or(Length()) < over) lift(over, sink);
+    // A wipe has moved the nozzle.
+    if (state_.position != way.front()) way = way_to(to);
   } else {
     lift(top_, sink);
   }
-  if (!same) {
-    const double mm = state_.position_known ? distance_mm(state_.position, to) : 0;
-    sink(Travel{to, settings_.travel_speed_mm_s});
-    ++totals_.travels;
-    totals_.travel_mm += mm;
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    sink(Travel{way[i], settings_.travel_speed_mm_s});
   }
+  ++totals_.travels;
+  totals_.travel_mm += length_mm(way, false);
   state_.position = to;
   state_.position_known = true;
   lift(top_, sink);
@@ -262,9 +301,27 @@ void MotionBuilder::lift(Length to, const Sink& sink) {
 
 void MotionBuilder::retract(const Sink& sink) {
   if (state_.retracted || settings_.retraction_mm <= 0) return;
-  sink(MoveFilament{-settings_.retraction_mm, settings_.retraction_speed_mm_s});
   ++totals_.retractions;
   state_.retracted = true;
+  if (settings_.wipe && last_ != nullptr) return wipe(sink);
+  sink(MoveFilament{-settings_.retraction_mm, settings_.retraction_speed_mm_s});
+}
+
+void MotionBuilder::wipe(const Sink& sink) {
+  std::vector<Point> points;
+  for (const WidthStretch& stretch : last_->stretches) {
+    points.insert(points.end(), stretch.points.begin(), stretch.points.end());
+  }
+  if (last_->stretches.back().closed) points.push_back(points.front());
+  const WipePlan plan = wipe_plan(points, last_->loop, settings_);
+  if (plan.before_mm > 0) {
+    sink(MoveFilament{-plan.before_mm, settings_.retraction_speed_mm_s});
+  }
+  for (std::size_t i = 1; i < plan.way.size(); ++i) {
+    const double mm = distance_mm(plan.way[i - 1], plan.way[i]);
+    sink(Wipe{plan.way[i], -plan.filament_per_mm * mm, plan.speed_mm_s});
+    state_.position = plan.way[i];
+  }
 }
 
 void MotionBuilder::unretract(const Sink& sink) {
@@ -279,6 +336,7 @@ void MotionBuilder::finish(const Sink& sink) {
   retract(sink);
   const Length here = state_.nozzle_z.value_or(top_);
   lift(std::max(park_height(top_, settings_), here), sink);
+  sink(Travel{park_place(settings_), settings_.travel_speed_mm_s});
   sink(SetNozzleTemperature{0, false});
   sink(SetBedTemperature{0, false});
   sink(SetFan{0});

@@ -5,7 +5,7 @@
 //     layer      LayerStart, what is due at its height (height_actions.h), then for each road
 //                (retract) Lift Travel (return) RoadStart Extrude …
 //                (RoadChange Extrude …), where its width or what holds it changes
-//     finish     retract, lift, heaters and fan off, end G-code
+//     finish     retract, lift, park, heaters and fan off, end G-code
 //
 // Filament laid by a piece of road:  length · bead area / (π d² / 4),  relative. An arc lays as
 // much as the segments that it stands for. Holds one layer's roads at a time, never the print.
@@ -23,6 +23,7 @@
 #include "core/motions/motion.h"           // Motion
 #include "core/motions/width_stretches.h"  // WidthStretch
 #include "core/roads/road.h"               // Road, RoadKind
+#include "core/roads/travel_space.h"       // TravelSpace
 #include "core/settings.h"                 // Settings
 #include "core/slices/slice.h"             // Slice
 
@@ -74,10 +75,13 @@ class MotionBuilder {
 
   // The roads of the next layer up, in this order. A layer without roads gives no motion, and a
   // print without any heats only in preheat().
+  // `space`: of this slice, for ways around contours; null: ways are straight.
   // REQUIRES: slices come from the bed up; every road has two points or more.
-  void layer(const Slice& slice, const std::vector<Road>& roads, const Sink& sink);
+  void layer(const Slice& slice, const std::vector<Road>& roads, const Sink& sink,
+             const TravelSpace* space = nullptr);
 
-  // Ends the print: retracts, lifts the nozzle off the part, heaters and fan off, end G-code.
+  // Ends the print: retracts, lifts the nozzle off the part, parks it (park_place.h), heaters and
+  // fan off, end G-code.
   // Nothing when no layer had roads.
   void finish(const Sink& sink);
 
@@ -106,6 +110,7 @@ class MotionBuilder {
     RoadKind kind;
     bool small;  // a small perimeter
     int layers;  // Road::layers
+    bool loop;   // closed, but for the seam's gap
     std::vector<WidthStretch> stretches;
   };
 
@@ -116,8 +121,12 @@ class MotionBuilder {
   void lay(const WidthStretch& stretch, RoadKind kind, double speed, const Sink& sink);
   void lay(const RoadPiece& piece, RoadKind kind, double filament_per_mm, double speed,
            const Sink& sink);
-  void travel(Point to, Boundary& boundary, const Sink& sink);
+  void travel(Point to, RoadKind kind, Boundary& boundary, const Sink& sink);
+  [[nodiscard]] std::vector<Point> way_to(Point to) const;
+  [[nodiscard]] bool needs_retraction(const std::vector<Point>& way, RoadKind kind,
+                                      Boundary& boundary) const;
   void retract(const Sink& sink);
+  void wipe(const Sink& sink);
   void unretract(const Sink& sink);
   void lift(Length to, const Sink& sink);
   [[nodiscard]] double speed_mm_s(const LaidRoad& road, const WidthStretch& stretch) const;
@@ -125,8 +134,10 @@ class MotionBuilder {
   Settings settings_;
   HeightActions actions_;
   ArcFitter fitter_;
-  ArcFitter segments_{Length()};   // none of them an arc
-  std::vector<RoadPiece> pieces_;  // of the road at hand
+  ArcFitter segments_{Length()};        // none of them an arc
+  std::vector<RoadPiece> pieces_;       // of the road at hand
+  const TravelSpace* space_ = nullptr;  // of the layer at hand
+  const LaidRoad* last_ = nullptr;      // of the layer at hand
   MotionTotals totals_;
   MotionState state_;
   bool ended_ = false;

@@ -48,6 +48,11 @@ void LayerPlanner::fill(LayerPlan& plan, bool with_roads) const {
   if (!with_roads) return;
   plan.roads = roads_.plan(plan.layer);
   plan.seams = seam_loops(plan.layer, plan.roads);
+  if (!settings_.avoid_crossing_perimeters) return;
+  const Slice& slice = plan.layer.slice;
+  const Settings& settings = slice.index == 0 ? first_layer_settings(settings_) : settings_;
+  plan.travel_space = std::make_unique<TravelSpace>(slice.region, settings.road_width,
+                                                    settings_.avoid_crossing_max_detour);
 }
 
 LayerPlanner::Ordering LayerPlanner::place_seams(const std::shared_ptr<LayerPlan>& plan,

@@ -24,6 +24,7 @@
 #include "core/roads/road_planner.h"    // RoadPlanner
 #include "core/roads/seam_loops.h"      // LayerSeams
 #include "core/roads/seams.h"           // SeamMemory, SeamPlacer
+#include "core/roads/travel_space.h"    // TravelSpace
 #include "core/settings.h"              // Settings
 #include "core/walls/loose_blocks.h"    // loose_block_layers
 #include "core/walls/split_layer.h"     // SplitLayer
@@ -32,11 +33,13 @@
 namespace core {
 
 struct LayerPlan {
-  SplitLayer split;            // as the window says
-  SplitLayer layer;            // as the style wants it
-  LayerRoads roads;            // not in order
-  LayerSeams seams;            // what they offer
-  HangingPlaces hanging;       // known where roads are wanted
+  SplitLayer split;       // as the window says
+  SplitLayer layer;       // as the style wants it
+  LayerRoads roads;       // not in order
+  LayerSeams seams;       // what they offer
+  HangingPlaces hanging;  // known where roads are wanted
+  // Where the setting asks for ways around contours.
+  std::unique_ptr<const TravelSpace> travel_space;
   double regularised_mm3 = 0;  // moved from loose to solid, to be printable (regularise.h)
 };
 
@@ -67,8 +70,8 @@ class LayerPlanner {
   // COSTS: a comparison.
   [[nodiscard]] Reservation reserve(SplitLayer split);
 
-  // COSTS: as WallStyle and, where roads are wanted, RoadPlanner, seam_loops() and
-  // hanging_places().
+  // COSTS: as WallStyle and, where roads are wanted, RoadPlanner, seam_loops(), hanging_places()
+  // and, where the setting asks for it, TravelSpace.
   void fill(LayerPlan& plan, bool with_roads) const;
 
   // Layer by layer. COSTS: as SeamPlacer. REQUIRES: the plan is filled, with its roads.

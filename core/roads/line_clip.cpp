@@ -14,6 +14,15 @@ constexpr Length kCell = Length::from_units(20'000);
 
 bool left(Point a, Point b, Point c) { return cross(a, b, c) > 0; }
 
+Point nearest_on(const Segment& edge, Point point) {
+  const double dx = static_cast<double>(edge.to.x) - edge.from.x;
+  const double dy = static_cast<double>(edge.to.y) - edge.from.y;
+  const double px = static_cast<double>(point.x) - edge.from.x;
+  const double py = static_cast<double>(point.y) - edge.from.y;
+  const double share = (px * dx + py * dy) / (dx * dx + dy * dy);
+  return between(edge.from, edge.to, std::clamp(share, 0.0, 1.0));
+}
+
 }  // namespace
 
 LineClipper::LineClipper(const Region& region)
@@ -57,9 +66,7 @@ void LineClipper::clip(const std::vector<Point>& line, std::vector<ClippedLine>&
     crossings({line[i - 1], line[i]}, found);
     for (const Crossing& crossing : found) {
       const Point at = between(line[i - 1], line[i], crossing.share);
-      const Segment& edge = edges_[crossing.edge];
-      const BoundaryPlace place{ring_of_[crossing.edge],
-                                starts_[crossing.edge] + distance_units(edge.from, at)};
+      const BoundaryPlace place = place_on(crossing.edge, at);
       inside = !inside;
       if (inside) {
         piece.points = {at};
@@ -78,6 +85,35 @@ double LineClipper::first_crossing(Point a, Point b) const {
   std::vector<Crossing> found;
   crossings({a, b}, found);
   return found.empty() ? 2 : found.front().share;
+}
+
+BoundaryPlace LineClipper::place_on(std::uint32_t edge, Point at) const {
+  return {ring_of_[edge], starts_[edge] + distance_units(edges_[edge].from, at)};
+}
+
+void LineClipper::append_crossings(Point a, Point b, std::vector<BoundaryPoint>& places) const {
+  std::vector<Crossing> found;
+  crossings({a, b}, found);
+  for (const Crossing& crossing : found) {
+    const Point at = between(a, b, crossing.share);
+    places.push_back({at, place_on(crossing.edge, at)});
+  }
+}
+
+std::optional<BoundaryPoint> LineClipper::nearest(Point point, Length reach) const {
+  const auto by = static_cast<std::int32_t>(reach.units());
+  std::vector<std::uint32_t> near;
+  grid_.collect({{point.x - by, point.y - by}, {point.x + by, point.y + by}}, near);
+  std::optional<BoundaryPoint> best;
+  auto least = static_cast<double>(reach.units());
+  for (const std::uint32_t i : near) {
+    const Point at = nearest_on(edges_[i], point);
+    const double distance = distance_units(point, at);
+    if (distance > least || (best && distance == least)) continue;
+    least = distance;
+    best = {at, place_on(i, at)};
+  }
+  return best;
 }
 
 void LineClipper::append_way(const BoundaryPlace& from, const BoundaryPlace& to, bool forwards,

@@ -11,6 +11,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/geometry.h"              // Point, Segment
@@ -24,6 +25,11 @@ namespace core {
 struct BoundaryPlace {
   std::size_t ring = 0;
   double along = 0;
+};
+
+struct BoundaryPoint {
+  Point at;
+  BoundaryPlace place;
 };
 
 struct ClippedLine {
@@ -44,6 +50,13 @@ class LineClipper {
   // Share of the way from a to b at which the first contour is crossed; above 1: none is.
   [[nodiscard]] double first_crossing(Point a, Point b) const;
 
+  // Appends the places where contours are crossed on the way from a to b, in their order.
+  void append_crossings(Point a, Point b, std::vector<BoundaryPoint>& places) const;
+
+  // The place nearest to a point; nothing where none is within reach.
+  // COSTS: O(edges about the reach).
+  [[nodiscard]] std::optional<BoundaryPoint> nearest(Point point, Length reach) const;
+
   // The contours' points from one place on a ring to another on the same: forwards, or backwards.
   // The ends are left out.
   void append_way(const BoundaryPlace& from, const BoundaryPlace& to, bool forwards,
@@ -58,6 +71,7 @@ class LineClipper {
   };
 
   void crossings(const Segment& segment, std::vector<Crossing>& found) const;
+  [[nodiscard]] BoundaryPlace place_on(std::uint32_t edge, Point at) const;
 
   const Region& region_;
   std::vector<Segment> edges_;

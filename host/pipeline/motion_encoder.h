@@ -57,6 +57,9 @@ class MotionEncoder {
   std::optional<firmware_link::Command> encode_one(const core::Extrude& motion);
   std::optional<firmware_link::Command> encode_one(const core::ExtrudeArc& motion);
   std::optional<firmware_link::Command> encode_one(const core::MoveFilament& motion);
+  std::optional<firmware_link::Command> encode_one(const core::Wipe& motion) {
+    return encode_one(core::Extrude{motion.to, motion.filament_mm, motion.speed_mm_s});
+  }
   std::optional<firmware_link::Command> encode_one(const core::SetFan& motion);
   std::optional<firmware_link::Command> encode_one(const core::SetNozzleTemperature& motion);
   std::optional<firmware_link::Command> encode_one(const core::SetBedTemperature& motion);

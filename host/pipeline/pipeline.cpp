@@ -272,7 +272,7 @@ class Pipeline {
                               filament_before_mm_ + total_mm(builder_.totals().filament_mm),
                               builder_.state(), encoder_.state(), *settled.seams_before});
     }
-    builder_.layer(slice, roads, sink_);
+    builder_.layer(slice, roads, sink_, plan.travel_space.get());
     return {};
   }
 

@@ -16,7 +16,8 @@ void apply_move(const Move& move, MachineState& state) {
   if (move.y_um) state.y_um = move.y_um;
   if (move.z_um) state.z_um = move.z_um;
   if (move.f_mm_min) state.f_mm_min = move.f_mm_min;
-  if (filament_alone) {
+  // A wipe draws filament back while the nozzle moves.
+  if (filament_alone || move.e_10nm.value_or(0) < 0) {
     state.drawn_back_10nm = std::max<std::int64_t>(0, state.drawn_back_10nm - *move.e_10nm);
   }
 }

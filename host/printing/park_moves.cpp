@@ -11,6 +11,7 @@
 #include <variant>
 
 #include "core/check.h"                      // RIND_CHECK
+#include "core/motions/park_place.h"         // kParkEdge, park_place
 #include "firmware_link/wire/gcode_words.h"  // commands_in
 #include "host/pipeline/user_gcode.h"        // restored_after
 #include "host/pipeline/wire_units.h"
@@ -23,7 +24,7 @@ using firmware_link::Command;
 using firmware_link::Heater;
 using firmware_link::Move;
 
-constexpr std::int64_t kEdge_um = 5'000;  // of the bed, that parking keeps away from
+constexpr std::int64_t kEdge_um = core::kParkEdge.units() / kUnitsPerUm;
 
 // Whether the line sets the controller up and moves nothing.
 bool sets_up(const std::string& line) {
@@ -62,8 +63,7 @@ ParkingPosition parking_position(const core::Settings& settings, const core::Box
   const auto [left, right] = inside(settings.bed_x);
   const auto [front, back] = inside(settings.bed_y);
   ParkingPosition best{left, front};
-  if (part.empty()) return from_bed_origin(best, settings);
-  std::int64_t farthest = -1;
+  std::int64_t farthest = part.empty() ? INT64_MAX : -1;
   for (const std::int64_t x : {left, right}) {
     for (const std::int64_t y : {front, back}) {
       const std::int64_t way = gap(x, part.min.x / kUnitsPerUm, part.max.x / kUnitsPerUm) +
@@ -72,6 +72,9 @@ ParkingPosition parking_position(const core::Settings& settings, const core::Box
       farthest = std::max(farthest, way);
     }
   }
+  const core::Point asked = core::park_place(settings);
+  if (settings.park_x >= core::Length()) best.x_um = asked.x / kUnitsPerUm;
+  if (settings.park_y >= core::Length()) best.y_um = asked.y / kUnitsPerUm;
   return from_bed_origin(best, settings);
 }
 

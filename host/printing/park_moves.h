@@ -36,7 +36,8 @@ struct ParkingPosition {
   std::int64_t y_um = 0;
 };
 
-// The bed's corner that is farthest from the part, a little inside. `part` counts from the bed's
+// park_x and park_y; where they are not set, those of the bed's corner that is farthest from the
+// part, a little inside. `part` counts from the bed's
 // front left corner. An empty box: the first corner.
 [[nodiscard]] ParkingPosition parking_position(const core::Settings& settings,
                                                const core::Box& part);

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "host/printing/port_clock.h"  // link_now
-#include "host/printing/safe_moves.h"  // lift_off, heaters_off
+#include "host/printing/safe_moves.h"  // lift_off, park_move, heaters_off
 #include "host/system/stage_clock.h"   // steady_seconds
 
 namespace host {
@@ -55,8 +55,11 @@ bool PrintEnding::on_part() const {
 std::vector<Command> PrintEnding::safe_sequence() const {
   const core::Settings& machine = parts_.start.machine();
   std::vector<Command> commands;
-  if (on_part())
-    commands = lift_off(retraction_10nm(machine), parts_.commands.state().z_um, machine);
+  if (on_part()) {
+    const std::optional<std::int64_t> z_um = parts_.commands.state().z_um;
+    commands = lift_off(retraction_10nm(machine), z_um, machine);
+    if (z_um) commands.push_back(park_move(machine));
+  }
   const std::vector<Command> off = heaters_off();
   commands.insert(commands.end(), off.begin(), off.end());
   return commands;

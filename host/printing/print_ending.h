@@ -5,8 +5,8 @@
 //     the link faults         faulted()   safe sequence, as far as the controller may hear it
 //     second Ctrl-C, and an exception     M112, past the session
 //
-// Safe sequence: filament drawn back, nozzle lifted off the part, heaters off, fan off. Nothing is
-// lifted before a height is known.
+// Safe sequence: filament drawn back, nozzle lifted off the part and parked, heaters off, fan off.
+// Nothing is lifted or parked before a height is known.
 #pragma once
 
 #include <string>

@@ -1,12 +1,30 @@
 #include "host/printing/print_start.h"
 
+#include <fmt/format.h>
+
 #include <optional>
+#include <variant>
+
+#include "host/printing/safe_moves.h"  // park_move
 
 namespace host {
 namespace {
 
 // Twice, because an answer may be damaged.
 constexpr int kQuestions = 2;
+
+// A print's end goes there (safe_moves.h).
+core::Status check_parking(const core::Settings& settings,
+                           const firmware_link::TravelLimits& limits) {
+  const auto park = std::get<firmware_link::Move>(park_move(settings));
+  if (within_travel(park, limits)) return {};
+  return core::Error{
+      core::ErrorCode::kOutOfBounds,
+      fmt::format("the nozzle would be parked at X {:g} Y {:g} mm, but the controller's axes go "
+                  "from X {:g} to {:g} and from Y {:g} to {:g} mm; set park_x and park_y",
+                  static_cast<double>(*park.x_um) / 1'000, static_cast<double>(*park.y_um) / 1'000,
+                  limits.min_mm[0], limits.max_mm[0], limits.min_mm[1], limits.max_mm[1])};
+}
 
 ParkMoves park_moves_in(const core::Settings& machine, const core::Box& part) {
   return {machine, parking_position(machine, part)};
@@ -39,6 +57,7 @@ core::Status PrintStart::take_travel(const firmware_link::Session& session, Repo
   if (limits) {
     core::Status fits = check_travel(on_machine(part_.box, settings_), part_.height, *limits);
     if (!fits.ok()) return fits;
+    if (core::Status parks = check_parking(settings_, *limits); !parks.ok()) return parks;
     limits = from_bed(*limits, settings_);
   }
   if (const std::string note = space_note(space_, limits); !note.empty()) {

@@ -61,6 +61,8 @@ void QueueFiller::note(const core::Motion& motion) {
     position_ = arc->to;
   } else if (const auto* travel = std::get_if<core::Travel>(&motion)) {
     add_line(travel->to, travel->speed_mm_s);
+  } else if (const auto* wipe = std::get_if<core::Wipe>(&motion)) {
+    add_line(wipe->to, wipe->speed_mm_s);
   } else if (const auto* pause = std::get_if<core::Pause>(&motion)) {
     next_.pause = std::make_shared<const PlannedPause>(PlannedPause{
         "planned_pause",

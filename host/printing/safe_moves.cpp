@@ -1,6 +1,7 @@
 #include "host/printing/safe_moves.h"
 
 #include "core/motions/park_height.h"  // park_height
+#include "core/motions/park_place.h"   // park_place
 #include "host/pipeline/wire_units.h"
 
 namespace host {
@@ -26,6 +27,13 @@ std::vector<Command> lift_off(std::int64_t draw_back_10nm, std::optional<std::in
   }
   if (z_um) commands.push_back(lift_move(lifted_um(*z_um, settings), settings.lift_speed_mm_s));
   return commands;
+}
+
+Command park_move(const core::Settings& settings) {
+  const core::Point at = core::park_place(settings);
+  const std::int64_t x = at.x + settings.bed_origin_x.units();
+  const std::int64_t y = at.y + settings.bed_origin_y.units();
+  return travel_move(um_of(x), um_of(y), settings.travel_speed_mm_s);
 }
 
 std::vector<Command> heaters_off() {

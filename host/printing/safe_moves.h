@@ -23,6 +23,9 @@ namespace host {
                                                            std::optional<std::int64_t> z_um,
                                                            const core::Settings& settings);
 
+// To where a print's end parks the nozzle, too (core::park_place). REQUIRES: it is lifted.
+[[nodiscard]] firmware_link::Command park_move(const core::Settings& settings);
+
 // Both heaters and the fan off. Nothing moves.
 [[nodiscard]] std::vector<firmware_link::Command> heaters_off();
 

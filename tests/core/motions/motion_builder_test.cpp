@@ -7,54 +7,10 @@
 #include <variant>
 #include <vector>
 
-#include "tests/support/region_text.h"
+#include "tests/core/motions/motion_samples.h"
 
 using namespace core;
-
-namespace {
-
-Slice slice_of(LayerIndex index, const char* region) {
-  Slice slice;
-  slice.index = index;
-  slice.height = Length::from_mm(0.2);
-  slice.bottom = slice.height * index;
-  slice.region = test::region_from_text(region);
-  return slice;
-}
-
-Point at_mm(double x, double y) {
-  return {static_cast<std::int32_t>(std::lround(x * kUnitsPerMm)),
-          static_cast<std::int32_t>(std::lround(y * kUnitsPerMm))};
-}
-
-Road line(double x0, double y0, double x1, double y1, RoadKind kind = RoadKind::kSolid) {
-  return {kind, Length::from_mm(0.45), false, {at_mm(x0, y0), at_mm(x1, y1)}};
-}
-
-const char* const kSquare = "0:0 50:0 50:50 0:50";
-const char* const kTwoSquares = "0:0 10:0 10:10 0:10, 12:0 22:0 22:10 12:10";
-
-struct Recorder {
-  std::vector<Motion> motions;
-  MotionBuilder::Sink sink() {
-    return [this](const Motion& motion) { motions.push_back(motion); };
-  }
-  template <typename Kind>
-  std::vector<Kind> all() const {
-    std::vector<Kind> found;
-    for (const Motion& motion : motions) {
-      if (const Kind* one = std::get_if<Kind>(&motion)) found.push_back(*one);
-    }
-    return found;
-  }
-  double filament_moved() const {
-    double sum = 0;
-    for (const MoveFilament& move : all<MoveFilament>()) sum += move.filament_mm;
-    return sum;
-  }
-};
-
-}  // namespace
+using namespace motion_test;
 
 TEST_CASE("a print without roads never heats, and its end is silent") {
   MotionBuilder builder{Settings()};
@@ -229,6 +185,7 @@ TEST_CASE("the end lifts off the part, never above the axis, heaters off, then t
     builder.finish(recorder.sink());
     const double top = axis_mm == 0 ? 10.2 : axis_mm;
     CHECK(recorder.all<Lift>().back().to.mm() == doctest::Approx(top));
+    CHECK_EQ(recorder.all<Travel>().back().to, at_mm(5, 5));
     CHECK_EQ(recorder.all<SetNozzleTemperature>().back().celsius, 0);
     CHECK_EQ(recorder.all<SetBedTemperature>().back().celsius, 0);
     CHECK_EQ(std::get<Verbatim>(recorder.motions.back()).line, "M84");

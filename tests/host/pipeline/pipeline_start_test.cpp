@@ -1,6 +1,7 @@
 // A print that is computed from the middle on: its commands are the whole print's, from there on.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -148,4 +149,22 @@ TEST_CASE("where the inside is laid once in three layers and the surface is roug
   settings.loose_every_layers = 3;
   settings.fuzzy_skin = core::FuzzySkin::kAll;
   check_tails(settings, path, compute(settings, path, {}));
+}
+
+TEST_CASE("ways around holes and wipes are those of the whole print, too") {
+  const test::PartFolder folder;
+  const parts::Part part =
+      parts::together({parts::tube(8, 4, 6, 40), parts::box({20, 0, 0}, 10, 4, 5), parts::dome(7)});
+  const std::string path = folder.add("holes.stl", part);
+  core::Settings settings = settings_of(core::WallShape::kBall, core::BuildStyle::kThinWall);
+  settings.wipe = true;
+  settings.avoid_crossing_perimeters = true;
+  settings.only_retract_when_crossing_perimeters = true;
+  const Computed whole = compute(settings, path, {});
+  REQUIRE_GT(whole.checkpoints.size(), 15);
+  const auto wipes = [](const std::string& text) {
+    return text.find('X') != std::string::npos && text.find("E-") != std::string::npos;
+  };
+  CHECK_GT(std::count_if(whole.texts.begin(), whole.texts.end(), wipes), 50);
+  check_tails(settings, path, whole);
 }

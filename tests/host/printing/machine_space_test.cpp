@@ -33,12 +33,14 @@ struct Outcome {
   std::int64_t clamped_moves = 0;
 };
 
-Outcome printed_on(double side_mm, double part_mm, bool tells) {
+Outcome printed_on(double side_mm, double part_mm, bool tells, double park_x_mm = -1) {
   const test::PartFolder folder;
   const std::string part = folder.add("part.stl", parts::box({0, 0, 0}, part_mm, part_mm, 0.9));
   firmware_link::VirtualControllerOptions controller;
   controller.tells_travel = tells;
-  Rig rig(with_bed(side_mm), print_test::open(with_bed(300), part), controller);
+  core::Settings machine = with_bed(side_mm), asked = with_bed(300);
+  machine.park_x = asked.park_x = Length::from_mm(park_x_mm);
+  Rig rig(machine, print_test::open(asked, part), controller);
   bool paused = false;
   rig.control.request = [&]() -> std::optional<host::UserRequest> {
     if (paused || rig.executed.size() < 60) return std::nullopt;
@@ -78,6 +80,15 @@ TEST_CASE("a part beyond the controller's axes is refused before anything heats"
   CAPTURE(refused.message);
   CHECK_EQ(refused.exit_code, host::kExitBadInput);
   CHECK_NE(refused.message.find("200"), std::string::npos);
+  CHECK_EQ(refused.x_mm_max, 0);
+}
+
+TEST_CASE("a parking place beyond the controller's axes is refused before anything heats") {
+  CHECK_EQ(printed_on(200, 20, true, 200).exit_code, host::kExitStopped);
+  const Outcome refused = printed_on(200, 20, true, 210);
+  CAPTURE(refused.message);
+  CHECK_EQ(refused.exit_code, host::kExitBadInput);
+  CHECK_NE(refused.message.find("park_x"), std::string::npos);
   CHECK_EQ(refused.x_mm_max, 0);
 }
 

@@ -86,4 +86,7 @@ TEST_CASE("the parking position is the bed's corner farthest from the part") {
   CHECK(position(140, 10) == std::vector<std::int64_t>{5'000, 195'000});
   CHECK(position(140, 140) == std::vector<std::int64_t>{5'000, 5'000});
   CHECK_EQ(host::parking_position(settings, {}).x_um, 5'000);
+  // Where the user says; only x is said here.
+  settings.park_x = Length::from_mm(100);
+  CHECK(position(0, 0) == std::vector<std::int64_t>{100'000, 195'000});
 }

@@ -35,19 +35,20 @@ bool says(const host::PrintOutcome& outcome, const std::string& text) {
   return outcome.message.find(text) != std::string::npos;
 }
 
-// Heaters off, fan off, and the nozzle above where it was, with the filament drawn back.
+// Heaters off, fan off, and the nozzle parked above where it was, with the filament drawn back.
 void check_made_safe(Rig& rig) {
   const firmware_link::VirtualControllerState state = rig.controller();
   CHECK_EQ(state.nozzle_target_celsius, 0);
   CHECK_EQ(state.bed_target_celsius, 0);
   CHECK_EQ(state.fan, 0);
-  REQUIRE_GE(rig.executed.size(), 5);
-  const std::vector<std::string> last(rig.executed.end() - 5, rig.executed.end());
+  REQUIRE_GE(rig.executed.size(), 6);
+  const std::vector<std::string> last(rig.executed.end() - 6, rig.executed.end());
   CHECK_EQ(last[0], "G1 E-1 F2400");
   CHECK_EQ(last[1].substr(0, 4), "G0 Z");
-  CHECK_EQ(last[2], "M104 S0");
-  CHECK_EQ(last[3], "M140 S0");
-  CHECK_EQ(last[4], "M107");
+  CHECK_EQ(last[2], "G0 X5 Y5 F7800");
+  CHECK_EQ(last[3], "M104 S0");
+  CHECK_EQ(last[4], "M140 S0");
+  CHECK_EQ(last[5], "M107");
 }
 
 // A source that ends with an error, or an exception, after some slices.

@@ -22,6 +22,7 @@ using Texts = std::vector<std::string>;
 Texts safe_sequence(std::int64_t draw_back_10nm, std::optional<std::int64_t> z_um,
                     const core::Settings& settings) {
   Texts texts = texts_of(host::lift_off(draw_back_10nm, z_um, settings));
+  if (z_um) texts.push_back(texts_of({host::park_move(settings)}).front());
   for (const std::string& text : texts_of(host::heaters_off())) texts.push_back(text);
   return texts;
 }
@@ -60,9 +61,12 @@ TEST_CASE("the nozzle is lifted by park_lift, never down, never over the axis") 
 TEST_CASE("a stop makes the very moves that the end of a print makes") {
   for (const double axis_mm : {0.0, 5.0, 400.0}) {
     CAPTURE(axis_mm);
+    const bool own_place = axis_mm == 400;
     core::Settings settings;
     settings.axis_z = Length::from_mm(axis_mm);
     settings.park_lift = Length::from_mm(7.5);
+    settings.bed_origin_x = Length::from_mm(-100);
+    if (own_place) settings.park_x = settings.park_y = Length::from_mm(120);
     settings.end_gcode.clear();
     core::MotionBuilder builder(settings);
     host::MotionEncoder encoder(settings);
@@ -75,12 +79,13 @@ TEST_CASE("a stop makes the very moves that the end of a print makes") {
     slice.height = Length::from_mm(0.2);
     slice.region = {};
     const core::Road road{
-        core::RoadKind::kSolid, Length::from_mm(0.45), false, {at_mm(1, 1), at_mm(5, 1)}};
+        core::RoadKind::kSolid, Length::from_mm(0.45), false, {at_mm(1, 1), at_mm(6, 1)}};
     builder.layer(slice, {road}, sink);
     for (const Command& command : commands) machine.apply(command);
     commands.clear();
     builder.finish(sink);
     CHECK(texts_of(commands) ==
           safe_sequence(host::retraction_10nm(settings), machine.z_um, settings));
+    CHECK_EQ(texts_of(commands)[2], own_place ? "G0 X20 Y120 F7800" : "G0 X-95 Y5 F7800");
   }
 }
