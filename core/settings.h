@@ -47,6 +47,9 @@ inline constexpr std::size_t kOverhangSteps = 4;
 // Which outer perimeters are made rough.
 enum class FuzzySkin { kNone, kOuter, kAll };
 
+// Whose commands a file has for what firmwares spell in different ways.
+enum class GcodeFlavor { kMarlin, kKlipper, kRepRapFirmware };
+
 // Which contours of the first layer get a brim.
 enum class BrimPlace { kOuter, kBoth, kInner };
 
@@ -110,6 +113,10 @@ struct Settings {
   Length contour_compensation;
   Length hole_compensation;  // negative: larger holes
 
+  // The share by which the filament shrinks as it cools: the part is made larger (shrinkage.h).
+  double shrinkage_xy = 0;
+  double shrinkage_z = 0;
+
   // Slicing.
   Length simplify_tolerance = Length::from_units(50);  // 5 µm
   Length arc_tolerance = Length::from_units(25);       // 2.5 µm
@@ -141,6 +148,25 @@ struct Settings {
   double lift_speed_mm_s = 10;
   double layer_time_min_s = 5;  // shorter layers are slowed down, where cool_short_layers
   double slowed_speed_min_mm_s = 10;
+
+  // Speed and acceleration sink evenly from one height to another, to a share of them: slender
+  // parts sway.
+  Length height_slowdown_from;
+  Length height_slowdown_to;  // 0: they don't sink
+  double height_slowdown_speed = 1;
+  double height_slowdown_acceleration = 1;
+
+  // Accelerations that the machine is told, by kind of road, mm/s² (road_accelerations.h). 0: that
+  // of other roads. Without a default, none is told.
+  double default_acceleration_mm_s2 = 0;
+  double perimeter_acceleration_mm_s2 = 0;
+  double outer_perimeter_acceleration_mm_s2 = 0;
+  double loose_acceleration_mm_s2 = 0;
+  double solid_acceleration_mm_s2 = 0;
+  double top_acceleration_mm_s2 = 0;
+  double bridge_acceleration_mm_s2 = 0;
+  double first_layer_acceleration_mm_s2 = 0;
+  double travel_acceleration_mm_s2 = 0;
 
   // How the machine moves: for the estimate of time only (motion_clock.h), it is not told.
   double acceleration_mm_s2 = 1'000;
@@ -183,6 +209,11 @@ struct Settings {
   double fan_below_layer_time_s = 60;
   int fan_from_layer = 2;  // counted from 1
   int fan_full_layer = 0;  // counted from 1; 0: at once
+
+  // How the filament's pressure in the nozzle follows the speed, mm of filament for mm/s of it.
+  double pressure_advance_s = -1;  // negative: not told
+
+  GcodeFlavor gcode_flavor = GcodeFlavor::kMarlin;  // of files; a print's is its controller's
 
   // The user's own lines.
   std::vector<std::string> start_gcode = {"G28"};

@@ -86,6 +86,15 @@ struct SetBedTemperature {
   bool wait = false;
 };
 
+// Of all moves from here on.
+struct SetAcceleration {
+  double mm_s2 = 0;  // a whole number
+};
+
+struct SetPressureAdvance {
+  double seconds = 0;
+};
+
 // One line of the user's G-code, passed on as it is.
 struct Verbatim {
   std::string line;
@@ -96,8 +105,8 @@ struct Pause {
   Length height;
 };
 
-using Motion =
-    std::variant<LayerStart, RoadStart, RoadChange, Travel, Lift, Extrude, ExtrudeArc, MoveFilament,
-                 Wipe, SetFan, SetNozzleTemperature, SetBedTemperature, Verbatim, Pause>;
+using Motion = std::variant<LayerStart, RoadStart, RoadChange, Travel, Lift, Extrude, ExtrudeArc,
+                            MoveFilament, Wipe, SetFan, SetNozzleTemperature, SetBedTemperature,
+                            SetAcceleration, SetPressureAdvance, Verbatim, Pause>;
 
 }  // namespace core

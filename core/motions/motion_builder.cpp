@@ -9,8 +9,10 @@
 #include "core/check.h"                    // RIND_CHECK
 #include "core/motions/cooling.h"          // layer_cooling
 #include "core/motions/fan_plan.h"         // fan_plan
+#include "core/motions/height_slowdown.h"  // height_share
 #include "core/motions/park_height.h"      // park_height
 #include "core/motions/park_place.h"       // park_place
+#include "core/motions/road_accelerations.h"
 #include "core/motions/road_speeds.h"      // fan_share_least, full_speed_mm_s
 #include "core/motions/segment_merger.h"   // merge_short_pieces, sendable_speed
 #include "core/motions/simplify_pieces.h"  // simplify_pieces
@@ -62,6 +64,7 @@ void MotionBuilder::preamble(const Sink& sink) {
   state_.started = true;
   state_.nozzle_celsius = settings_.nozzle_first_layer_celsius;
   for (const std::string& line : settings_.start_gcode) sink(Verbatim{line});
+  if (settings_.pressure_advance_s >= 0) sink(SetPressureAdvance{settings_.pressure_advance_s});
   state_.bed_celsius = bed_first_layer_celsius(settings_);
   sink(SetBedTemperature{state_.bed_celsius, true});
   sink(SetNozzleTemperature{state_.nozzle_celsius, true});
@@ -72,6 +75,7 @@ void MotionBuilder::start_layer(const Slice& slice, const Sink& sink) {
   index_ = slice.index;
   top_ = slice.top();
   height_ = slice.height;
+  speed_share_ = height_share(settings_, top_, settings_.height_slowdown_speed);
   ++totals_.layers;
   sink(LayerStart{index_, top_, height_});
 }
@@ -79,6 +83,12 @@ void MotionBuilder::start_layer(const Slice& slice, const Sink& sink) {
 void MotionBuilder::set_fan(double share, const Sink& sink) {
   if (share != state_.fan) sink(SetFan{share});
   state_.fan = share;
+}
+
+void MotionBuilder::set_acceleration(double mm_s2, const Sink& sink) {
+  if (mm_s2 == 0 || mm_s2 == state_.acceleration_mm_s2) return;
+  sink(SetAcceleration{mm_s2});
+  state_.acceleration_mm_s2 = mm_s2;
 }
 
 // What is due before a layer that starts at `bottom`. The user's lines may move anything: the
@@ -97,7 +107,9 @@ void MotionBuilder::act(Length bottom, const Sink& sink) {
   }
   for (const HeightAction& action : due) {
     if (action.kind == HeightAction::Kind::kPause) sink(Pause{action.height});
-    if (action.kind == HeightAction::Kind::kGcode) sink(Verbatim{action.line});
+    if (action.kind != HeightAction::Kind::kGcode) continue;
+    sink(Verbatim{action.line});
+    state_.acceleration_mm_s2 = 0;  // may be another one now
   }
   sink(SetFan{state_.fan});
   state_.position_known = false;
@@ -170,7 +182,8 @@ std::vector<double> MotionBuilder::plan_layer(const std::vector<LaidRoad>& roads
       wishes.push_back({mm, in_whole_percents(least * growth)});
     }
   }
-  cooling_ = layer_cooling(settings_, index_, travel_mm / settings_.travel_speed_mm_s, ways);
+  cooling_ = layer_cooling(settings_, index_,
+                           travel_mm / (speed_share_ * settings_.travel_speed_mm_s), ways);
   return fan_plan(cooling_.fan_share, wishes);
 }
 
@@ -180,6 +193,7 @@ void MotionBuilder::road(const LaidRoad& road, const std::vector<double>& fan, s
   bool first = true;
   for (const WidthStretch& stretch : road.stretches) {
     set_fan(fan[way++], sink);
+    set_acceleration(road_acceleration_mm_s2(settings_, index_, top_, stretch.kind), sink);
     if (first) {
       sink(RoadStart{stretch.kind, stretch.width, road.layers});
     } else {
@@ -282,8 +296,9 @@ void MotionBuilder::travel(Point to, RoadKind kind, Boundary& boundary, const Si
   } else {
     lift(top_, sink);
   }
+  set_acceleration(travel_acceleration_mm_s2(settings_, top_), sink);
   for (std::size_t i = 1; i < way.size(); ++i) {
-    sink(Travel{way[i], settings_.travel_speed_mm_s});
+    sink(Travel{way[i], speed_share_ * settings_.travel_speed_mm_s});
   }
   ++totals_.travels;
   totals_.travel_mm += length_mm(way, false);
@@ -340,12 +355,14 @@ void MotionBuilder::finish(const Sink& sink) {
   sink(SetNozzleTemperature{0, false});
   sink(SetBedTemperature{0, false});
   sink(SetFan{0});
+  if (state_.acceleration_mm_s2 > 0)
+    set_acceleration(std::round(settings_.default_acceleration_mm_s2), sink);
   for (const std::string& line : settings_.end_gcode) sink(Verbatim{line});
 }
 
 double MotionBuilder::speed_mm_s(const LaidRoad& road, const WidthStretch& stretch) const {
-  return full_speed_mm_s(settings_, index_,
-                         {road.kind, road.small, stretch.hold, stretch.area_mm2});
+  return speed_share_ * full_speed_mm_s(settings_, index_,
+                                        {road.kind, road.small, stretch.hold, stretch.area_mm2});
 }
 
 }  // namespace core

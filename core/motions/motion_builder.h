@@ -4,7 +4,8 @@
 //     preamble   once, before the first layer that has roads: heaters, start G-code
 //     layer      LayerStart, what is due at its height (height_actions.h), then for each road
 //                (retract) Lift Travel (return) RoadStart Extrude …
-//                (RoadChange Extrude …), where its width or what holds it changes
+//                (RoadChange Extrude …), where its width or what holds it changes; SetAcceleration
+//                where another one is wanted than was told last (road_accelerations.h)
 //     finish     retract, lift, park, heaters and fan off, end G-code
 //
 // Filament laid by a piece of road:  length · bead area / (π d² / 4),  relative. An arc lays as
@@ -52,8 +53,9 @@ struct MotionState {
   double fan = 0;
   double nozzle_celsius = 0;
   double bed_celsius = 0;
-  std::optional<bool> arcs;  // whether round roads become arcs; nothing: not decided
-  std::int64_t actions = 0;  // carried out, of those at heights (height_actions.h)
+  double acceleration_mm_s2 = 0;  // as last told; 0: never told
+  std::optional<bool> arcs;       // whether round roads become arcs; nothing: not decided
+  std::int64_t actions = 0;       // carried out, of those at heights (height_actions.h)
 };
 
 class MotionBuilder {
@@ -116,6 +118,8 @@ class MotionBuilder {
 
   [[nodiscard]] std::vector<double> plan_layer(const std::vector<LaidRoad>& roads);
   void set_fan(double share, const Sink& sink);
+  // 0: none is wanted.
+  void set_acceleration(double mm_s2, const Sink& sink);
   void road(const LaidRoad& road, const std::vector<double>& fan, std::size_t& way,
             const Sink& sink);
   void lay(const WidthStretch& stretch, RoadKind kind, double speed, const Sink& sink);
@@ -144,6 +148,7 @@ class MotionBuilder {
   Length top_;  // of the layer
   Length height_;
   LayerIndex index_ = 0;
+  double speed_share_ = 1;  // of every speed (height_slowdown.h)
   LayerCooling cooling_;
 };
 

@@ -44,6 +44,9 @@ void MotionClock::add(const Motion& motion) {
           add_line(x_mm_, y_mm_, m.to.mm(), m.speed_mm_s);
         } else if constexpr (std::is_same_v<M, MoveFilament>) {
           add_filament(m.filament_mm, m.speed_mm_s);
+        } else if constexpr (std::is_same_v<M, SetAcceleration>) {
+          RIND_CHECK(m.mm_s2 > 0);
+          model_.acceleration_mm_s2 = m.mm_s2;
         }
       },
       motion);

@@ -28,7 +28,7 @@ namespace core {
 inline constexpr int kLookAheadMoves = 16;
 
 struct MotionModel {
-  double acceleration_mm_s2;           // REQUIRES: > 0
+  double acceleration_mm_s2;           // until it is told another. REQUIRES: > 0
   double filament_acceleration_mm_s2;  // of moves of the filament alone. REQUIRES: > 0
   double junction_deviation_mm;        // REQUIRES: ≥ 0
 };

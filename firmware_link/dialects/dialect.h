@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "firmware_link/wire/capabilities.h"  // Capabilities
+#include "firmware_link/wire/command.h"       // Flavor
 #include "firmware_link/wire/instant.h"       // Duration
 #include "firmware_link/wire/limits.h"        // kWindowLinesMax
 #include "firmware_link/wire/reply.h"         // Reply
@@ -44,6 +45,9 @@ struct LinkRules {
 
   // Commands that are not a letter and a number are its user's macros, and may take long.
   bool macros = false;
+
+  // How it spells what firmwares spell in different ways.
+  Flavor flavor = Flavor::kMarlin;
 
   // Asks how far its axes go; empty: it cannot be asked.
   std::string_view travel_question = {};

@@ -16,6 +16,7 @@ LinkRules KlipperDialect::rules() const {
   rules.tells_position = true;
   rules.height_may_shift = true;
   rules.macros = true;
+  rules.flavor = Flavor::kKlipper;
   rules.height_command = "SET_KINEMATIC_POSITION Z=";
   // A second, and what it looks ahead for junctions.
   rules.planned_time_max = std::chrono::milliseconds(2'500);

@@ -9,6 +9,7 @@ LinkRules RepRapDialect::rules() const {
   rules.numbered = false;
   rules.checksummed = true;
   rules.window_lines = 1;
+  rules.flavor = Flavor::kRepRapFirmware;
   // One slow move behind a full planner.
   rules.silence_max = std::chrono::minutes(15);
   rules.idle_talk_max = std::chrono::minutes(60);

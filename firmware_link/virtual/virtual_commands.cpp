@@ -48,7 +48,7 @@ void VirtualController::Firmware::start_command() {
   handler_.until += mishaps_.starts(word_of(text));
   handler_.busy_next = now_ + std::chrono::seconds(reports_.busy_interval_s);
   if (speaks(VirtualDialect::kKlipper) && klipper_answers(text)) return;
-  bool known = false;
+  bool known = speaks(VirtualDialect::kKlipper) && word_of(text) == "SET_PRESSURE_ADVANCE";
   if (text.size() > 1 && is_digit(text[1])) {
     std::size_t end = 1;
     std::int64_t code = 0;

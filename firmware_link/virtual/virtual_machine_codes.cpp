@@ -12,8 +12,8 @@ namespace {
 
 // Obeyed without a word, and without an effect that could be seen here.
 constexpr std::int64_t kSilentCodes[] = {17,  31,  75,  76,  77,  78,  85,  92,  108, 111,
-                                         117, 119, 120, 121, 200, 201, 203, 204, 205, 206,
-                                         218, 301, 302, 410, 428, 500, 501, 502, 504};
+                                         117, 119, 120, 121, 200, 201, 203, 205, 206, 218,
+                                         301, 302, 410, 428, 500, 501, 502, 504};
 
 }  // namespace
 
@@ -42,6 +42,9 @@ bool VirtualController::Firmware::handle_m(std::int64_t code, std::string_view t
     case 107:
       heaters_.fan = 0;
       return true;
+    case 204:
+      // RepRapFirmware reads P and T alone.
+      return !speaks(VirtualDialect::kRepRap) || (word(text, 'P', 0) && word(text, 'T', 0));
     case 211:
       if (speaks(VirtualDialect::kMarlin) && !options_.tells_travel) return false;
       if (!word(text, 'S', 0)) print_travel();
@@ -52,6 +55,10 @@ bool VirtualController::Firmware::handle_m(std::int64_t code, std::string_view t
       return true;
     case 221:
       return true;
+    case 572:
+      return speaks(VirtualDialect::kRepRap);
+    case 900:
+      return speaks(VirtualDialect::kMarlin) || speaks(VirtualDialect::kPrusa);
     default:
       return std::find(std::begin(kSilentCodes), std::end(kSilentCodes), code) !=
              std::end(kSilentCodes);

@@ -62,6 +62,22 @@ struct SetFan {
   std::uint8_t power = 0;
 };
 
+// Firmwares that spell some commands in their own way.
+enum class Flavor { kMarlin, kKlipper, kRepRapFirmware };
+
+// Of all moves, in mm/s²: M204. REQUIRES: mm_s2 > 0.
+struct SetAcceleration {
+  Flavor flavor = Flavor::kMarlin;
+  std::int32_t mm_s2 = 0;
+};
+
+// How the filament's pressure follows the speed: M900, SET_PRESSURE_ADVANCE, M572.
+// REQUIRES: tens_us >= 0.
+struct SetPressureAdvance {
+  Flavor flavor = Flavor::kMarlin;
+  std::int32_t tens_us = 0;  // five decimals of a second
+};
+
 // One line of G-code that a user wrote, made safe to send: see verbatim_from().
 class Verbatim {
  public:
@@ -74,7 +90,8 @@ class Verbatim {
   std::uint8_t size_ = 0;
 };
 
-using Command = std::variant<Move, SetTemperature, SetFan, Verbatim>;
+using Command =
+    std::variant<Move, SetTemperature, SetFan, SetAcceleration, SetPressureAdvance, Verbatim>;
 
 // Turns a line of a user's G-code into a Verbatim, or tells in a sentence why it may not be sent.
 //

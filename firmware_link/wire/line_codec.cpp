@@ -15,6 +15,8 @@ static_assert(kMoveBytesMax <= kTextBytesMax);
 static_assert(kArcBytesMax <= kTextBytesMax);
 static_assert(kSetTemperatureBytesMax <= kTextBytesMax);
 static_assert(kSetFanBytesMax <= kTextBytesMax);
+static_assert(kSetAccelerationBytesMax <= kTextBytesMax);
+static_assert(kSetPressureAdvanceBytesMax <= kTextBytesMax);
 // "-9999999.999" and "-9999999.99999" are what the bounds allow.
 static_assert(kPositionUmMax == 9'999'999'999 && kFilament10nmMax == 999'999'999'999);
 static_assert(kArcCentreUmMax == 9'999'999);  // "-9999.999"
@@ -99,6 +101,37 @@ void write_command(TextWriter& writer, const SetFan& set) {
   } else {
     writer.literal("M106");
     writer.word('S', set.power, 0);
+  }
+}
+
+// Klipper has one acceleration for all moves, RepRapFirmware one for printing and one for travel.
+// Marlin has both, and reads either form.
+void write_command(TextWriter& writer, const SetAcceleration& set) {
+  LINK_CHECK(set.mm_s2 > 0);
+  writer.literal("M204");
+  if (set.flavor == Flavor::kRepRapFirmware) {
+    writer.word('P', set.mm_s2, 0);
+    writer.word('T', set.mm_s2, 0);
+  } else {
+    writer.word('S', set.mm_s2, 0);
+  }
+}
+
+void write_command(TextWriter& writer, const SetPressureAdvance& set) {
+  LINK_CHECK(set.tens_us >= 0);
+  switch (set.flavor) {
+    case Flavor::kMarlin:
+      writer.literal("M900");
+      return writer.word('K', set.tens_us, 5);
+    case Flavor::kKlipper: {
+      writer.literal("SET_PRESSURE_ADVANCE ADVANCE=");
+      std::array<char, 21> number{};
+      const char* end = write_fixed(number.data(), set.tens_us, 5);
+      return writer.literal({number.data(), static_cast<std::size_t>(end - number.data())});
+    }
+    case Flavor::kRepRapFirmware:
+      writer.literal("M572 D0");
+      return writer.word('S', set.tens_us, 5);
   }
 }
 

@@ -28,6 +28,8 @@ inline constexpr std::size_t kMoveBytesMax = 2 + 3 * (2 + 12) + (2 + 14) + (2 + 
 inline constexpr std::size_t kArcBytesMax = 2 + 2 * (2 + 12) + 2 * (2 + 9) + (2 + 14) + (2 + 7);
 inline constexpr std::size_t kSetTemperatureBytesMax = 4 + 2 + 5;
 inline constexpr std::size_t kSetFanBytesMax = 4 + 2 + 3;
+inline constexpr std::size_t kSetAccelerationBytesMax = 4 + 2 * (2 + 10);
+inline constexpr std::size_t kSetPressureAdvanceBytesMax = 29 + 11;  // Klipper's
 
 // Writes the command's text into the buffer and returns it: no number, no checksum, no newline.
 // REQUIRES: numbers within the bounds that command.h states.

@@ -27,9 +27,11 @@ std::string spaced(core::RoadKind kind) {
 }
 
 std::string motion_model(const core::Settings& settings) {
-  return fmt::format("{:g} mm/s2, junction deviation {:g} mm, look-ahead {} moves",
-                     settings.acceleration_mm_s2, settings.junction_deviation_mm,
-                     core::kLookAheadMoves);
+  const double told_mm_s2 = settings.default_acceleration_mm_s2;
+  return fmt::format("{:g} mm/s2{}, junction deviation {:g} mm, look-ahead {} moves",
+                     told_mm_s2 > 0 ? told_mm_s2 : settings.acceleration_mm_s2,
+                     told_mm_s2 > 0 ? ", other kinds of roads as told" : "",
+                     settings.junction_deviation_mm, core::kLookAheadMoves);
 }
 
 std::string table(const Options& options, const PrintPlan& print_plan,

@@ -13,6 +13,7 @@
 #include "host/part/edge_ledger.h"    // EdgeLedger
 #include "host/part/mesh_sorter.h"    // MeshSorter
 #include "host/part/mesh_survey.h"    // is_degenerate, turned_text
+#include "host/part/shrinkage.h"      // Enlargement
 #include "host/system/limits.h"       // kSortBytesMin
 #include "host/system/stage_clock.h"  // CpuTimer
 
@@ -117,7 +118,9 @@ class BooleanLayers : public LayerSource {
       const MeshStore::Next next = tree_->store.next();
       if (!next.error.empty()) return refused(ErrorCode::kOutOfBounds, next.error);
       if (!next.triangle) break;
-      const Triangle& triangle = *next.triangle;
+      const Result<Triangle> larger = enlargement_.of(*next.triangle);
+      if (!larger.ok()) return refused(larger.error().code, larger.error().message);
+      const Triangle& triangle = larger.value();
       ++summary_.facets;
       operand.extent.add(triangle);
       if (is_degenerate(triangle)) {
@@ -213,6 +216,7 @@ class BooleanLayers : public LayerSource {
 
   std::unique_ptr<ShellTree> tree_;
   core::Settings settings_;
+  Enlargement enlargement_{settings_};
   std::size_t sort_bytes_;
   PartSummary summary_;
   PartCounters counters_;

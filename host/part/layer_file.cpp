@@ -6,6 +6,7 @@
 
 #include "host/part/bed_placing.h"    // shift_to_bed, check_on_bed
 #include "host/part/layer_rules.h"    // check_layer_height
+#include "host/part/shrinkage.h"      // Enlargement
 #include "host/system/stage_clock.h"  // CpuTimer
 
 namespace host {
@@ -54,7 +55,11 @@ class PlacedLayers : public LayerSource {
       ahead_.push_back(*std::move(slice).value());
     }
     const std::optional<core::Box>& promised = file_.layers->box_promised();
-    if (promised) extent.box = *promised;
+    if (promised) {
+      const Result<core::Box> larger = enlargement_.of(*promised);
+      if (!larger.ok()) return refused(larger.error());
+      extent.box = larger.value();
+    }
     if (Status placed = place(extent); !placed.ok()) return placed;
     summary_.warnings = file_.layers->warnings();
     if (promised) return {};
@@ -107,7 +112,16 @@ class PlacedLayers : public LayerSource {
  private:
   [[nodiscard]] Result<std::optional<Slice>> read() {
     const CpuTimer timer(counters_.read_cpu_s);
-    return file_.layers->next();
+    Result<std::optional<Slice>> slice = file_.layers->next();
+    if (!slice.ok() || !slice.value() || enlargement_.none()) return slice;
+    Result<core::Region> larger = enlargement_.of(slice.value()->region);
+    if (!larger.ok()) return refused(larger.error());
+    slice.value()->region = std::move(larger).value();
+    return slice;
+  }
+
+  [[nodiscard]] Error refused(const Error& error) const {
+    return {error.code, file_.name + ": " + error.message};
   }
 
   // Reads the next layer. Empty ones are held back until one with contours follows.
@@ -153,6 +167,7 @@ class PlacedLayers : public LayerSource {
 
   LayerFileInput file_;
   core::Settings settings_;
+  Enlargement enlargement_{settings_};
   PartSummary summary_;
   PartCounters counters_;
   Shift shift_;
@@ -162,6 +177,12 @@ class PlacedLayers : public LayerSource {
 }  // namespace
 
 Result<OpenedPart> open_layer_file(LayerFileInput file, const core::Settings& settings) {
+  if (Enlargement(settings).of_heights()) {
+    return Error{ErrorCode::kBadSetting,
+                 file.name +
+                     ": shrinkage_z cannot be made up for in a file of layers, whose heights are "
+                     "fixed: set it to 0, or print the mesh"};
+  }
   const bool twice = file.again != nullptr;
   auto layers = std::make_unique<PlacedLayers>(std::move(file), settings);
   if (Status looked = layers->look_ahead(); !looked.ok()) return looked.error();

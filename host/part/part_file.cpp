@@ -11,6 +11,7 @@
 #include "host/part/boolean_layers.h"      // open_booleans
 #include "host/part/layer_file.h"          // open_layer_file
 #include "host/part/mesh_layers.h"         // open_mesh
+#include "host/part/shrinkage.h"           // enlarged
 
 namespace host {
 namespace {
@@ -29,6 +30,21 @@ std::function<Result<Reader>()> opener(const InputFile& file, const std::string&
   };
 }
 
+Result<OpenedPart> open_enlarged(MeshInput mesh, const core::Settings& settings,
+                                 const OpenOptions& options) {
+  const Enlargement by(settings);
+  mesh.triangles = enlarged(std::move(mesh.triangles), by, mesh.name);
+  if (mesh.again) {
+    mesh.again = [again = std::move(mesh.again), by,
+                  name = mesh.name]() -> Result<std::unique_ptr<TriangleSource>> {
+      Result<std::unique_ptr<TriangleSource>> opened = again();
+      if (!opened.ok()) return opened;
+      return enlarged(std::move(opened).value(), by, name);
+    };
+  }
+  return open_mesh(std::move(mesh), settings, options);
+}
+
 // Booleans are evaluated slice by slice; a file without any is an ordinary mesh.
 Result<OpenedPart> open_sif(InputFile file, MeshInput input, const core::Settings& settings,
                             const OpenOptions& options) {
@@ -38,7 +54,7 @@ Result<OpenedPart> open_sif(InputFile file, MeshInput input, const core::Setting
     return open_booleans(std::move(tree).value(), settings, options);
   }
   input.triangles = plain_triangles(std::move(tree).value());
-  return open_mesh(std::move(input), settings, options);
+  return open_enlarged(std::move(input), settings, options);
 }
 
 // An archive holds a mesh, slices, or booleans of meshes.
@@ -57,7 +73,7 @@ Result<OpenedPart> open_zipped(InputFile file, const std::string& path,
     return open_booleans(std::move(*tree), settings, options);
   }
   mesh.triangles = std::get<std::unique_ptr<TriangleSource>>(std::move(opened).value());
-  return open_mesh(std::move(mesh), settings, options);
+  return open_enlarged(std::move(mesh), settings, options);
 }
 
 }  // namespace
@@ -85,7 +101,7 @@ Result<OpenedPart> open_part(const std::string& path, const core::Settings& sett
   Result<std::unique_ptr<TriangleSource>> triangles = open_triangles(kind.value(), std::move(file));
   if (!triangles.ok()) return triangles.error();
   input.triangles = std::move(triangles).value();
-  return open_mesh(std::move(input), settings, options);
+  return open_enlarged(std::move(input), settings, options);
 }
 
 Result<OpenedPart> open_whole_part(const std::string& path, const core::Settings& settings,

@@ -94,6 +94,14 @@ std::optional<Command> MotionEncoder::encode_one(const core::SetBedTemperature& 
   return temperature(Heater::kBed, motion.celsius, motion.wait);
 }
 
+std::optional<Command> MotionEncoder::encode_one(const core::SetAcceleration& motion) const {
+  return firmware_link::SetAcceleration{state_.flavor, acceleration_mm_s2(motion.mm_s2)};
+}
+
+std::optional<Command> MotionEncoder::encode_one(const core::SetPressureAdvance& motion) const {
+  return firmware_link::SetPressureAdvance{state_.flavor, pressure_advance_tens_us(motion.seconds)};
+}
+
 std::optional<Command> MotionEncoder::encode_one(const core::Verbatim& motion) {
   if (firmware_link::blank_or_comment(motion.line)) return std::nullopt;
   const auto made = firmware_link::verbatim_from(motion.line);

@@ -31,10 +31,14 @@ class MotionEncoder {
   explicit MotionEncoder(const core::Settings& settings)
       : origin_x_(settings.bed_origin_x.units()), origin_y_(settings.bed_origin_y.units()) {}
 
-  // The last values sent, and the filament's rounding error that is still to be sent.
+  // The firmware that commands are spelled for. Unless it is set, Marlin.
+  void set_flavor(firmware_link::Flavor flavor) { state_.flavor = flavor; }
+
+  // The last values sent, the filament's rounding error that is still to be sent, and for whom.
   struct State {
     std::optional<std::int64_t> x_um, y_um, z_um, f_mm_min;  // nullopt: not known
     double filament_rest_10nm = 0;                           // within ±0.5
+    firmware_link::Flavor flavor = firmware_link::Flavor::kMarlin;
   };
 
   // The command for the motion; nullopt if it needs none: a mark, a move to the current position, a
@@ -63,6 +67,8 @@ class MotionEncoder {
   std::optional<firmware_link::Command> encode_one(const core::SetFan& motion);
   std::optional<firmware_link::Command> encode_one(const core::SetNozzleTemperature& motion);
   std::optional<firmware_link::Command> encode_one(const core::SetBedTemperature& motion);
+  std::optional<firmware_link::Command> encode_one(const core::SetAcceleration& motion) const;
+  std::optional<firmware_link::Command> encode_one(const core::SetPressureAdvance& motion) const;
   std::optional<firmware_link::Command> encode_one(const core::Verbatim& motion);
 
   // Put values into the move that differ from the last ones sent.

@@ -8,8 +8,6 @@
 #include <new>
 #include <utility>
 
-#include "core/motions/motion_builder.h"
-#include "core/motions/motion_clock.h"
 #include "core/offsets/compensation.h"
 #include "core/offsets/slice_offsets.h"
 #include "core/roads/layer_planner.h"
@@ -19,11 +17,10 @@
 #include "core/walls/wall_splitter.h"
 #include "core/walls/wall_style.h"
 #include "host/part/layer_rules.h"
+#include "host/pipeline/command_stage.h"
 #include "host/pipeline/layer_batch.h"
 #include "host/pipeline/layer_watch.h"
-#include "host/pipeline/motion_encoder.h"
 #include "host/pipeline/ordered_stages.h"
-#include "host/pipeline/user_gcode.h"  // with_own_modes
 #include "host/system/memory_budget.h"
 
 namespace host {
@@ -45,17 +42,10 @@ class Pipeline {
         ahead_(core::seam_layers_ahead(settings_)),
         blocks_(settings_),
         planner_(settings_),
-        builder_(with_own_modes(settings_)),
-        motion_clock_({settings_.acceleration_mm_s2, settings_.filament_acceleration_mm_s2,
-                       settings_.junction_deviation_mm}),
-        encoder_(settings_),
-        sink_([this](const core::Motion& motion) { send(motion); }) {
+        commands_(settings_, print_plan.command_form, outputs, refused_) {
     if (!print_plan.start) return;
-    builder_.resume_from(print_plan.start->motions);
-    encoder_.resume_from(print_plan.start->encoder);
+    commands_.resume_from(*print_plan.start);
     planner_.resume_from(print_plan.start->seams);
-    commands_ = print_plan.start->commands;
-    filament_before_mm_ = print_plan.start->filament_mm;
   }
 
   core::Result<PipelineEnd> run() {
@@ -86,7 +76,7 @@ class Pipeline {
 
   core::Status read_rest() {
     if (plan_.part.read_rest) {
-      if (outputs_.on_motion && !plan_.start) builder_.preheat(sink_);
+      if (outputs_.on_motion && !plan_.start) commands_.preheat();
       core::Result<PartSummary> summary = plan_.part.read_rest();
       if (!summary.ok()) return summary.error();
       plan_.part.summary = std::move(summary).value();
@@ -264,15 +254,7 @@ class Pipeline {
     statistics_.roads += static_cast<std::int64_t>(roads.size());
     keep(outputs_.on_roads ? outputs_.on_roads(layer, roads) : true);
     if (!outputs_.on_motion) return {};
-    if (!roads.empty() && builder_.arcs_undecided()) {
-      builder_.decide_arcs(plan_.draws_arcs == nullptr || plan_.draws_arcs());
-    }
-    if (outputs_.on_checkpoint && !roads.empty() && !refused_) {
-      outputs_.on_checkpoint({slice.index, slice.bottom, commands_,
-                              filament_before_mm_ + total_mm(builder_.totals().filament_mm),
-                              builder_.state(), encoder_.state(), *settled.seams_before});
-    }
-    builder_.layer(slice, roads, sink_, plan.travel_space.get());
+    commands_.layer(slice, roads, *settled.seams_before, plan.travel_space.get());
     return {};
   }
 
@@ -291,14 +273,6 @@ class Pipeline {
     return {};
   }
 
-  void send(const core::Motion& motion) {
-    if (refused_) return;
-    motion_clock_.add(motion);
-    const std::optional<firmware_link::Command> command = encoder_.encode(motion);
-    if (command) ++commands_;
-    keep(outputs_.on_motion(motion, command));
-  }
-
   core::Result<PipelineEnd> finish() {
     if (error_) return *error_;
     if (stopped()) return PipelineEnd::kStopped;
@@ -309,8 +283,8 @@ class Pipeline {
                       "road_width_min ({:g} mm); is it in millimetres?",
                       plan_.part_path, settings_.road_width_min.mm())};
     }
-    if (outputs_.on_motion) builder_.finish(sink_);
-    if (const auto height = builder_.next_action(); outputs_.on_motion && height) {
+    if (outputs_.on_motion) commands_.finish();
+    if (const auto height = commands_.next_action(); outputs_.on_motion && height) {
       signals_.warnings.put(
           fmt::format("{}: at_height: no layer starts at {:g} mm or above; nothing was done there",
                       plan_.part_path, height->mm()));
@@ -341,9 +315,7 @@ class Pipeline {
     statistics_.region_operations = window.operations;
     statistics_.region_operations_worst = window.operations_worst;
     statistics_.reused = {cutter_.reused(), window.layers_reused, planner_.reused()};
-    statistics_.filament_mm = builder_.totals().filament_mm;
-    statistics_.arcs = builder_.totals().arcs;
-    statistics_.time_s = motion_clock_.seconds();
+    commands_.tell(statistics_);
   }
 
   [[nodiscard]] bool wants_roads() const { return outputs_.on_roads || outputs_.on_motion; }
@@ -359,6 +331,8 @@ class Pipeline {
   const PipelineOutputs& outputs_;
   PipelineSignals& signals_;
   GeometryStatistics& statistics_;
+
+  std::atomic<bool> refused_ = false;  // an output returned false, or there was an error
 
   // Of take().
   BadLayers bad_layers_;
@@ -376,18 +350,12 @@ class Pipeline {
   std::deque<std::pair<core::LayerIndex, std::string>> pauses_;  // of layers in the window
 
   // Of give().
-  core::MotionBuilder builder_;
-  core::MotionClock motion_clock_;
-  MotionEncoder encoder_;
-  core::MotionBuilder::Sink sink_;
-  std::int64_t commands_ = 0;  // of the whole print
-  double filament_before_mm_ = 0;
+  CommandStage commands_;
   struct Counts {
     core::LayerIndex layers_timed = 0;
     std::size_t islands_told = 0;
   } counts_;
   std::optional<core::Error> error_;
-  std::atomic<bool> refused_ = false;  // an output returned false, or there was an error
 };
 
 }  // namespace

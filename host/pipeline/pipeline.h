@@ -34,6 +34,12 @@
 
 namespace host {
 
+// What the commands depend on besides the settings.
+struct CommandForm {
+  bool arcs = true;  // for arcs = auto: whether round roads become arcs
+  firmware_link::Flavor flavor = firmware_link::Flavor::kMarlin;
+};
+
 // A part and how it is to be printed.
 struct PrintPlan {
   PrintSettings settings;  // REQUIRES: validated, check_user_gcode() fine
@@ -43,9 +49,10 @@ struct PrintPlan {
   OnFloating on_floating = OnFloating::kWarn;
   int threads = 1;  // processors that the geometry may use; REQUIRES: 1 … kThreadsMax
 
-  // For arcs = auto: whether the controller draws arcs. Called once, before the first layer's
-  // motions, and may block until that is known. Empty: it does.
-  std::function<bool()> draws_arcs = nullptr;
+  // What the controller understands. Called once, before the motions of the first layer that has
+  // roads, and may block until that is known; not if the print is resumed, whose checkpoint has it.
+  // Empty: a file, as the settings say.
+  std::function<CommandForm()> command_form = nullptr;
 
   // Resumes a print at the layer of this checkpoint. The layer is computed as in the whole print,
   // from the slices around it; slices below are read and dropped.

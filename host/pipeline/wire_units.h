@@ -38,4 +38,12 @@ inline constexpr double kFilamentUnitsPerMm = 1e5;
   return static_cast<std::uint8_t>(std::clamp(std::lround(share * 255), 0L, 255L));
 }
 
+[[nodiscard]] inline std::int32_t acceleration_mm_s2(double mm_s2) {
+  return static_cast<std::int32_t>(std::clamp(std::lround(mm_s2), 1L, 1'000'000L));
+}
+
+[[nodiscard]] inline std::int32_t pressure_advance_tens_us(double seconds) {
+  return static_cast<std::int32_t>(std::clamp(std::lround(seconds * 1e5), 0L, 100'000'000L));
+}
+
 }  // namespace host

@@ -17,26 +17,26 @@
 namespace host {
 namespace {
 
-// Whether the controller draws arcs: geometry waits for it, the link tells.
-class ArcsPromise {
+// What the controller understands: geometry waits for it, the link tells.
+class FormPromise {
  public:
   // The first one counts.
-  void tell(bool drawn) {
+  void tell(const CommandForm& form) {
     const std::lock_guard lock(mutex_);
-    if (!drawn_) drawn_ = drawn;
+    if (!form_) form_ = form;
     told_.notify_all();
   }
 
-  [[nodiscard]] bool wait() {
+  [[nodiscard]] CommandForm wait() {
     std::unique_lock lock(mutex_);
-    told_.wait(lock, [this] { return drawn_.has_value(); });
-    return *drawn_;
+    told_.wait(lock, [this] { return form_.has_value(); });
+    return *form_;
   }
 
  private:
   std::mutex mutex_;
   std::condition_variable told_;
-  std::optional<bool> drawn_;
+  std::optional<CommandForm> form_;
 };
 
 }  // namespace
@@ -54,7 +54,7 @@ struct GeometryThread::Shared {
   CommandQueue queue{{kQueuedCommandsMax, kQueuedBytesMax}};
   QueueFiller filler;
   PipelineSignals signals;
-  ArcsPromise arcs;
+  FormPromise form;
   std::atomic<bool> link_ended = false;
   GeometryOutcome outcome;  // valid when it has ended
   std::promise<void> ended;
@@ -102,7 +102,7 @@ GeometryThread::GeometryThread(PrintPlan& print_plan, const JournalRecord* resum
   shared_->signals.on_slow_layer = [&reporter](const SlowLayer& slow) {
     tell_slow_layer(slow, reporter);
   };
-  print_plan.draws_arcs = [&arcs = shared_->arcs] { return arcs.wait(); };
+  print_plan.command_form = [&form = shared_->form] { return form.wait(); };
   thread_ = std::thread([shared = shared_] { shared->run(); });
 }
 
@@ -114,14 +114,12 @@ PipelineSignals& GeometryThread::signals() { return shared_->signals; }
 
 double GeometryThread::seconds_made() const { return shared_->filler.seconds_made(); }
 
-void GeometryThread::tell_controller(const firmware_link::Capabilities& capabilities) {
-  shared_->arcs.tell(capabilities.arcs);
-}
+void GeometryThread::tell_controller(const CommandForm& form) { shared_->form.tell(form); }
 
 GeometryOutcome GeometryThread::end(std::optional<double> grace_s) {
   shared_->link_ended.store(true);
   shared_->queue.close();
-  shared_->arcs.tell(false);
+  shared_->form.tell({.arcs = false});
   stop_waiting_for_input();
   if (grace_s && shared_->ended.get_future().wait_for(std::chrono::duration<double>(*grace_s)) !=
                      std::future_status::ready) {

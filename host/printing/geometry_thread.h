@@ -13,12 +13,11 @@
 #include <string>
 #include <thread>
 
-#include "firmware_link/wire/capabilities.h"  // Capabilities
-#include "host/pipeline/pipeline.h"           // PrintPlan, PipelineSignals
-#include "host/pipeline/statistics.h"         // GeometryStatistics
-#include "host/printing/journal_record.h"     // JournalRecord
-#include "host/printing/progress.h"           // Reporter
-#include "host/printing/queued_command.h"     // CommandQueue
+#include "host/pipeline/pipeline.h"        // CommandForm, PrintPlan, PipelineSignals
+#include "host/pipeline/statistics.h"      // GeometryStatistics
+#include "host/printing/journal_record.h"  // JournalRecord
+#include "host/printing/progress.h"        // Reporter
+#include "host/printing/queued_command.h"  // CommandQueue
 
 namespace host {
 
@@ -42,8 +41,8 @@ class GeometryThread {
   // Of motion at full speed, queued so far.
   [[nodiscard]] double seconds_made() const;
 
-  // What the controller can do: geometry waits for it before the first layer's motions.
-  void tell_controller(const firmware_link::Capabilities& capabilities);
+  // What the controller understands: geometry waits for it before the first layer's motions.
+  void tell_controller(const CommandForm& form);
 
   // The link has ended: closes the queue and waits for the geometry, for `grace_s` at most.
   // Nothing: as long as it takes. To be called once.

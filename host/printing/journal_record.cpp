@@ -94,6 +94,7 @@ void pass(Stream& stream, core::MotionState& motions) {
   stream.real(motions.nozzle_celsius);
   stream.real(motions.bed_celsius);
   stream.number(motions.actions);
+  stream.real(motions.acceleration_mm_s2);
 }
 
 // Both ways, so that what is written is what is read.
@@ -110,6 +111,7 @@ void pass(Stream& stream, JournalRecord& record) {
   pass(stream, checkpoint.encoder.z_um);
   pass(stream, checkpoint.encoder.f_mm_min);
   stream.real(checkpoint.encoder.filament_rest_10nm);
+  stream.number(checkpoint.encoder.flavor);
   stream.number(record.sure);
   stream.number(record.sure_hash);
   stream.number(record.accepted);
@@ -125,6 +127,9 @@ void pass(Stream& stream, JournalRecord& record) {
   stream.number(machine.nozzle_tenths);
   stream.number(machine.bed_tenths);
   stream.number(machine.fan);
+  stream.number(machine.flavor);
+  stream.number(machine.acceleration_mm_s2);
+  stream.number(machine.pressure_advance_tens_us);
   stream.number(record.nozzle_z_um);
   auto state = static_cast<std::uint8_t>(record.state);
   stream.number(state);

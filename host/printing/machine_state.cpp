@@ -32,9 +32,26 @@ void MachineState::apply(const firmware_link::Command& command) {
     (nozzle ? nozzle_tenths : bed_tenths) = heat->celsius_tenths;
   } else if (const auto* blow = std::get_if<firmware_link::SetFan>(&command)) {
     fan = blow->power;
+  } else if (const auto* set = std::get_if<firmware_link::SetAcceleration>(&command)) {
+    flavor = set->flavor;
+    acceleration_mm_s2 = set->mm_s2;
+  } else if (const auto* advance = std::get_if<firmware_link::SetPressureAdvance>(&command)) {
+    flavor = advance->flavor;
+    pressure_advance_tens_us = advance->tens_us;
   } else {
     x_um = y_um = z_um = f_mm_min = std::nullopt;
   }
+}
+
+std::vector<firmware_link::Command> MachineState::ways_of_moving() const {
+  std::vector<firmware_link::Command> commands;
+  if (pressure_advance_tens_us >= 0) {
+    commands.emplace_back(firmware_link::SetPressureAdvance{flavor, pressure_advance_tens_us});
+  }
+  if (acceleration_mm_s2 > 0) {
+    commands.emplace_back(firmware_link::SetAcceleration{flavor, acceleration_mm_s2});
+  }
+  return commands;
 }
 
 MachineState state_at(const Checkpoint& checkpoint, const core::Settings& settings) {
@@ -48,6 +65,12 @@ MachineState state_at(const Checkpoint& checkpoint, const core::Settings& settin
   }
   state.nozzle_tenths = celsius_tenths(checkpoint.motions.nozzle_celsius);
   state.bed_tenths = celsius_tenths(checkpoint.motions.bed_celsius);
+  state.flavor = checkpoint.encoder.flavor;
+  if (checkpoint.motions.started && settings.pressure_advance_s >= 0) {
+    state.pressure_advance_tens_us = pressure_advance_tens_us(settings.pressure_advance_s);
+  }
+  const double told_mm_s2 = checkpoint.motions.acceleration_mm_s2;
+  if (told_mm_s2 > 0) state.acceleration_mm_s2 = acceleration_mm_s2(told_mm_s2);
   state.fan = fan_power(checkpoint.motions.fan);
   return state;
 }

@@ -103,6 +103,9 @@ std::vector<Command> ParkMoves::come_back(const MachineState& here, bool reheat)
   const std::int64_t owed = back - here.drawn_back_10nm;
   if (owed != 0) way.push_back(filament_move(owed, settings_.retraction_speed_mm_s));
   way.emplace_back(firmware_link::SetFan{here.fan});
+  if (here.acceleration_mm_s2 > 0) {
+    way.emplace_back(firmware_link::SetAcceleration{here.flavor, here.acceleration_mm_s2});
+  }
   if (here.f_mm_min) {
     Move feed;
     feed.f_mm_min = here.f_mm_min;
@@ -119,6 +122,8 @@ std::vector<Command> ParkMoves::restart(const MachineState& here, std::int64_t n
   std::vector<Command> way = {command_of("G21"), command_of("G90"), command_of("M83")};
   for (const std::string& line : set_up) way.push_back(command_of(line));
   for (const std::string& line : restored_after(set_up)) way.push_back(command_of(line));
+  const std::vector<Command> ways_of_moving = here.ways_of_moving();
+  way.insert(way.end(), ways_of_moving.begin(), ways_of_moving.end());
   if (!height_command.empty()) {
     const double z_mm = static_cast<double>(nozzle_z_um) / 1'000;
     way.push_back(command_of(fmt::format("{}{:.3f}", height_command, z_mm)));

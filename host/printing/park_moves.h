@@ -4,7 +4,8 @@
 //     restart       after a reset: heat, draw back, lift, home X and Y only, travel to the parking
 //                   position
 //     come_back     return the filament and push out kPrime_mm more, draw back, travel to above the
-//                   road's next point, go down, return the filament, set fan and feed as they were
+//                   road's next point, go down, return the filament, set fan, acceleration and
+//                   feed as they were
 //
 //        ┌──────── travel ────────┐
 //        │ lift                   │ down
@@ -61,7 +62,7 @@ class ParkMoves {
   // For a controller that may have forgotten everything. `nozzle_z_um`: how high the nozzle is; the
   // controller is told by `height_command` (LinkRules::height_command), unless that is empty. Lines
   // of the start G-code that set the controller up and move nothing (M92, M220, M420 …) are sent
-  // again.
+  // again, and what the print told it of acceleration and pressure advance.
   [[nodiscard]] std::vector<firmware_link::Command> restart(const MachineState& here,
                                                             std::int64_t nozzle_z_um,
                                                             std::string_view height_command) const;

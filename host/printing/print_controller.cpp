@@ -78,7 +78,7 @@ bool PrintController::started(Instant now) {
     refused_ = may.error().message;
     return false;
   }
-  geometry_.tell_controller(session().capabilities());
+  geometry_.tell_controller({session().capabilities().arcs, session().rules().flavor});
   return true;
 }
 

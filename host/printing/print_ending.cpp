@@ -62,6 +62,8 @@ std::vector<Command> PrintEnding::safe_sequence() const {
   }
   const std::vector<Command> off = heaters_off();
   commands.insert(commands.end(), off.begin(), off.end());
+  const std::vector<Command> back = acceleration_given_back(parts_.commands.state(), machine);
+  commands.insert(commands.end(), back.begin(), back.end());
   return commands;
 }
 

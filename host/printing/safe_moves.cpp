@@ -41,6 +41,14 @@ std::vector<Command> heaters_off() {
           firmware_link::SetTemperature{Heater::kBed, 0, false}, firmware_link::SetFan{0}};
 }
 
+std::vector<Command> acceleration_given_back(const MachineState& here,
+                                             const core::Settings& settings) {
+  if (here.acceleration_mm_s2 == 0 || settings.default_acceleration_mm_s2 == 0) return {};
+  const std::int32_t own_mm_s2 = acceleration_mm_s2(settings.default_acceleration_mm_s2);
+  if (here.acceleration_mm_s2 == own_mm_s2) return {};
+  return {firmware_link::SetAcceleration{here.flavor, own_mm_s2}};
+}
+
 Command filament_move(std::int64_t by_10nm, double speed_mm_s) {
   Move move;
   move.extruding = true;

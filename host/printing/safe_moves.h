@@ -6,8 +6,9 @@
 #include <optional>
 #include <vector>
 
-#include "core/settings.h"               // Settings
-#include "firmware_link/wire/command.h"  // Command
+#include "core/settings.h"                // Settings
+#include "firmware_link/wire/command.h"   // Command
+#include "host/printing/machine_state.h"  // MachineState
 
 namespace host {
 
@@ -28,6 +29,10 @@ namespace host {
 
 // Both heaters and the fan off. Nothing moves.
 [[nodiscard]] std::vector<firmware_link::Command> heaters_off();
+
+// The acceleration that the printer is left with, where it was told another one; otherwise empty.
+[[nodiscard]] std::vector<firmware_link::Command> acceleration_given_back(
+    const MachineState& here, const core::Settings& settings);
 
 // One move each, at a speed of its own.
 [[nodiscard]] firmware_link::Command filament_move(std::int64_t by_10nm, double speed_mm_s);

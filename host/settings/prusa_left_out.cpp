@@ -13,13 +13,12 @@ namespace {
 
 // Which values mean that a setting is in use.
 enum class When {
-  kOn,         // a number or share that is not 0, a word that is neither "0" nor "none"
-  kAboveOne,   // a number above 1
-  kText,       // anything
-  kGcode,      // a command that does something
-  kUnlike,     // another value than that of `other`
-  kUnlikeOn,   // likewise, except 0, which is automatic
-  kNotMarlin,  // a firmware with other commands
+  kOn,        // a number or share that is not 0, a word that is neither "0" nor "none"
+  kAboveOne,  // a number above 1
+  kText,      // anything
+  kGcode,     // a command that does something
+  kUnlike,    // another value than that of `other`
+  kUnlikeOn,  // likewise, except 0, which is automatic
 };
 
 struct LeftOut {
@@ -31,7 +30,6 @@ struct LeftOut {
 
 constexpr std::string_view kOneWidth =
     "inner roads are as wide as extrusion_width, or as the wall needs";
-constexpr std::string_view kAccelerations = "accelerations are the printer's own";
 constexpr std::string_view kNotSent = "it is not sent";
 
 constexpr std::array kLeftOut = {
@@ -58,22 +56,12 @@ constexpr std::array kLeftOut = {
     LeftOut{"retract_restart_extra", When::kOn, "as much filament comes back as was drawn back"},
     LeftOut{"use_firmware_retraction", When::kOn, "rind draws filament back itself"},
     LeftOut{"use_volumetric_e", When::kOn, "filament is counted by its length"},
-    LeftOut{"default_acceleration", When::kOn, kAccelerations},
-    LeftOut{"perimeter_acceleration", When::kOn, kAccelerations},
-    LeftOut{"external_perimeter_acceleration", When::kOn, kAccelerations},
-    LeftOut{"infill_acceleration", When::kOn, kAccelerations},
-    LeftOut{"solid_infill_acceleration", When::kOn, kAccelerations},
-    LeftOut{"top_solid_infill_acceleration", When::kOn, kAccelerations},
-    LeftOut{"bridge_acceleration", When::kOn, kAccelerations},
-    LeftOut{"first_layer_acceleration", When::kOn, kAccelerations},
-    LeftOut{"travel_acceleration", When::kOn, kAccelerations},
     LeftOut{"chamber_temperature", When::kOn, "the chamber is not heated"},
     LeftOut{"start_filament_gcode", When::kGcode, kNotSent},
     LeftOut{"end_filament_gcode", When::kGcode, kNotSent},
     LeftOut{"before_layer_gcode", When::kGcode, kNotSent},
     LeftOut{"layer_gcode", When::kGcode, kNotSent},
     LeftOut{"post_process", When::kText, "no program in a profile is ever run"},
-    LeftOut{"gcode_flavor", When::kNotMarlin, "the commands are those of Marlin and Klipper"},
 };
 
 bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
@@ -116,8 +104,6 @@ bool asks(const LeftOut& row, std::string_view value, const ProfileValues& profi
       return unlike && first != "100%";
     case When::kUnlikeOn:
       return !off && unlike;
-    case When::kNotMarlin:
-      return is_one_of(first, {"makerware", "sailfish", "mach3", "machinekit", "no-extrusion"});
   }
   return false;
 }

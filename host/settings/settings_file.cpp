@@ -14,6 +14,7 @@
 #include <system_error>
 #include <utility>
 
+#include "host/settings/own_accelerations.h"
 #include "host/settings/settings_prusa.h"
 #include "host/settings/settings_table.h"
 #include "host/settings/settings_text.h"
@@ -194,6 +195,10 @@ core::Status end_prusa(const std::string& name, LoadedSettings& loaded) {
     loaded.left_out.push_back(
         fmt::format("nozzle_diameter = {}: one tool prints, with the first one's settings",
                     value("nozzle_diameter")));
+  }
+  // PrusaSlicer tells no acceleration at all without a default.
+  if (loaded.settings.default_acceleration_mm_s2 == 0) {
+    for (const auto& [key, own] : kOwnAccelerations) loaded.settings.*own = 0;
   }
   if (value("brim_type") == "no_brim") loaded.settings.brim_width = core::Length();
   // The smaller of the print's and the filament's; 0 is none.

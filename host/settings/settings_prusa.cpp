@@ -36,6 +36,7 @@ enum class Kind {
   kTopPattern,
   kSeam,
   kFuzzySkin,
+  kFlavor,
 };
 
 struct Alias {
@@ -78,6 +79,8 @@ constexpr std::array kAliases = {
     Alias{"first_layer_extrusion_width", "first_layer_width", Kind::kWidth},
     Alias{"elefant_foot_compensation", "elephant_foot_compensation"},
     Alias{"xy_size_compensation", "contour_compensation", Kind::kAllContours},
+    Alias{"filament_shrinkage_compensation_xy", "shrinkage_xy", Kind::kShare},
+    Alias{"filament_shrinkage_compensation_z", "shrinkage_z", Kind::kShare},
     Alias{"brim_width", "brim_width"},
     Alias{"brim_separation", "brim_gap"},
     Alias{"brim_type", "brim_place", Kind::kBrim},
@@ -91,6 +94,16 @@ constexpr std::array kAliases = {
     Alias{"infill_speed", "loose_speed_mm_s", Kind::kSpeed},
     Alias{"gap_fill_speed", "rest_speed_mm_s", Kind::kSpeed},
     Alias{"first_layer_speed", "first_layer_speed_mm_s", Kind::kSpeed},
+    Alias{"default_acceleration", "default_acceleration_mm_s2", Kind::kLimit},
+    Alias{"perimeter_acceleration", "perimeter_acceleration_mm_s2", Kind::kLimit},
+    Alias{"external_perimeter_acceleration", "outer_perimeter_acceleration_mm_s2", Kind::kLimit},
+    Alias{"infill_acceleration", "loose_acceleration_mm_s2", Kind::kLimit},
+    Alias{"solid_infill_acceleration", "solid_acceleration_mm_s2", Kind::kLimit},
+    Alias{"top_solid_infill_acceleration", "top_acceleration_mm_s2", Kind::kLimit},
+    Alias{"bridge_acceleration", "bridge_acceleration_mm_s2", Kind::kLimit},
+    Alias{"first_layer_acceleration", "first_layer_acceleration_mm_s2", Kind::kLimit},
+    Alias{"travel_acceleration", "travel_acceleration_mm_s2", Kind::kLimit},
+    Alias{"gcode_flavor", "gcode_flavor", Kind::kFlavor},
     Alias{"travel_speed", "travel_speed_mm_s", Kind::kSpeed},
     Alias{"slowdown_below_layer_time", "layer_time_min_s"},
     Alias{"min_print_speed", "slowed_speed_min_mm_s", Kind::kSlowest},
@@ -187,6 +200,13 @@ constexpr std::array kFuzzySkins = {
     WordPair{"all", "all"},
 };
 
+constexpr std::array kFlavors = {
+    WordPair{"marlin", "marlin"},   WordPair{"marlin2", "marlin"},
+    WordPair{"klipper", "klipper"}, WordPair{"reprap", "marlin"},
+    WordPair{"repetier", "marlin"}, WordPair{"teacup", "marlin"},
+    WordPair{"smoothie", "marlin"}, WordPair{"reprapfirmware", "reprapfirmware"},
+};
+
 template <typename Names>
 Translated translate_word(const Names& names, std::string_view ours, std::string_view theirs) {
   for (const WordPair& name : names) {
@@ -206,6 +226,7 @@ Translated translate(const Alias& alias, std::string_view text) {
   if (alias.kind == Kind::kTopPattern) return translate_word(kTopPatterns, ours, first);
   if (alias.kind == Kind::kSeam) return translate_word(kSeams, ours, first);
   if (alias.kind == Kind::kFuzzySkin) return translate_word(kFuzzySkins, ours, first);
+  if (alias.kind == Kind::kFlavor) return translate_word(kFlavors, ours, first);
   if (alias.kind == Kind::kShare) return {{ours, std::string(first)}};
   if (alias.kind == Kind::kBrim) return brim_settings(first);
   if (first.ends_with('%')) return {};

@@ -7,6 +7,7 @@
 #include "core/limits.h"
 #include "core/motions/height_actions.h"  // read_height_action
 #include "core/settings.h"                // wall_layers
+#include "host/settings/own_accelerations.h"
 #include "host/settings/settings_table.h"
 
 namespace host {
@@ -88,6 +89,40 @@ Status roads_fit_nozzle(const PrintSettings& settings) {
   return {};
 }
 
+Status accelerations_have_a_default(const PrintSettings& settings) {
+  if (settings.default_acceleration_mm_s2 > 0) return {};
+  for (const auto& [key, member] : kOwnAccelerations) {
+    if (settings.*member == 0) continue;
+    return bad(fmt::format(
+        "{} = {:g} needs default_acceleration_mm_s2, too: what other roads have, and what the "
+        "printer is left with",
+        key, settings.*member));
+  }
+  return {};
+}
+
+Status heights_of_slowdown_fit(const PrintSettings& settings) {
+  const core::Length from = settings.height_slowdown_from, to = settings.height_slowdown_to;
+  const bool speed = settings.height_slowdown_speed < 1;
+  const bool acceleration = settings.height_slowdown_acceleration < 1;
+  if (to == core::Length()) {
+    if (from == core::Length() && !speed && !acceleration) return {};
+    return bad("height_slowdown_from, _speed and _acceleration need height_slowdown_to");
+  }
+  if (to <= from) {
+    return bad(
+        fmt::format("height_slowdown_to = {} mm must be more than height_slowdown_from = {} "
+                    "mm",
+                    to.mm(), from.mm()));
+  }
+  if (acceleration && settings.default_acceleration_mm_s2 == 0) {
+    return bad(
+        "height_slowdown_acceleration needs default_acceleration_mm_s2: of the printer's own "
+        "nothing is known");
+  }
+  return {};
+}
+
 Status part_has_a_place(const PrintSettings& settings) {
   const double x = settings.part_x.mm(), y = settings.part_y.mm();
   if (settings.centre && (x != 0 || y != 0)) {
@@ -122,8 +157,9 @@ Status actions_are_known(const PrintSettings& settings) {
 }  // namespace
 
 Status validate_settings(const PrintSettings& settings) {
-  for (const auto rule : {every_value_in_range, wall_fits_window, roads_fit_nozzle,
-                          part_has_a_place, actions_are_known}) {
+  for (const auto rule :
+       {every_value_in_range, wall_fits_window, roads_fit_nozzle, accelerations_have_a_default,
+        heights_of_slowdown_fit, part_has_a_place, actions_are_known}) {
     Status status = rule(settings);
     if (!status.ok()) return status;
   }

@@ -51,7 +51,11 @@ std::span<const std::string_view> names_of(const Choice& choice) {
 }
 
 std::string number_range_text(const Setting& setting) {
-  if (setting.unit == "%") return "0 … 1 (or 0% … 100%)";
+  if (setting.unit == "%") {
+    return fmt::format("{} … {} (or {}% … {}%)", write_number(setting.min),
+                       write_number(setting.max), write_number(setting.min * 100),
+                       write_number(setting.max * 100));
+  }
   const std::string_view space = setting.unit.empty() ? "" : " ";
   std::string text = fmt::format("{} … {}{}{}", write_number(setting.min),
                                  write_number(setting.max), space, setting.unit);

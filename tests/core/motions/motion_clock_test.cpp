@@ -49,6 +49,19 @@ TEST_CASE("one long move is a trapezoid") {
   CHECK(clock.seconds() == doctest::Approx(0.1 + 97.5 / 50));
 }
 
+TEST_CASE("a move has the acceleration that was told last") {
+  MotionClock clock(kModel);
+  clock.add(core::SetAcceleration{250});
+  clock.add(Travel{at_mm(1, 0), 50});
+  const double slow_s = 2 * std::sqrt(1.0 / 250);
+  CHECK(clock.seconds() == doctest::Approx(slow_s));
+  clock.add(core::SetAcceleration{4'000});
+  clock.add(MoveFilament{-1, 40});  // so that the moves beside it begin and end at rest
+  const double both_s = clock.seconds();
+  clock.add(Travel{at_mm(2, 0), 100});
+  CHECK(clock.seconds() - both_s == doctest::Approx(2 * std::sqrt(1.0 / 4'000)));
+}
+
 TEST_CASE("one short move is a triangle") {
   MotionClock clock(kModel);
   clock.add(Travel{at_mm(1, 0), 50});

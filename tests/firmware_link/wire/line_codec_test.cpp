@@ -77,6 +77,13 @@ TEST_CASE("what a command reads like") {
   CHECK(text_of(SetTemperature{Heater::kBed, 0, true}) == "M190 S0");
   CHECK(text_of(SetFan{255}) == "M106 S255");
   CHECK(text_of(SetFan{0}) == "M107");
+  CHECK(text_of(SetAcceleration{Flavor::kMarlin, 1'250}) == "M204 S1250");
+  CHECK(text_of(SetAcceleration{Flavor::kKlipper, 1'250}) == "M204 S1250");
+  CHECK(text_of(SetAcceleration{Flavor::kRepRapFirmware, 1'250}) == "M204 P1250 T1250");
+  CHECK(text_of(SetPressureAdvance{Flavor::kMarlin, 4'500}) == "M900 K0.045");
+  CHECK(text_of(SetPressureAdvance{Flavor::kKlipper, 4'500}) ==
+        "SET_PRESSURE_ADVANCE ADVANCE=0.045");
+  CHECK(text_of(SetPressureAdvance{Flavor::kRepRapFirmware, 0}) == "M572 D0 S0");
   CHECK(text_of(verbatim("g28 x y")) == "G28 X Y");
 }
 
@@ -89,6 +96,9 @@ TEST_CASE("the longest of everything fits a line of 95 bytes") {
   TextBuffer buffer;
   const std::string_view text = encode(move, buffer);
   CHECK(text.size() == kMoveBytesMax);
+  const std::int32_t most = std::numeric_limits<std::int32_t>::max();
+  CHECK(text_of(SetAcceleration{Flavor::kRepRapFirmware, most}).size() == kSetAccelerationBytesMax);
+  CHECK(text_of(SetPressureAdvance{Flavor::kKlipper, most}).size() == kSetPressureAdvanceBytesMax);
   LineBuffer line;
   CHECK(number_line(kResyncLineNumber, text, line).size() <= kLineBytesMax);
   const std::string full(kTextBytesMax, '~');

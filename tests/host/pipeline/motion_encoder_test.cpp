@@ -42,6 +42,8 @@ TEST_CASE("each motion has its command") {
   CHECK_EQ(text_of(encoder.encode(core::MoveFilament{-1, 40})), "G1 E-1 F2400");
   CHECK_EQ(text_of(encoder.encode(core::SetFan{1})), "M106 S255");
   CHECK_EQ(text_of(encoder.encode(core::SetFan{0})), "M107");
+  CHECK_EQ(text_of(encoder.encode(core::SetAcceleration{800})), "M204 S800");
+  CHECK_EQ(text_of(encoder.encode(core::SetPressureAdvance{0.03})), "M900 K0.03");
   CHECK_EQ(text_of(encoder.encode(core::SetNozzleTemperature{210, true})), "M109 S210");
   CHECK_EQ(text_of(encoder.encode(core::SetBedTemperature{60, false})), "M140 S60");
   CHECK_EQ(text_of(encoder.encode(core::Verbatim{"g28 ; home"})), "G28");

@@ -116,6 +116,15 @@ TEST_CASE("what bridges ask of the layer below is known, too") {
     core::Settings settings = settings_of(shape, core::BuildStyle::kThinWall);
     settings.layer_height = Length::from_mm(0.2);
     settings.wall_thickness = Length::from_mm(0.8);
+    settings.default_acceleration_mm_s2 = 1'000;
+    settings.bridge_acceleration_mm_s2 = 600;
+    settings.outer_perimeter_acceleration_mm_s2 = 800;
+    settings.first_layer_acceleration_mm_s2 = 500;
+    settings.height_slowdown_from = Length::from_mm(1);
+    settings.height_slowdown_to = Length::from_mm(7);
+    settings.height_slowdown_speed = 0.5;
+    settings.height_slowdown_acceleration = 0.25;
+    settings.pressure_advance_s = 0.04;
     check_tails(settings, path, compute(settings, path, {}));
   }
 }

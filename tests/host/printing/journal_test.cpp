@@ -44,7 +44,8 @@ host::JournalRecord record_of(std::mt19937_64& random) {
   record.checkpoint.bottom = core::Length::from_units(any());
   record.checkpoint.commands = any();
   record.checkpoint.filament_mm = static_cast<double>(any()) / 3;
-  record.checkpoint.motions = {true, random() % 2 == 0, true, false, {-5, 7}, {}, 0.1, 210, 60, {}};
+  record.checkpoint.motions = {true, random() % 2 == 0, true, false, {-5, 7}, {}, 0.1, 210, 60, 800,
+                               {}};
   if (random() % 3 > 0) record.checkpoint.motions.arcs = random() % 2 == 0;
   if (random() % 2 == 0) record.checkpoint.motions.nozzle_z = core::Length::from_units(any());
   record.checkpoint.encoder = {maybe(), maybe(), maybe(), maybe(), -0.25};
@@ -61,6 +62,10 @@ host::JournalRecord record_of(std::mt19937_64& random) {
   record.lines_more = 32;
   record.line_kinds = static_cast<std::uint32_t>(random());
   record.machine = {maybe(), maybe(), maybe(), maybe(), any(), 2'100, 600, 255};
+  record.machine.flavor = firmware_link::Flavor::kKlipper;
+  record.machine.acceleration_mm_s2 = 1'500;
+  record.machine.pressure_advance_tens_us = 4'500;
+  record.checkpoint.encoder.flavor = firmware_link::Flavor::kRepRapFirmware;
   record.nozzle_z_um = any();
   record.last_planned = any();
   record.checkpoint.motions.actions = 7;
@@ -103,6 +108,11 @@ TEST_CASE("a record is read back as it was written") {
     CHECK_EQ(read->record.line_kinds, record.line_kinds);
     CHECK_EQ(read->record.machine.f_mm_min, record.machine.f_mm_min);
     CHECK_EQ(read->record.machine.fan, 255);
+    CHECK(read->record.machine.flavor == firmware_link::Flavor::kKlipper);
+    CHECK_EQ(read->record.machine.acceleration_mm_s2, 1'500);
+    CHECK_EQ(read->record.machine.pressure_advance_tens_us, 4'500);
+    CHECK(read->record.checkpoint.encoder.flavor == firmware_link::Flavor::kRepRapFirmware);
+    CHECK_EQ(read->record.checkpoint.motions.acceleration_mm_s2, 800);
     CHECK(read->record.state == record.state);
   }
 }

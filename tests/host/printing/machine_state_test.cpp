@@ -39,6 +39,12 @@ TEST_CASE("a command changes what it names and nothing else") {
   CHECK_EQ(state.nozzle_tenths, 1'950);
   state.apply(firmware_link::SetFan{3});
   CHECK_EQ(state.fan, 3);
+  CHECK(state.ways_of_moving().empty());
+  const auto flavor = firmware_link::Flavor::kKlipper;
+  state.apply(firmware_link::SetAcceleration{flavor, 800});
+  state.apply(firmware_link::SetPressureAdvance{flavor, 4'500});
+  CHECK_EQ(print_test::texts_of(state.ways_of_moving()),
+           std::vector<std::string>{"SET_PRESSURE_ADVANCE ADVANCE=0.045", "M204 S800"});
   CHECK_EQ(state.z_um, 2'400);
 }
 

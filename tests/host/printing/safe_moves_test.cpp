@@ -68,6 +68,8 @@ TEST_CASE("a stop makes the very moves that the end of a print makes") {
     settings.bed_origin_x = Length::from_mm(-100);
     if (own_place) settings.park_x = settings.park_y = Length::from_mm(120);
     settings.end_gcode.clear();
+    settings.default_acceleration_mm_s2 = axis_mm == 400 ? 1'200 : 0;
+    settings.solid_acceleration_mm_s2 = axis_mm == 400 ? 700 : 0;
     core::MotionBuilder builder(settings);
     host::MotionEncoder encoder(settings);
     host::MachineState machine;
@@ -84,8 +86,12 @@ TEST_CASE("a stop makes the very moves that the end of a print makes") {
     for (const Command& command : commands) machine.apply(command);
     commands.clear();
     builder.finish(sink);
-    CHECK(texts_of(commands) ==
-          safe_sequence(host::retraction_10nm(settings), machine.z_um, settings));
+    Texts stop = safe_sequence(host::retraction_10nm(settings), machine.z_um, settings);
+    for (const std::string& text : texts_of(host::acceleration_given_back(machine, settings))) {
+      stop.push_back(text);
+    }
+    CHECK(texts_of(commands) == stop);
     CHECK_EQ(texts_of(commands)[2], own_place ? "G0 X20 Y120 F7800" : "G0 X-95 Y5 F7800");
+    CHECK_EQ(stop.back(), axis_mm == 400 ? "M204 S1200" : "M107");
   }
 }

@@ -199,6 +199,19 @@ TEST_CASE("PrusaSlicer's words that go together, in any order") {
     CHECK_EQ(read(limits).volumetric_speed_max_mm3_s, 8);
   }
   CHECK_EQ(read("max_volumetric_speed = 0\n").volumetric_speed_max_mm3_s, 0);
+  CHECK(read("gcode_flavor = marlin2\n").gcode_flavor == core::GcodeFlavor::kMarlin);
+  CHECK(read("gcode_flavor = klipper\n").gcode_flavor == core::GcodeFlavor::kKlipper);
+  CHECK(read("gcode_flavor = reprapfirmware\n").gcode_flavor == core::GcodeFlavor::kRepRapFirmware);
+  const auto other =
+      host::read_settings(head + "gcode_flavor = sailfish\n", "a.ini", host::PrintSettings());
+  REQUIRE(other.ok());
+  CHECK(lists(other.value().left_out, "gcode_flavor = sailfish: rind's own value is used"));
+  // Without a default PrusaSlicer tells no acceleration.
+  CHECK_EQ(read("bridge_acceleration = 500\ndefault_acceleration = 0\n").bridge_acceleration_mm_s2,
+           0);
+  CHECK_EQ(
+      read("bridge_acceleration = 500\ndefault_acceleration = 900\n").bridge_acceleration_mm_s2,
+      500);
   CHECK(read("seam_position = rear\n").seam == core::SeamPosition::kRear);
   CHECK(read("seam_position = cost\n").seam == core::SeamPosition::kAligned);
   CHECK_EQ(read("bridge_fan_speed = -1\n").bridge_fan_share,

@@ -274,6 +274,11 @@ TEST_CASE("PrusaSlicer's keys of the same meaning") {
   CHECK_EQ(set_to("small_perimeter_speed", "15").small_perimeter_speed_mm_s, 15);
   CHECK_EQ(set_to("filament_max_volumetric_speed", "11").volumetric_speed_max_mm3_s, 11);
   CHECK_EQ(set_to("max_volumetric_speed", "0").volumetric_speed_max_mm3_s, 0);
+  CHECK_EQ(set_to("default_acceleration", "1000").default_acceleration_mm_s2, 1'000);
+  CHECK_EQ(set_to("external_perimeter_acceleration", "0").outer_perimeter_acceleration_mm_s2, 0);
+  CHECK_EQ(set_to("infill_acceleration", "900").loose_acceleration_mm_s2, 900);
+  CHECK_EQ(set_to("filament_shrinkage_compensation_xy", "0.4%").shrinkage_xy,
+           doctest::Approx(0.004));
   CHECK_FALSE(set_to("cooling", "0").fan_always_on);
   CHECK_FALSE(set_to("cooling", "0").cool_short_layers);
   for (const char* shape : {"-90x0,0x90,90x0,0x-90", "0x0,9x0,9x9", "round", "",
@@ -325,6 +330,19 @@ TEST_CASE("settings that do not fit together") {
                  }),
                  "not on the bed"));
   CHECK(contains(message_with([](Settings& s) { s.axis_z = Length::from_mm(0.1); }), "axis_z"));
+  CHECK(contains(message_with([](Settings& s) { s.bridge_acceleration_mm_s2 = 500; }),
+                 "bridge_acceleration_mm_s2 = 500 needs default_acceleration_mm_s2"));
+  CHECK(contains(message_with([](Settings& s) { s.height_slowdown_speed = 0.5; }),
+                 "need height_slowdown_to"));
+  CHECK(contains(message_with([](Settings& s) {
+                   s.height_slowdown_from = s.height_slowdown_to = Length::from_mm(20);
+                 }),
+                 "must be more than height_slowdown_from = 20"));
+  CHECK(contains(message_with([](Settings& s) {
+                   s.height_slowdown_to = Length::from_mm(20);
+                   s.height_slowdown_acceleration = 0.5;
+                 }),
+                 "needs default_acceleration_mm_s2"));
   // Whoever fills in the struct by hand is checked like who types.
   CHECK(contains(message_with([](Settings& s) { s.bed_x = Length(); }), "bed_x"));
   CHECK(contains(message_with([](Settings& s) { s.layer_height = Length(); }), "layer_height"));

@@ -1,0 +1,78 @@
+#include "host/pipeline/command_stage.h"
+
+#include <optional>
+#include <utility>
+
+#include "host/pipeline/user_gcode.h"  // with_own_modes
+
+namespace host {
+namespace {
+
+firmware_link::Flavor flavor_of(core::GcodeFlavor flavor) {
+  switch (flavor) {
+    case core::GcodeFlavor::kKlipper:
+      return firmware_link::Flavor::kKlipper;
+    case core::GcodeFlavor::kRepRapFirmware:
+      return firmware_link::Flavor::kRepRapFirmware;
+    case core::GcodeFlavor::kMarlin:
+      break;
+  }
+  return firmware_link::Flavor::kMarlin;
+}
+
+}  // namespace
+
+CommandStage::CommandStage(const core::Settings& settings, const std::function<CommandForm()>& form,
+                           const PipelineOutputs& outputs, std::atomic<bool>& refused)
+    : form_(form),
+      outputs_(outputs),
+      refused_(refused),
+      builder_(with_own_modes(settings)),
+      clock_({settings.acceleration_mm_s2, settings.filament_acceleration_mm_s2,
+              settings.junction_deviation_mm}),
+      encoder_(settings),
+      sink_([this](const core::Motion& motion) { send(motion); }),
+      of_files_{true, flavor_of(settings.gcode_flavor)} {}
+
+void CommandStage::resume_from(const Checkpoint& start) {
+  builder_.resume_from(start.motions);
+  encoder_.resume_from(start.encoder);
+  form_decided_ = true;
+  commands_ = start.commands;
+  filament_before_mm_ = start.filament_mm;
+}
+
+void CommandStage::layer(const core::Slice& slice, const std::vector<core::Road>& roads,
+                         const core::SeamMemory& seams_before, const core::TravelSpace* space) {
+  if (roads.empty()) return;
+  decide_form();
+  if (outputs_.on_checkpoint && !refused_) {
+    outputs_.on_checkpoint({slice.index, slice.bottom, commands_,
+                            filament_before_mm_ + total_mm(builder_.totals().filament_mm),
+                            builder_.state(), encoder_.state(), seams_before});
+  }
+  builder_.layer(slice, roads, sink_, space);
+}
+
+void CommandStage::decide_form() {
+  if (std::exchange(form_decided_, true)) return;
+  const CommandForm form = form_ ? form_() : of_files_;
+  encoder_.set_flavor(form.flavor);
+  if (builder_.arcs_undecided()) builder_.decide_arcs(form.arcs);
+}
+
+void CommandStage::send(const core::Motion& motion) {
+  if (refused_) return;
+  clock_.add(motion);
+  const std::optional<firmware_link::Command> command = encoder_.encode(motion);
+  if (command) ++commands_;
+  if (!outputs_.on_motion(motion, command)) refused_ = true;
+}
+
+void CommandStage::tell(GeometryStatistics& statistics) const {
+  statistics.filament_mm = builder_.totals().filament_mm;
+  statistics.arcs = builder_.totals().arcs;
+  statistics.time_s = clock_.seconds();
+}
+
+}  // namespace host

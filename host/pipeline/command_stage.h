@@ -1,0 +1,66 @@
+// The pipeline's last step: the roads of one layer after another become motions and commands.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "core/motions/motion_builder.h"   // MotionBuilder
+#include "core/motions/motion_clock.h"     // MotionClock
+#include "core/roads/road.h"               // Road
+#include "core/roads/seams.h"              // SeamMemory
+#include "core/roads/travel_space.h"       // TravelSpace
+#include "core/settings.h"                 // Settings
+#include "core/slices/slice.h"             // Slice
+#include "core/units.h"                    // Length
+#include "host/pipeline/checkpoint.h"      // Checkpoint
+#include "host/pipeline/motion_encoder.h"  // MotionEncoder
+#include "host/pipeline/pipeline.h"        // CommandForm, PipelineOutputs
+#include "host/pipeline/statistics.h"      // GeometryStatistics
+
+namespace host {
+
+class CommandStage {
+ public:
+  // `form`: as PrintPlan::command_form. `refused`: set once an output wants no more; nothing is
+  // sent then. All but the settings outlive it.
+  CommandStage(const core::Settings& settings, const std::function<CommandForm()>& form,
+               const PipelineOutputs& outputs, std::atomic<bool>& refused);
+
+  // REQUIRES: nothing was sent.
+  void resume_from(const Checkpoint& start);
+
+  void preheat() { builder_.preheat(sink_); }
+
+  // The next layer up. `seams_before`: of the layers below it. `space`: where travel stays in the
+  // part; none: it goes straight.
+  void layer(const core::Slice& slice, const std::vector<core::Road>& roads,
+             const core::SeamMemory& seams_before, const core::TravelSpace* space);
+
+  void finish() { builder_.finish(sink_); }
+  // The height of the first action that was not due yet (core/motions/height_actions.h).
+  [[nodiscard]] std::optional<core::Length> next_action() const { return builder_.next_action(); }
+
+  // Filament, arcs and time.
+  void tell(GeometryStatistics& statistics) const;
+
+ private:
+  void decide_form();
+  void send(const core::Motion& motion);
+
+  const std::function<CommandForm()>& form_;
+  const PipelineOutputs& outputs_;
+  std::atomic<bool>& refused_;
+  core::MotionBuilder builder_;
+  core::MotionClock clock_;
+  MotionEncoder encoder_;
+  core::MotionBuilder::Sink sink_;
+  CommandForm of_files_;
+  bool form_decided_ = false;
+  std::int64_t commands_ = 0;  // of the whole print
+  double filament_before_mm_ = 0;
+};
+
+}  // namespace host
