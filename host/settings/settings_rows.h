@@ -126,8 +126,7 @@ inline constexpr std::array kSettings = {
                                                   "gyroid", "cubic", "concentric"),
             "", 0, 0, "pattern of the inside's fill"},
     Setting{"loose_every_layers", &PrintSettings::loose_every_layers, "", 1, kLooseEveryMax,
-            "number of layers whose inside is laid at once, in the highest of them, as far as the "
-            "nozzle allows"},
+            "number of layers whose inside is laid at once, in the highest; the nozzle limits it"},
     Setting{"infill_anchor_max", &PrintSettings::infill_anchor_max, "mm", 0, 1'000,
             "longest join of the inside's roads along the wall; 0: none are joined"},
     Setting{"solid_pattern",
@@ -153,8 +152,7 @@ inline constexpr std::array kSettings = {
     Setting{"seam_gap", &PrintSettings::seam_gap, "mm", 0, 1,
             "distance from the end of a closed road to its start; off: none", kOffIsZero},
     Setting{"fuzzy_skin", choice<&PrintSettings::fuzzy_skin>("none", "external", "all"), "", 0, 0,
-            "rough surface: external, on outer contours; all, in holes, too; not on the first "
-            "layer"},
+            "rough surface above the first layer; external: of outer contours; all: of holes, too"},
     Setting{"fuzzy_skin_thickness", &PrintSettings::fuzzy_skin_thickness, "mm", 0, 5,
             "farthest that a point of a rough perimeter is moved, in or out"},
     Setting{"fuzzy_skin_point_distance", &PrintSettings::fuzzy_skin_point_distance, "mm", 0.05, 20,
@@ -191,8 +189,7 @@ inline constexpr std::array kSettings = {
     Setting{"hole_compensation", &PrintSettings::hole_compensation, "mm", -5, 5,
             "how far the contours of holes are moved inwards; negative: holes get larger"},
     Setting{"shrinkage_xy", &PrintSettings::shrinkage_xy, "%", -0.1, 0.5,
-            "fraction by which the filament shrinks sideways as it cools; the part is made larger "
-            "by as much"},
+            "fraction by which the filament shrinks sideways; the part is made larger for it"},
     Setting{"shrinkage_z", &PrintSettings::shrinkage_z, "%", -0.1, 0.5,
             "fraction by which it shrinks in height; 0 for a file of layers"},
     Setting{"simplify_tolerance", &PrintSettings::simplify_tolerance, "mm", 0, 0.5,
@@ -360,8 +357,7 @@ inline constexpr std::array kSettings = {
             "speed of the part's fan on perimeters of which the layer below holds more than 3/4, "
             "1/2, 1/4 of the width, and less, if it is more than the layer's"},
     Setting{"fan_share_min", &PrintSettings::fan_share_min, "%", 0, 1,
-            "speed of the part's fan on layers of fan_below_layer_time_s or longer; at most "
-            "fan_share"},
+            "speed of the part's fan on layers of fan_below_layer_time_s or longer"},
     Setting{"fan_always_on", &PrintSettings::fan_always_on, "", 0, 1,
             "whether the fan also runs on long layers"},
     Setting{"fan_below_layer_time_s", &PrintSettings::fan_below_layer_time_s, "s", 0, 3'600,
@@ -375,30 +371,28 @@ inline constexpr std::array kSettings = {
             kAutoIsNegative},
     Setting{"gcode_flavor",
             choice<&PrintSettings::gcode_flavor>("marlin", "klipper", "reprapfirmware"), "", 0, 0,
-            "firmware that a file's accelerations and pressure advance are written for; a print "
-            "uses its controller's"},
+            "firmware whose accelerations and pressure advance a file has; a print: its own"},
     Setting{"start_gcode", &PrintSettings::start_gcode, "", 0, kVerbatimLinesMax,
             "lines of G-code that are sent first, with \\n between them; ';' starts a comment"},
     Setting{"end_gcode", &PrintSettings::end_gcode, "", 0, kVerbatimLinesMax,
             "lines of G-code that are sent last"},
     Setting{"at_height", &PrintSettings::at_height, "", 0, kVerbatimLinesMax,
-            "lines of a height in mm and what is done there: pause, nozzle_celsius NUMBER, gcode "
-            "LINE, or a command as M600; before the first layer that starts at that height or "
-            "above it"},
+            "lines of a height in mm and what is done before the first layer that starts there or "
+            "above: pause, nozzle_celsius NUMBER, gcode LINE, or a command as M600"},
     Setting{"pause_gcode", &PrintSettings::pause_gcode, "", 0, kVerbatimLinesMax,
             "lines of G-code that stand for a pause in a file; a print pauses by itself"},
     Setting{"allow_gcode", &PrintSettings::allow_gcode, "", 0, 0,
-            "commands that are allowed in start_gcode and end_gcode, although they are refused "
-            "otherwise, as M500,M501; only on the command line"},
+            "commands that the user's G-code may have although they are refused otherwise, as "
+            "M500,M501; only on the command line"},
     Setting{"park_lift", &PrintSettings::park_lift, "mm", 0, 1'000,
             "lift of the nozzle at the end and at a stop"},
-    Setting{"park_x", &PrintSettings::park_x, "mm", 0, kBedMaxMm,
-            "distance of the nozzle from the bed's left side when it is parked; auto: 5 mm at the "
-            "end and at a stop, in a pause that of the corner farthest from the part",
-            kAutoIsNegative},
+    Setting{
+        "park_x", &PrintSettings::park_x, "mm", 0, kBedMaxMm,
+        "parked nozzle's distance from the bed's left side; auto: 5 mm at the end and at a stop, "
+        "in a pause that of the corner farthest from the part",
+        kAutoIsNegative},
     Setting{"park_y", &PrintSettings::park_y, "mm", 0, kBedMaxMm,
-            "distance of the nozzle from the bed's front when it is parked; auto: as park_x",
-            kAutoIsNegative},
+            "parked nozzle's distance from the bed's front; auto: as park_x", kAutoIsNegative},
 };
 
 }  // namespace host

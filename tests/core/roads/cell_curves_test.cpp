@@ -26,7 +26,7 @@ double least_difference(const Curve& curve, const Curve& other, double from, dou
 
 template <typename Curve>
 void check_pair(const Curve& a, const Curve& b, double from, double to, double slack) {
-  const double at = a.closest(b, from, to);
+  const double at = a.closest(b, typename Curve::Place(from), typename Curve::Place(to));
   CHECK_GE(at, from);
   CHECK_LE(at, to);
   CHECK(b.value(at) - a.value(at) <= least_difference(a, b, from, to) + slack);

@@ -48,7 +48,7 @@ TEST_CASE("a command changes what it names and nothing else") {
   CHECK_EQ(state.z_um, 2'400);
 }
 
-TEST_CASE("filament counts as drawn back only where it moves alone, and never as negative") {
+TEST_CASE("filament counts as drawn back where it moves alone or is wiped, and never as negative") {
   host::MachineState state = in_a_road();
   state.apply(filament(-100'000));
   CHECK_EQ(state.drawn_back_10nm, 100'000);
@@ -56,8 +56,13 @@ TEST_CASE("filament counts as drawn back only where it moves alone, and never as
   CHECK_EQ(state.drawn_back_10nm, 60'000);
   state.apply(filament(500'000));
   CHECK_EQ(state.drawn_back_10nm, 0);
-  Move road = filament(-30'000);
-  road.x_um = 1;
+  Move wipe = filament(-30'000);
+  wipe.x_um = 1;
+  state.apply(wipe);
+  CHECK_EQ(state.drawn_back_10nm, 30'000);
+  state.apply(filament(30'000));
+  Move road = filament(30'000);
+  road.x_um = 2;
   state.apply(road);
   CHECK_EQ(state.drawn_back_10nm, 0);
 }

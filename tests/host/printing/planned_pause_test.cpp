@@ -21,6 +21,9 @@ core::Settings acting() {
   core::Settings settings = print_test::coarse();
   settings.at_height = {"1.2 gcode G91", "1.2 M117 here", "1.5 nozzle_celsius 220", "2.1 pause",
                         "99 M117 never"};
+  // Pauses are far from the part, the end is at the front left.
+  settings.centre = false;
+  settings.part_x = settings.part_y = core::Length::from_mm(40);
   return settings;
 }
 
@@ -33,7 +36,7 @@ std::vector<std::string> lines_to_print(const std::string& part) {
 
 bool away(const Rig& rig) {
   const auto state = rig.port->controller().state();
-  return state.x_mm == 5 && state.y_mm == 5 && state.z_mm > 10;
+  return state.x_mm == 295 && state.y_mm == 295 && state.z_mm > 10;
 }
 
 // Resumes each pause, and counts them; more than a few are no end.

@@ -243,7 +243,9 @@ TEST_CASE("a bad layer in mid-print waits for its user off the part, and resumes
     bool away = false;
     rig.control.request = [&]() -> std::optional<host::UserRequest> {
       const auto state = rig.controller();
-      const bool off_part = state.z_mm > 10 && state.x_mm == 5 && state.y_mm == 5;
+      // The end parks there, too, above the whole part.
+      const bool off_part =
+          state.z_mm > 10 && state.z_mm < 15.5 && state.x_mm == 5 && state.y_mm == 5;
       const bool waits = off_part && !away;
       away = off_part;
       if (!waits) return std::nullopt;
