@@ -58,7 +58,9 @@ TEST_CASE("a mesh that shrinks gets the size that was asked for") {
         folder.add(many ? "tower.stl" : "box.stl", many ? parts::tower(parts::TowerSize{200, 64, 1})
                                                         : parts::box({3, 4, 0}, 20, 10, 8));
     host::OpenedPart plain = opened(path, Settings());
-    for (const auto& [xy, z] : std::vector<std::pair<double, double>>{{0.01, 0}, {0.004, 0.02}}) {
+    for (const auto& [xy_share, z_share] :
+         std::vector<std::pair<double, double>>{{0.01, 0}, {0.004, 0.02}}) {
+      const double xy = xy_share, z = z_share;
       CAPTURE(xy);
       host::OpenedPart larger = opened(path, shrinking(xy, z));
       const core::Box &was = plain.summary.box, &is = larger.summary.box;
