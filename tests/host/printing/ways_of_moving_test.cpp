@@ -79,11 +79,12 @@ TEST_CASE("a file is spelled for its firmware, and lays the same") {
 TEST_CASE("a print is told what the file of its controller's flavor has") {
   const PartFolder folder;
   const std::string path = print_test::small_part(folder);
-  for (const auto& [dialect, flavor] :
+  for (const auto& [spoken, flavor] :
        {std::pair(VirtualDialect::kMarlin, core::GcodeFlavor::kMarlin),
         std::pair(VirtualDialect::kPrusa, core::GcodeFlavor::kMarlin),
         std::pair(VirtualDialect::kKlipper, core::GcodeFlavor::kKlipper),
         std::pair(VirtualDialect::kRepRap, core::GcodeFlavor::kRepRapFirmware)}) {
+    const VirtualDialect dialect = spoken;
     CAPTURE(static_cast<int>(dialect));
     core::Settings settings = told_settings();
     settings.start_gcode = {"G28"};
@@ -106,7 +107,7 @@ TEST_CASE("a print is told what the file of its controller's flavor has") {
 TEST_CASE("after a reset the controller is told again, before it moves") {
   const PartFolder folder;
   const std::string path = print_test::small_part(folder);
-  for (const std::size_t at : {60, 300}) {
+  for (const std::size_t at : {60U, 300U}) {
     CAPTURE(at);
     Rig rig(told_settings(), path);
     rig.options.lost_port_wait_s = 20;
@@ -148,7 +149,7 @@ TEST_CASE("another program that resumes tells the controller what the print has 
   const std::string journal_path = state.path("print.journal");
   const core::Settings settings = told_settings();
   const std::vector<std::string> whole = telling(print_test::sliced_lines(settings, path));
-  for (const std::size_t at : {70, 260}) {
+  for (const std::size_t at : {70U, 260U}) {
     CAPTURE(at);
     Rig rig(settings, path);
     {
