@@ -10,7 +10,6 @@
 #include "tests/support/part_folder.h"
 #include "tests/support/region_checks.h"
 
-using core::Length;
 using core::Settings;
 using test::PartFolder;
 
