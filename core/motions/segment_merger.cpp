@@ -3,20 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/regions/polyline.h"  // distance_mm
-#include "core/trigonometry.h"      // hypotenuse
+#include "core/regions/polyline.h"  // distance_mm, distance_units
 
 namespace core {
 namespace {
-
-// From a to b, along the straight line between them.
-double off_line_mm(Point p, Point a, Point b) {
-  const double dx = static_cast<double>(b.x) - a.x, dy = static_cast<double>(b.y) - a.y;
-  const double x = static_cast<double>(p.x) - a.x, y = static_cast<double>(p.y) - a.y;
-  const double squared = dx * dx + dy * dy;
-  const double t = squared > 0 ? std::clamp((x * dx + y * dy) / squared, 0.0, 1.0) : 0;
-  return hypotenuse(x - t * dx, y - t * dy) / kUnitsPerMm;
-}
 
 // How many pieces from `first` on one straight piece can stand for.
 std::size_t mergeable(Point from, const std::vector<RoadPiece>& pieces, std::size_t first,
@@ -27,7 +17,7 @@ std::size_t mergeable(Point from, const std::vector<RoadPiece>& pieces, std::siz
     const RoadPiece& next = pieces[first + count];
     if (next.is_arc || next.length_mm >= length_min_mm || next.to == from) break;
     const auto near = [&](const RoadPiece& piece) {
-      return off_line_mm(piece.to, from, next.to) <= tolerance_mm;
+      return distance_units(piece.to, Segment{from, next.to}) / kUnitsPerMm <= tolerance_mm;
     };
     const auto begin = pieces.begin() + static_cast<std::ptrdiff_t>(first);
     if (!std::all_of(begin, begin + static_cast<std::ptrdiff_t>(count), near)) break;

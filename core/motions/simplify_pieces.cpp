@@ -7,8 +7,7 @@
 
 #include "core/regions/polyline.h"  // distance_mm, distance_units
 #include "core/regions/simplify.h"  // kept_points
-#include "core/trigonometry.h"      // hypotenuse
-#include "core/vector.h"            // Vector
+#include "core/vector.h"            // Vector, to_vector
 
 namespace core {
 namespace {
@@ -19,14 +18,6 @@ struct Kept {
   std::size_t first = 0;  // points of the run that it stands for: from this one
   std::size_t last = 0;   // to this one
 };
-
-double distance_to(Point point, Point from, Point to) {
-  const Vector a = to_vector(from), along = to_vector(to) - a, off = to_vector(point) - a;
-  const double squared = dot(along, along);
-  const double share = squared > 0 ? std::clamp(dot(off, along) / squared, 0.0, 1.0) : 0;
-  const Vector rest = off - along * share;
-  return hypotenuse(rest.x, rest.y);
-}
 
 // Where a → b, drawn on beyond b, meets d → c, drawn on beyond c. Nothing where they turn by more
 // than a right angle.
@@ -46,11 +37,11 @@ std::optional<Point> corner(Point a, Point b, Point c, Point d) {
 // Whether a corner may stand for the run's points from `first` to `last`.
 bool stands_for(Point at, const std::vector<Point>& run, std::size_t first, std::size_t last,
                 double tolerance) {
-  double off = distance_to(at, run[first], run[first + 1]);
+  double off = distance_units(at, Segment{run[first], run[first + 1]});
   for (std::size_t i = first + 1; i < last; ++i) {
-    off = std::min(off, distance_to(at, run[i], run[i + 1]));
-    const double left_out =
-        std::min(distance_to(run[i], run[first], at), distance_to(run[i], at, run[last]));
+    off = std::min(off, distance_units(at, Segment{run[i], run[i + 1]}));
+    const double left_out = std::min(distance_units(run[i], Segment{run[first], at}),
+                                     distance_units(run[i], Segment{at, run[last]}));
     if (left_out > tolerance) return false;
   }
   return off <= tolerance;

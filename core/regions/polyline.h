@@ -4,8 +4,9 @@
 #include <cmath>
 #include <vector>
 
-#include "core/geometry.h"  // Point
+#include "core/geometry.h"  // Point, Segment
 #include "core/units.h"     // kUnitsPerMm
+#include "core/vector.h"    // Vector, share_along
 
 namespace core {
 
@@ -17,6 +18,14 @@ namespace core {
 
 [[nodiscard]] inline double distance_mm(Point a, Point b) {
   return distance_units(a, b) / kUnitsPerMm;
+}
+
+// To the nearest point of the segment.
+[[nodiscard]] inline double distance_units(Point point, const Segment& segment) {
+  const Vector along = to_vector(segment.to) - to_vector(segment.from);
+  const Vector to = to_vector(point) - to_vector(segment.from);
+  const Vector off = to - along * share_along(to, along);
+  return std::sqrt(dot(off, off));
 }
 
 // The way back to the start included where closed.

@@ -19,8 +19,7 @@ constexpr double kLoopWidthsMin = 1;
 // How far a point is from where a road from a to b would have it, in shares of the tolerances.
 double off(const BeadPoint& p, const BeadPoint& a, const BeadPoint& b, double tolerance) {
   const Vector along = b.at - a.at, away = p.at - a.at;
-  const double squared = dot(along, along);
-  const double share = squared > 0 ? std::clamp(dot(away, along) / squared, 0.0, 1.0) : 0;
+  const double share = share_along(away, along);
   const Vector rest = away - along * share;
   const double width = p.room - (a.room + share * (b.room - a.room));
   return std::max(hypotenuse(rest.x, rest.y) / tolerance,

@@ -111,8 +111,7 @@ Offset off_chord(const ThickPolyline& line, std::size_t first, std::size_t last,
   const std::size_t count = line.points.size();
   const Vector a = to_vector(line.points[first]), b = to_vector(line.points[last % count]);
   const Vector chord = b - a, to = to_vector(line.points[i]) - a;
-  const double squared = dot(chord, chord);
-  const double t = squared > 0 ? std::clamp(dot(chord, to) / squared, 0.0, 1.0) : 0;
+  const double t = share_along(to, chord);
   const Vector off = to - chord * t;
   const double from = static_cast<double>(line.widths[first].units());
   const double until = static_cast<double>(line.widths[last % count].units());

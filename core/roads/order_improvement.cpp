@@ -129,6 +129,15 @@ class Order {
   std::vector<Stop> stops_;
 };
 
+double sum_of_travels(const std::vector<Road>& roads, Point from, double (*of)(Point, Point)) {
+  double sum = 0;
+  for (const Road& road : roads) {
+    sum += of(from, road.points.front());
+    from = end_of(road);
+  }
+  return sum;
+}
+
 }  // namespace
 
 void improve_order(std::vector<Road>& roads, Point from) {
@@ -141,21 +150,11 @@ void improve_order(std::vector<Road>& roads, Point from) {
 }
 
 double travel_cost_mm(const std::vector<Road>& roads, Point from) {
-  double sum = 0;
-  for (const Road& road : roads) {
-    sum += cost_mm(from, road.points.front());
-    from = end_of(road);
-  }
-  return sum;
+  return sum_of_travels(roads, from, cost_mm);
 }
 
 double travel_mm(const std::vector<Road>& roads, Point from) {
-  double sum = 0;
-  for (const Road& road : roads) {
-    sum += distance_mm(from, road.points.front());
-    from = end_of(road);
-  }
-  return sum;
+  return sum_of_travels(roads, from, distance_mm);
 }
 
 }  // namespace core

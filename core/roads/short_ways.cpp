@@ -7,11 +7,9 @@
 #include <utility>
 
 #include "core/geometry.h"              // Box, Point, Segment
-#include "core/regions/polyline.h"      // distance_mm
+#include "core/regions/polyline.h"      // distance_mm, distance_units
 #include "core/regions/segment_grid.h"  // SegmentGrid
-#include "core/trigonometry.h"          // hypotenuse
 #include "core/units.h"                 // Length
-#include "core/vector.h"                // Vector
 
 namespace core {
 namespace {
@@ -37,19 +35,10 @@ Point end_of(const Road& road, const Settings& settings) {
   return road.closed ? opened(road, settings.seam_gap).points.back() : road.points.back();
 }
 
-double distance_to(Point point, const Segment& segment) {
-  const Vector a = to_vector(segment.from), along = to_vector(segment.to) - a;
-  const Vector to = to_vector(point) - a;
-  const double squared = dot(along, along);
-  const double share = squared > 0 ? std::clamp(dot(to, along) / squared, 0.0, 1.0) : 0;
-  const Vector off = to - along * share;
-  return hypotenuse(off.x, off.y);
-}
-
 // Of two segments that don't cross.
 double distance_between(const Segment& a, const Segment& b) {
-  return std::min(
-      {distance_to(a.from, b), distance_to(a.to, b), distance_to(b.from, a), distance_to(b.to, a)});
+  return std::min({distance_units(a.from, b), distance_units(a.to, b), distance_units(b.from, a),
+                   distance_units(b.to, a)});
 }
 
 Box grown(Box box, double by) {

@@ -11,9 +11,16 @@
 
 namespace core {
 
+namespace {
+
+Length thickest_block(const Settings& settings) {
+  return std::min(settings.nozzle_diameter, settings.road_width);
+}
+
+}  // namespace
+
 int loose_block_layers(const Settings& settings) {
-  const Length thickest = std::min(settings.nozzle_diameter, settings.road_width);
-  const std::int64_t fit = thickest.units() / settings.layer_height.units();
+  const std::int64_t fit = thickest_block(settings).units() / settings.layer_height.units();
   return static_cast<int>(std::clamp<std::int64_t>(fit, 1, settings.loose_every_layers));
 }
 
@@ -52,6 +59,7 @@ void LooseBlocks::release() {
 // What is loose in every layer of the block, within its perimeters.
 Region LooseBlocks::common() const {
   const Length height = block_.front().slice.height;
+  if (height * layers_ > thickest_block(settings_)) return {};  // a file's layers may be higher
   for (const SplitLayer& layer : block_) {
     if (layer.loose.empty() || layer.slice.height != height) return {};
   }

@@ -124,6 +124,19 @@ TEST_CASE("blocks count from the bed; part of one, unequal layers and one solid 
   }
 }
 
+TEST_CASE("a file's layers that are higher than the settings' make no block that is too thick") {
+  const Settings settings = of_blocks(3);
+  for (const double height_mm : {0.13, 0.14}) {
+    CAPTURE(height_mm);
+    std::vector<SplitLayer> layers = wandering(settings, 3, 9, 11);
+    for (SplitLayer& layer : layers) layer.slice.height = Length::from_mm(height_mm);
+    LooseBlocks blocks(settings);
+    for (const SplitLayer& layer : through(blocks, layers)) {
+      CHECK_EQ(layer.block.region != nullptr, height_mm * 3 <= settings.nozzle_diameter.mm());
+    }
+  }
+}
+
 TEST_CASE("layers are held until their block is known, and no longer") {
   const Settings settings = of_blocks(4);
   LooseBlocks blocks(settings);

@@ -9,12 +9,14 @@
 #include "host/formats/formats.h"
 #include "host/part/part_file.h"
 #include "tests/support/format_samples.h"
+#include "tests/support/part_slices.h"
 #include "tests/support/region_text.h"
 #include "tests/support/temporary_folder.h"
 
 using core::ErrorCode;
 using core::Length;
 using core::Settings;
+using test::all_slices;
 
 namespace {
 
@@ -39,16 +41,6 @@ core::Result<host::OpenedPart> open_once(const std::string& bytes, const Setting
   auto layers = host::open_layers(kind.value(), std::move(file));
   REQUIRE(layers.ok());
   return host::open_layer_file({"pipe", std::move(layers).value(), {}}, settings);
-}
-
-std::vector<core::Slice> all_slices(host::OpenedPart& part) {
-  std::vector<core::Slice> slices;
-  while (true) {
-    auto slice = part.layers->next();
-    REQUIRE_MESSAGE(slice.ok(), (slice.ok() ? "" : slice.error().message));
-    if (!slice.value()) return slices;
-    slices.push_back(*std::move(slice).value());
-  }
 }
 
 Settings small_bed() {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/part_slices.h"
 #include "tests/support/region_checks.h"
 #include "tests/support/region_text.h"
 #include "tests/support/temporary_folder.h"
@@ -19,6 +20,7 @@ using core::Settings;
 using host::open_part;
 using host::open_whole_part;
 using host::OpenedPart;
+using test::all_slices;
 
 namespace {
 
@@ -26,16 +28,6 @@ std::string binary(const parts::Part& part) {
   std::ostringstream out;
   parts::write_binary_stl(part, out);
   return out.str();
-}
-
-std::vector<core::Slice> all_slices(OpenedPart& part) {
-  std::vector<core::Slice> slices;
-  while (true) {
-    auto slice = part.layers->next();
-    REQUIRE(slice.ok());
-    if (!slice.value()) return slices;
-    slices.push_back(*std::move(slice).value());
-  }
 }
 
 OpenedPart opened(const test::TemporaryFolder& folder, const parts::Part& part,

@@ -8,9 +8,11 @@
 
 #include "host/part/part_file.h"
 #include "tests/support/part_folder.h"
+#include "tests/support/part_slices.h"
 #include "tests/support/region_checks.h"
 
 using core::Settings;
+using test::all_slices;
 using test::PartFolder;
 
 namespace {
@@ -23,16 +25,6 @@ Settings shrinking(double xy, double z) {
 }
 
 double mm(std::int64_t units) { return static_cast<double>(units) / core::kUnitsPerMm; }
-
-std::vector<core::Slice> slices_of(host::OpenedPart& part) {
-  std::vector<core::Slice> slices;
-  while (true) {
-    auto slice = part.layers->next();
-    REQUIRE(slice.ok());
-    if (!slice.value()) return slices;
-    slices.push_back(*std::move(slice).value());
-  }
-}
 
 host::OpenedPart opened(const std::string& path, const Settings& settings) {
   auto part = host::open_whole_part(path, settings);
@@ -79,7 +71,7 @@ TEST_CASE("slices of a shrinking mesh have the area that is left of it by the fo
   const PartFolder folder;
   const std::string path = folder.add("box.stl", parts::box({3, 4, 0}, 20, 10, 8));
   host::OpenedPart part = opened(path, shrinking(0.02, 0.5));
-  const std::vector<core::Slice> slices = slices_of(part);
+  const std::vector<core::Slice> slices = all_slices(part);
   CHECK_EQ(slices.size(), 80);  // 16 mm, of which 8 are left
   for (const core::Slice& slice : slices) {
     CHECK(slice.region.area_mm2() * 0.98 * 0.98 == doctest::Approx(200).epsilon(1e-5));
@@ -90,7 +82,7 @@ TEST_CASE("a file of layers is made larger sideways, and refused where heights w
   const PartFolder folder;
   const std::string path = folder.add_text("part.cli", kLayers);
   host::OpenedPart part = opened(path, shrinking(0.01, 0));
-  const std::vector<core::Slice> slices = slices_of(part);
+  const std::vector<core::Slice> slices = all_slices(part);
   REQUIRE_EQ(slices.size(), 1);
   CHECK(slices[0].region.area_mm2() * 0.99 * 0.99 == doctest::Approx(400).epsilon(1e-5));
   CHECK(test::is_clean(slices[0].region));

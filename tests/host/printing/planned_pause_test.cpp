@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -53,6 +54,22 @@ struct Resumer {
     return ++pauses > 3 ? UserRequest::kStop : UserRequest::kResume;
   }
 };
+
+// Prints with a journal, and ends early where `now` holds: stopped, or by an unplugged port.
+void print_until(Rig& rig, const std::string& journal_path, bool stopped,
+                 const std::function<bool()>& now) {
+  core::Result<host::Journal> journal = print_test::new_journal(journal_path);
+  REQUIRE(journal.ok());
+  rig.control.kept_journal = &journal.value();
+  rig.control.stop = [&] { return stopped && now() ? 1 : 0; };
+  rig.wire->on_read = [&] {
+    if (!stopped && now()) rig.wire->unplug();
+  };
+  CHECK_NE(rig.print().exit_code, host::kExitDone);
+  rig.control.kept_journal = nullptr;
+  rig.control.stop = nullptr;
+  rig.wire->on_read = nullptr;
+}
 
 }  // namespace
 
@@ -114,16 +131,7 @@ TEST_CASE("interrupted around an action, the resumed print does not repeat it") 
       CAPTURE(stopped);
       Rig rig(acting(), part);
       rig.options.banner_wait_s = 0.05;
-      {
-        core::Result<host::Journal> journal = print_test::new_journal(journal_path);
-        REQUIRE(journal.ok());
-        rig.control.kept_journal = &journal.value();
-        rig.control.stop = [&] { return stopped && rig.executed.size() >= at ? 1 : 0; };
-        rig.wire->on_read = [&] {
-          if (!stopped && rig.executed.size() >= at) rig.wire->unplug();
-        };
-        CHECK_NE(rig.print().exit_code, host::kExitDone);
-      }
+      print_until(rig, journal_path, stopped, [&] { return rig.executed.size() >= at; });
       Resumer resumer{rig};
       rig.control.request = [&] { return resumer.request(); };
       const host::PrintOutcome outcome = print_test::print_rest(rig, part, journal_path, acting());
@@ -145,16 +153,7 @@ TEST_CASE("a print that ended in its own pause goes on behind it, as hot as it w
     CAPTURE(stopped);
     Rig rig(acting(), part);
     rig.options.banner_wait_s = 0.05;
-    {
-      core::Result<host::Journal> journal = print_test::new_journal(journal_path);
-      REQUIRE(journal.ok());
-      rig.control.kept_journal = &journal.value();
-      rig.control.stop = [&] { return stopped && away(rig) ? 1 : 0; };
-      rig.wire->on_read = [&] {
-        if (!stopped && away(rig)) rig.wire->unplug();
-      };
-      CHECK_NE(rig.print().exit_code, host::kExitDone);
-    }
+    print_until(rig, journal_path, stopped, [&] { return away(rig); });
     const auto read = host::read_journal(journal_path);
     REQUIRE(read.ok());
     CHECK_EQ(read.value().record.machine.nozzle_tenths, 2'200);
