@@ -1,5 +1,5 @@
 // All settings of a print: those that decide the G-code (core::Settings), and those of the link.
-// Units, ranges and help texts are in host/settings/settings_rows.h.
+// Units, ranges and help texts are in host/settings/part_rows.h and machine_rows.h.
 #pragma once
 
 #include <utility>
