@@ -56,6 +56,11 @@ enum class BrimPlace { kOuter, kBoth, kInner };
 struct Settings {
   // Layers and the wall.
   Length layer_height = Length::from_units(2'000);
+  bool adaptive_layer_height = false;                 // lower layers where the surface is flat
+  Length cusp_height = Length::from_units(500);       // the highest step that they leave
+  Length layer_height_min = Length::from_units(700);  // of them
+  Length layer_height_max;                            // of them; 0: 3/4 of the nozzle's bore
+  std::vector<std::string> height_range;              // "10-12.5 0.1" (layer_heights.h)
   Length wall_thickness = Length::from_units(8'000);
   WallShape wall_shape = WallShape::kBall;
   int wall_layers = 0;  // T of a cylinder; 0: from the wall's thickness
@@ -85,6 +90,7 @@ struct Settings {
   bool ironing = false;
   double ironing_flow = 0.15;
   Length ironing_spacing = Length::from_units(1'000);
+  bool spiral_vase = false;  // one perimeter that rises without a seam
   SeamPosition seam = SeamPosition::kAligned;
   Length seam_gap = Length::from_units(600);  // between a closed road's end and its start
   FuzzySkin fuzzy_skin = FuzzySkin::kNone;
@@ -102,6 +108,12 @@ struct Settings {
   int skirt_loops = 1;
   Length skirt_length_min;  // more loops until the skirt is as long
   Length skirt_distance = Length::from_units(30'000);
+
+  // The raft (raft.h).
+  int raft_layers = 0;                                       // 0: none
+  Length raft_expansion = Length::from_units(15'000);        // beyond the first slice
+  Length raft_contact_distance = Length::from_units(1'000);  // between the raft and the part
+  double raft_first_layer_density = 0.9;                     // share of its area
 
   // Bridges and overhangs.
   double overhang_angle_degrees = 45;               // from the vertical; steeper is told
