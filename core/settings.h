@@ -109,7 +109,7 @@ struct Settings {
   Length skirt_length_min;  // more loops until the skirt is as long
   Length skirt_distance = Length::from_units(30'000);
 
-  // The raft (raft.h).
+  // The raft, torn off later.
   int raft_layers = 0;                                       // 0: none
   Length raft_expansion = Length::from_units(15'000);        // beyond the first slice
   Length raft_contact_distance = Length::from_units(1'000);  // between the raft and the part

@@ -3,7 +3,8 @@
 
 #include <array>
 
-#include "host/settings/setting_row.h"  // Setting
+#include "host/settings/setting_row.h"    // Setting
+#include "host/settings/settings_text.h"  // kVerbatimLinesMax
 
 namespace host {
 
@@ -12,6 +13,16 @@ inline constexpr double kLooseEveryMax = 10;
 
 inline constexpr std::array kPartRows = {
     Setting{"layer_height", &PrintSettings::layer_height, "mm", 0.01, 2, "height of every layer"},
+    Setting{"adaptive_layer_height", &PrintSettings::adaptive_layer_height, "", 0, 1,
+            "whether layers of a mesh are lower where its surface is flat"},
+    Setting{"cusp_height", &PrintSettings::cusp_height, "mm", 0.005, 1,
+            "highest step that adaptive layers leave in the surface"},
+    Setting{"layer_height_min", &PrintSettings::layer_height_min, "mm", 0.01, 2,
+            "height of the lowest adaptive layer"},
+    Setting{"layer_height_max", &PrintSettings::layer_height_max, "mm", 0.01, 2,
+            "height of the highest adaptive layer; auto: 3/4 of nozzle_diameter", kAutoIsZero},
+    Setting{"height_range", &PrintSettings::height_range, "", 0, kVerbatimLinesMax,
+            "lines of two heights and the layers' height between them, as 10-12.5 0.1"},
     Setting{"wall_thickness", &PrintSettings::wall_thickness, "mm", 0.05, 100,
             "thickness of the dense wall, sideways, up and down"},
     Setting{"wall_shape", choice<&PrintSettings::wall_shape>("ball", "cylinder"), "", 0, 0,
@@ -74,6 +85,8 @@ inline constexpr std::array kPartRows = {
             "filament of ironing, as a fraction of a dense layer's"},
     Setting{"ironing_spacing", &PrintSettings::ironing_spacing, "mm", 0.02, 2,
             "distance of the rows of ironing"},
+    Setting{"spiral_vase", &PrintSettings::spiral_vase, "", 0, 1,
+            "whether the part is one perimeter that rises without a seam, open at the top"},
     Setting{
         "seam", choice<&PrintSettings::seam>("aligned", "nearest", "rear", "random"), "", 0, 0,
         "place where a closed perimeter starts and ends: aligned, in one line up the part, in a "
@@ -105,6 +118,14 @@ inline constexpr std::array kPartRows = {
             "least length of the skirt; shorter ones get more loops"},
     Setting{"skirt_distance", &PrintSettings::skirt_distance, "mm", 0, 200,
             "distance from the part and its brim to the skirt"},
+    Setting{"raft_layers", &PrintSettings::raft_layers, "", 0, 50,
+            "number of layers under the part that are torn off later; 0: none"},
+    Setting{"raft_expansion", &PrintSettings::raft_expansion, "mm", 0, 100,
+            "distance of the raft's outline from the first slice"},
+    Setting{"raft_contact_distance", &PrintSettings::raft_contact_distance, "mm", 0, 2,
+            "gap between the raft and the part"},
+    Setting{"raft_first_layer_density", &PrintSettings::raft_first_layer_density, "%", 0.1, 1,
+            "fraction of the raft's first layer that is filled"},
     Setting{"overhang_angle_degrees", &PrintSettings::overhang_angle_degrees, "°", 0, 90,
             "angle from the vertical; overhangs that are steeper are reported"},
     Setting{"bridge_max", &PrintSettings::bridge_max, "mm", 0, 1'000,
