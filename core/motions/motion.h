@@ -1,6 +1,7 @@
 // What the machine is to do, in typed lengths; how a controller is told is not known here.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -47,6 +48,7 @@ struct Extrude {
   Point to;
   double filament_mm = 0;
   double speed_mm_s = 0;
+  std::optional<Length> z{};  // rising to this height above the bed; none: at constant height
 };
 
 // Lays material along an arc of a circle, at constant height, from where the nozzle is.

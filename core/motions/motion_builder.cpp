@@ -13,32 +13,25 @@
 #include "core/motions/park_height.h"      // park_height
 #include "core/motions/park_place.h"       // park_place
 #include "core/motions/road_accelerations.h"
-#include "core/motions/road_speeds.h"      // fan_share_least, full_speed_mm_s
-#include "core/motions/segment_merger.h"   // merge_short_pieces, sendable_speed
-#include "core/motions/simplify_pieces.h"  // simplify_pieces
-#include "core/motions/wipe_way.h"         // wipe_plan
-#include "core/regions/polyline.h"         // distance_mm, length_mm
-#include "core/regions/segment_grid.h"     // SegmentGrid
+#include "core/motions/road_speeds.h"   // fan_share_least, full_speed_mm_s
+#include "core/motions/wipe_way.h"      // wipe_plan
+#include "core/regions/polyline.h"      // distance_mm, length_mm
+#include "core/regions/ring_corners.h"  // nearest_place
 
 namespace core {
 
-// The slice's contour, entered in a grid only when a travel asks for it.
-class MotionBuilder::Boundary {
- public:
-  explicit Boundary(const Region& region) : region_(region) {}
+namespace {
 
-  [[nodiscard]] bool crossed_by(const Segment& line) {
-    if (!grid_) grid_.emplace(Length::from_mm(2), region_);
-    return grid_->crosses(line);
-  }
+double length_mm(const std::vector<WidthStretch>& stretches) {
+  double sum = 0;
+  for (const WidthStretch& each : stretches) sum += length_mm(each.points, each.closed);
+  return sum;
+}
 
- private:
-  const Region& region_;
-  std::optional<SegmentGrid> grid_;
-};
+}  // namespace
 
 MotionBuilder::MotionBuilder(const Settings& settings)
-    : settings_(settings), actions_(settings), fitter_(settings.arc_fit_tolerance) {
+    : settings_(settings), actions_(settings), pieces_(settings) {
   if (settings.arcs != ArcUse::kAuto) state_.arcs = settings.arcs == ArcUse::kOn;
 }
 
@@ -140,26 +133,45 @@ void MotionBuilder::layer(const Slice& slice, const std::vector<Road>& roads, co
   laid.reserve(roads.size());
   for (const Road& each : roads) {
     RIND_CHECK(each.points.size() >= 2);
-    // A closed road's end has a bead's blob, which its start's would double.
-    const bool opens = each.closed && settings_.seam_gap > Length();
-    laid.push_back(
-        {each.kind, is_small_perimeter(each), each.layers, each.closed,
-         width_stretches(opens ? opened(each, settings_.seam_gap) : each, height_ * each.layers)});
+    laid.push_back({each.kind, is_small_perimeter(each), each.layers, each.closed, each.spiral,
+                    width_stretches(as_laid(each), height_ * each.layers)});
   }
   const std::vector<double> fan = plan_layer(laid);
   set_up_layer(slice, cooling_.fan_share, sink);
-  Boundary boundary(slice.region);
+  SliceBoundary boundary(slice.region);
   space_ = space;
   std::size_t way = 0;
   for (const LaidRoad& each : laid) {
-    travel(each.stretches.front().points.front(), each.kind, boundary, sink);
+    level_ = each.spiral ? slice.bottom : top_;
+    if (!joins_turn(each)) travel(each.stretches.front().points.front(), each.kind, boundary, sink);
     road(each, fan, way, sink);
     last_ = &each;
   }
   // The next layer does not know this road.
-  if (settings_.wipe) retract(sink);
+  const bool turns_on = laid.back().spiral && !laid.back().spiral->last;
+  if (settings_.wipe && !turns_on) retract(sink);
   last_ = nullptr;
   space_ = nullptr;
+}
+
+// A closed road's end has a bead's blob, which its start's would double: it is opened at its seam.
+// A spiral's turn begins where the one below ended.
+Road MotionBuilder::as_laid(const Road& road) const {
+  if (!road.spiral) {
+    const bool opens = road.closed && settings_.seam_gap > Length();
+    return opens ? opened(road, settings_.seam_gap) : road;
+  }
+  Road turn = road;
+  if (state_.position_known) start_at(turn, nearest_place(turn.points, state_.position));
+  return turn;
+}
+
+// Whether the road is a turn that the nozzle goes on to from the turn below, as it lays.
+bool MotionBuilder::joins_turn(const LaidRoad& road) const {
+  if (!road.spiral || road.spiral->first || !state_.position_known || state_.retracted)
+    return false;
+  const WidthStretch& start = road.stretches.front();
+  return distance_mm(state_.position, start.points.front()) <= 2 * start.width.mm();
 }
 
 // Sets the layer's cooling; returns the fan's share for each stretch of its roads.
@@ -191,56 +203,58 @@ void MotionBuilder::road(const LaidRoad& road, const std::vector<double>& fan, s
                          const Sink& sink) {
   ++totals_.roads;
   bool first = true;
-  for (const WidthStretch& stretch : road.stretches) {
-    set_fan(fan[way++], sink);
-    set_acceleration(road_acceleration_mm_s2(settings_, index_, top_, stretch.kind), sink);
-    if (first) {
-      sink(RoadStart{stretch.kind, stretch.width, road.layers});
-    } else {
-      sink(RoadChange{stretch.kind, stretch.width});
+  if (road.spiral) rise_.emplace(*road.spiral, level_, height_, length_mm(road.stretches));
+  const int rounds = road.spiral && road.spiral->last ? 2 : 1;
+  for (int round = 0; round < rounds; ++round) {
+    if (round == 1) rise_->begin_top_round();
+    std::size_t at = way;
+    for (const WidthStretch& stretch : road.stretches) {
+      set_fan(fan[at++], sink);
+      set_acceleration(road_acceleration_mm_s2(settings_, index_, top_, stretch.kind), sink);
+      if (first) {
+        sink(RoadStart{stretch.kind, stretch.width, road.layers});
+      } else {
+        sink(RoadChange{stretch.kind, stretch.width});
+      }
+      const double slowdown = slowdown_of(cooling_, slowing_of(stretch.kind));
+      const double speed =
+          slowed_speed_mm_s(speed_mm_s(road, stretch), slowdown, settings_.slowed_speed_min_mm_s);
+      if (first && rise_) join_turn(stretch, speed, sink);
+      first = false;
+      lay(stretch, stretch.kind, speed, sink);
     }
-    first = false;
-    const double slowdown = slowdown_of(cooling_, slowing_of(stretch.kind));
-    const double speed =
-        slowed_speed_mm_s(speed_mm_s(road, stretch), slowdown, settings_.slowed_speed_min_mm_s);
-    lay(stretch, stretch.kind, speed, sink);
   }
+  way += road.stretches.size();
+  rise_.reset();
+}
+
+// From the end of the turn below, at its height.
+void MotionBuilder::join_turn(const WidthStretch& stretch, double speed, const Sink& sink) {
+  const Point start = stretch.points.front();
+  if (state_.position == start) return;
+  const double filament = distance_mm(state_.position, start) * filament_per_mm(stretch);
+  totals_.filament_mm[static_cast<std::size_t>(stretch.kind)] += filament;
+  sink(Extrude{start, filament, speed});
+  state_.position = start;
+}
+
+double MotionBuilder::filament_per_mm(const WidthStretch& stretch) const {
+  const double d = settings_.filament_diameter.mm();
+  return flow_factor(settings_, index_) * stretch.area_mm2 / (std::numbers::pi * d * d / 4);
 }
 
 void MotionBuilder::lay(const WidthStretch& stretch, RoadKind kind, double speed,
                         const Sink& sink) {
-  const double d = settings_.filament_diameter.mm();
-  const double filament_per_mm =
-      flow_factor(settings_, index_) * stretch.area_mm2 / (std::numbers::pi * d * d / 4);
-  if (stretch.points.size() > 2) {
-    ArcFitter& fitter = state_.arcs.value_or(false) ? fitter_ : segments_;
-    pieces_ = fitter.pieces(stretch.points, stretch.closed);
-    simplify_pieces(stretch.points.front(), pieces_, settings_.segment_tolerance);
-    double sent = speed;
-    if (const double time_min_s = settings_.segment_time_min_ms / 1'000; time_min_s > 0) {
-      merge_short_pieces(stretch.points.front(), pieces_, speed * time_min_s,
-                         settings_.segment_tolerance.mm());
-      // However dense a spot is, it is no reason to stand on the part.
-      const double slowest = std::min(speed, settings_.slowed_speed_min_mm_s);
-      sent = std::max(slowest, sendable_speed(pieces_, speed, time_min_s));
-    }
-    for (const RoadPiece& piece : pieces_) lay(piece, kind, filament_per_mm, sent, sink);
-    return;
+  const double per_mm = filament_per_mm(stretch);
+  const bool arcs = state_.arcs.value_or(false) && !rise_;
+  for (const RoadPiece& piece : pieces_.of(stretch, arcs, speed)) {
+    lay(piece, kind, per_mm, speed, sink);
   }
-  const auto to = [&](Point point) {
-    const double mm = distance_mm(state_.position, point);
-    if (mm == 0) return;
-    RoadPiece piece;
-    piece.to = point;
-    piece.length_mm = piece.laid_over_mm = mm;
-    lay(piece, kind, filament_per_mm, speed, sink);
-  };
-  for (std::size_t i = 1; i < stretch.points.size(); ++i) to(stretch.points[i]);
-  if (stretch.closed) to(stretch.points.front());
 }
 
 void MotionBuilder::lay(const RoadPiece& piece, RoadKind kind, double filament_per_mm, double speed,
                         const Sink& sink) {
+  if (rise_) return lay_rising(piece, kind, filament_per_mm, speed, sink);
   const double filament = piece.laid_over_mm * filament_per_mm;
   totals_.filament_mm[static_cast<std::size_t>(kind)] += filament;
   if (piece.is_arc) {
@@ -250,6 +264,21 @@ void MotionBuilder::lay(const RoadPiece& piece, RoadKind kind, double filament_p
     sink(Extrude{piece.to, filament, speed});
   }
   state_.position = piece.to;
+}
+
+void MotionBuilder::lay_rising(const RoadPiece& piece, RoadKind kind, double filament_per_mm,
+                               double speed, const Sink& sink) {
+  const Point from = state_.position;
+  double before = 0;
+  for (const SpiralRise::Step& step : rise_->advance(piece.laid_over_mm)) {
+    const double mm = piece.laid_over_mm * (step.share - before);
+    const double filament = mm * filament_per_mm * step.flow;
+    totals_.filament_mm[static_cast<std::size_t>(kind)] += filament;
+    state_.position = between(from, piece.to, step.share);
+    state_.nozzle_z = step.z;
+    sink(Extrude{state_.position, filament, speed, step.z});
+    before = step.share;
+  }
 }
 
 namespace {
@@ -263,7 +292,7 @@ bool is_outside(RoadKind kind) { return kind == RoadKind::kSkirt || kind == Road
 
 // Not where the way is inside the part and short, or, if so set, as long as may be.
 bool MotionBuilder::needs_retraction(const std::vector<Point>& way, RoadKind kind,
-                                     Boundary& boundary) const {
+                                     SliceBoundary& boundary) const {
   const bool after_top = last_ != nullptr && is_top(last_->kind);
   const bool any_length =
       settings_.only_retract_when_crossing_perimeters && !after_top && !is_outside(kind);
@@ -280,21 +309,21 @@ std::vector<Point> MotionBuilder::way_to(Point to) const {
   return {state_.position, to};
 }
 
-void MotionBuilder::travel(Point to, RoadKind kind, Boundary& boundary, const Sink& sink) {
+void MotionBuilder::travel(Point to, RoadKind kind, SliceBoundary& boundary, const Sink& sink) {
   if (state_.position_known && state_.position == to) {
-    lift(top_, sink);
+    lift(level_, sink);
     unretract(sink);
     return;
   }
   std::vector<Point> way = way_to(to);
   if (!state_.position_known || needs_retraction(way, kind, boundary)) {
     retract(sink);
-    const Length over = top_ + settings_.retraction_lift;
+    const Length over = level_ + settings_.retraction_lift;
     if (state_.nozzle_z.value_or(Length()) < over) lift(over, sink);
     // A wipe has moved the nozzle.
     if (state_.position != way.front()) way = way_to(to);
   } else {
-    lift(top_, sink);
+    lift(level_, sink);
   }
   set_acceleration(travel_acceleration_mm_s2(settings_, top_), sink);
   for (std::size_t i = 1; i < way.size(); ++i) {
@@ -304,7 +333,7 @@ void MotionBuilder::travel(Point to, RoadKind kind, Boundary& boundary, const Si
   totals_.travel_mm += length_mm(way, false);
   state_.position = to;
   state_.position_known = true;
-  lift(top_, sink);
+  lift(level_, sink);
   unretract(sink);
 }
 

@@ -6,6 +6,8 @@
 //                (retract) Lift Travel (return) RoadStart Extrude …
 //                (RoadChange Extrude …), where its width or what holds it changes; SetAcceleration
 //                where another one is wanted than was told last (road_accelerations.h)
+//     A spiral's turn (roads/vase_roads.h) begins where the one below ended, rises as it is laid,
+//     and has no travel before it.
 //     finish     retract, lift, park, heaters and fan off, end G-code
 //
 // Filament laid by a piece of road:  length · bead area / (π d² / 4),  relative. An arc lays as
@@ -18,10 +20,13 @@
 #include <optional>
 #include <vector>
 
-#include "core/motions/arc_fit.h"          // ArcFitter
+#include "core/motions/arc_fit.h"          // RoadPiece
 #include "core/motions/cooling.h"          // LayerCooling
 #include "core/motions/height_actions.h"   // HeightActions
 #include "core/motions/motion.h"           // Motion
+#include "core/motions/road_pieces.h"      // RoadPieces
+#include "core/motions/slice_boundary.h"   // SliceBoundary
+#include "core/motions/spiral_rise.h"      // SpiralRise
 #include "core/motions/width_stretches.h"  // WidthStretch
 #include "core/roads/road.h"               // Road, RoadKind
 #include "core/roads/travel_space.h"       // TravelSpace
@@ -101,8 +106,6 @@ class MotionBuilder {
   void resume_from(const MotionState& state);
 
  private:
-  class Boundary;
-
   void preamble(const Sink& sink);
   void start_layer(const Slice& slice, const Sink& sink);
   void act(Length bottom, const Sink& sink);
@@ -113,22 +116,29 @@ class MotionBuilder {
     bool small;  // a small perimeter
     int layers;  // Road::layers
     bool loop;   // closed, but for the seam's gap
+    std::optional<SpiralTurn> spiral;
     std::vector<WidthStretch> stretches;
   };
 
+  [[nodiscard]] Road as_laid(const Road& road) const;
+  [[nodiscard]] bool joins_turn(const LaidRoad& road) const;
   [[nodiscard]] std::vector<double> plan_layer(const std::vector<LaidRoad>& roads);
   void set_fan(double share, const Sink& sink);
   // 0: none is wanted.
   void set_acceleration(double mm_s2, const Sink& sink);
   void road(const LaidRoad& road, const std::vector<double>& fan, std::size_t& way,
             const Sink& sink);
+  void join_turn(const WidthStretch& stretch, double speed, const Sink& sink);
+  [[nodiscard]] double filament_per_mm(const WidthStretch& stretch) const;
   void lay(const WidthStretch& stretch, RoadKind kind, double speed, const Sink& sink);
   void lay(const RoadPiece& piece, RoadKind kind, double filament_per_mm, double speed,
            const Sink& sink);
-  void travel(Point to, RoadKind kind, Boundary& boundary, const Sink& sink);
+  void lay_rising(const RoadPiece& piece, RoadKind kind, double filament_per_mm, double speed,
+                  const Sink& sink);
+  void travel(Point to, RoadKind kind, SliceBoundary& boundary, const Sink& sink);
   [[nodiscard]] std::vector<Point> way_to(Point to) const;
   [[nodiscard]] bool needs_retraction(const std::vector<Point>& way, RoadKind kind,
-                                      Boundary& boundary) const;
+                                      SliceBoundary& boundary) const;
   void retract(const Sink& sink);
   void wipe(const Sink& sink);
   void unretract(const Sink& sink);
@@ -137,15 +147,15 @@ class MotionBuilder {
 
   Settings settings_;
   HeightActions actions_;
-  ArcFitter fitter_;
-  ArcFitter segments_{Length()};        // none of them an arc
-  std::vector<RoadPiece> pieces_;       // of the road at hand
+  RoadPieces pieces_;
   const TravelSpace* space_ = nullptr;  // of the layer at hand
   const LaidRoad* last_ = nullptr;      // of the layer at hand
   MotionTotals totals_;
   MotionState state_;
   bool ended_ = false;
-  Length top_;  // of the layer
+  Length top_;                      // of the layer
+  Length level_;                    // of the road at hand, where it starts
+  std::optional<SpiralRise> rise_;  // of the road at hand
   Length height_;
   LayerIndex index_ = 0;
   double speed_share_ = 1;  // of every speed (height_slowdown.h)

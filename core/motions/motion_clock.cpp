@@ -35,8 +35,10 @@ void MotionClock::add(const Motion& motion) {
   std::visit(
       [this](const auto& m) {
         using M = std::decay_t<decltype(m)>;
-        if constexpr (std::is_same_v<M, Travel> || std::is_same_v<M, Extrude> ||
-                      std::is_same_v<M, Wipe>) {
+        if constexpr (std::is_same_v<M, Extrude>) {
+          const double z_mm = m.z ? m.z->mm() : z_mm_;
+          add_line(m.to.x / kUnitsPerMm, m.to.y / kUnitsPerMm, z_mm, m.speed_mm_s);
+        } else if constexpr (std::is_same_v<M, Travel> || std::is_same_v<M, Wipe>) {
           add_line(m.to.x / kUnitsPerMm, m.to.y / kUnitsPerMm, z_mm_, m.speed_mm_s);
         } else if constexpr (std::is_same_v<M, ExtrudeArc>) {
           add_arc(m);

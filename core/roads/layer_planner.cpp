@@ -2,10 +2,11 @@
 
 #include <utility>
 
-#include "core/roads/crumbs.h"      // drop_crumbs
-#include "core/roads/fuzzy_skin.h"  // make_fuzzy
-#include "core/roads/road_order.h"  // printing_order
-#include "core/roads/short_ways.h"  // lay_short_ways
+#include "core/roads/crumbs.h"       // drop_crumbs
+#include "core/roads/fuzzy_skin.h"   // make_fuzzy
+#include "core/roads/road_order.h"   // printing_order
+#include "core/roads/short_ways.h"   // lay_short_ways
+#include "core/walls/spiral_vase.h"  // in_vase, starts_vase
 
 namespace core {
 namespace {
@@ -26,12 +27,25 @@ bool alike(const SplitLayer& a, const SplitLayer& b) {
          a.corners_above == b.corners_above && alike(a.block, b.block);
 }
 
+// Above the floor of a vase or not, likewise.
+bool alike_in_vase(const SplitLayer& a, const SplitLayer& b, const Settings& settings) {
+  return in_vase(a.slice, settings) == in_vase(b.slice, settings) &&
+         starts_vase(a, settings) == starts_vase(b, settings);
+}
+
+// A vase has no inside that could hang.
+SplitLayer as_printed(const SplitLayer& layer, const Settings& settings) {
+  SplitLayer printed = layer;
+  if (in_vase(layer.slice, settings)) printed.slice.region = layer.solid;
+  return printed;
+}
+
 }  // namespace
 
 LayerPlanner::Reservation LayerPlanner::reserve(SplitLayer split) {
   std::shared_ptr<LayerPlan>& last = last_[turn_of(split.slice.index)];
   const bool anew = loose_changes_ && !split.loose.empty();
-  if (last && !anew && alike(last->split, split)) {
+  if (last && !anew && alike(last->split, split) && alike_in_vase(last->split, split, settings_)) {
     ++reused_;
     return {last, false};
   }
@@ -44,7 +58,7 @@ void LayerPlanner::fill(LayerPlan& plan, bool with_roads) const {
   plan.layer = style_.apply(plan.split);
   const double moved_mm2 = plan.split.loose.area_mm2() - plan.layer.loose.area_mm2();
   plan.regularised_mm3 = style_.only_regularises() ? moved_mm2 * plan.layer.slice.height.mm() : 0;
-  plan.hanging = hanging_places(plan.layer, settings_);
+  plan.hanging = hanging_places(as_printed(plan.layer, settings_), settings_);
   if (!with_roads) return;
   plan.roads = roads_.plan(plan.layer);
   plan.seams = seam_loops(plan.layer, plan.roads);

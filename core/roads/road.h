@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/geometry.h"              // Point
@@ -40,6 +41,12 @@ enum class Hold : std::uint8_t {
   kLittle,         // less than a quarter, or nothing
 };
 
+// A turn of a spiral vase (vase_roads.h): it rises from the layer's bottom to its top.
+struct SpiralTurn {
+  bool first = false;  // on a flat layer
+  bool last = false;   // under a flat layer, or at the part's top
+};
+
 struct Road {
   RoadKind kind = RoadKind::kSolid;
   Length width;               // all along; where there are `widths`, about their mean
@@ -56,6 +63,8 @@ struct Road {
   std::vector<std::uint32_t> starts{};
 
   int layers = 1;  // as thick as so many layers (loose_blocks.h)
+
+  std::optional<SpiralTurn> spiral{};  // closed, of one width
 };
 
 [[nodiscard]] double length_mm(const Road& road);

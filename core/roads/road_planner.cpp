@@ -16,8 +16,10 @@
 #include "core/roads/perimeters.h"          // perimeters
 #include "core/roads/skirt.h"               // skirt_roads
 #include "core/roads/solid_areas.h"         // solid_areas
+#include "core/roads/vase_roads.h"          // vase_roads
 #include "core/roads/wall_fill.h"           // ironing_roads, surface_roads, wall_roads
 #include "core/walls/regularise.h"          // regularise_loose
+#include "core/walls/spiral_vase.h"         // in_vase
 
 namespace core {
 
@@ -152,8 +154,18 @@ void share_fill(const IslandSplit& split, SolidAreas areas, Region loose,
 RoadPlanner::RoadPlanner(const Settings& settings)
     : settings_(settings), first_settings_(first_layer_settings(settings)) {}
 
+LayerRoads RoadPlanner::plan_vase(const SplitLayer& layer) const {
+  LayerRoads planned;
+  std::vector<Road> roads = vase_roads(layer, settings_);
+  if (roads.empty()) return planned;
+  planned.from = layer.slice.region.box().min;
+  planned.islands.push_back(std::move(roads));
+  return planned;
+}
+
 LayerRoads RoadPlanner::plan(const SplitLayer& layer) const {
   const Slice& slice = layer.slice;
+  if (in_vase(slice, settings_)) return plan_vase(layer);
   const Settings& settings = slice.index == 0 ? first_settings_ : settings_;
   const IslandSplit split(slice.region);
   std::vector<IslandPlan> plans = start_plans(split, layer, settings);

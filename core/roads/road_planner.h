@@ -7,7 +7,8 @@
 //     │ │╱╱╱  ╱  ╱╱╱│ │                 the wall is dense (gap_fill.h)
 //     │ │╱╱╱ ╱   ╱╱╱│ │   the inside    a pattern, anchored in the wall (loose_fill.h)
 //
-// The first layer has a skirt, too. What is printed when is decided later (road_order.h), because
+// The first layer has a skirt, too. Above the floor of a spiral vase there is one perimeter
+// (vase_roads.h). What is printed when is decided later (road_order.h), because
 // a closed road's start depends on the layer below.
 #pragma once
 
@@ -37,6 +38,8 @@ class RoadPlanner {
   [[nodiscard]] LayerRoads plan(const SplitLayer& layer) const;
 
  private:
+  [[nodiscard]] LayerRoads plan_vase(const SplitLayer& layer) const;
+
   Settings settings_;
   Settings first_settings_;  // of the first layer
 };

@@ -5,6 +5,7 @@
 #include "core/booleans/boolean.h"          // subtract, subtract_within
 #include "core/offsets/voronoi_mountain.h"  // offset
 #include "core/walls/regularise.h"          // regularise_loose
+#include "core/walls/spiral_vase.h"         // in_vase
 
 namespace core {
 
@@ -14,6 +15,7 @@ Settings with_style(Settings settings) {
 }
 
 SplitLayer WallStyle::apply(SplitLayer layer) const {
+  if (in_vase(layer.slice, settings_)) return hollow(std::move(layer));
   switch (settings_.style) {
     case BuildStyle::kThinWall:
       return regularised(std::move(layer));
@@ -34,6 +36,14 @@ SplitLayer WallStyle::regularised(SplitLayer layer) const {
   if (regular == layer.loose) return layer;
   layer.loose = std::move(regular);
   layer.solid = subtract_within(layer.slice.region, layer.loose);
+  return layer;
+}
+
+SplitLayer WallStyle::hollow(SplitLayer layer) const {
+  const Region& slice = layer.slice.region;
+  layer.loose = offset(slice, settings_.road_width, settings_.arc_tolerance);
+  layer.solid = subtract_within(slice, layer.loose);
+  layer.below_loose.reset();
   return layer;
 }
 

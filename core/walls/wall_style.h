@@ -1,4 +1,5 @@
-// Decides by the build style what of a layer stays loose: the last step before roads.
+// Decides by the build style what of a layer stays loose: the last step before roads. Above the
+// floor of a spiral vase (spiral_vase.h) all but one road is.
 //
 //     thin-wall   what the window says, made printable (regularise.h)
 //     regular     nothing
@@ -32,11 +33,14 @@ class WallStyle {
   [[nodiscard]] SplitLayer apply(SplitLayer layer) const;
 
   // Whether regularisation alone accounts for what apply() takes from the inside.
-  [[nodiscard]] bool only_regularises() const { return settings_.style == BuildStyle::kThinWall; }
+  [[nodiscard]] bool only_regularises() const {
+    return settings_.style == BuildStyle::kThinWall && !settings_.spiral_vase;
+  }
 
  private:
   [[nodiscard]] SplitLayer regularised(SplitLayer layer) const;
   [[nodiscard]] SplitLayer fast(SplitLayer layer) const;
+  [[nodiscard]] SplitLayer hollow(SplitLayer layer) const;
 
   Settings settings_;
 };

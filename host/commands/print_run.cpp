@@ -108,7 +108,7 @@ MachineSpace space_in(const core::Settings& settings, const Options& options) {
 }
 
 int run_print(const Options& options, PrintPlan& print_plan, JournalKeeper& keeper,
-              RunExtras extras, double started_s, Reporter& reporter) {
+              const RunExtras& extras, double started_s, Reporter& reporter) {
   std::unique_ptr<BytePort> port;
   if (is_virtual(options)) {
     port = open_virtual_port(options, print_plan.settings);

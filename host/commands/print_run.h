@@ -33,6 +33,6 @@ struct RunExtras {
   std::optional<Resumption> resumption;
 };
 [[nodiscard]] int run_print(const Options& options, PrintPlan& print_plan, JournalKeeper& keeper,
-                            RunExtras extras, double started_s, Reporter& reporter);
+                            const RunExtras& extras, double started_s, Reporter& reporter);
 
 }  // namespace host

@@ -34,10 +34,9 @@ std::optional<Command> MotionEncoder::encode_one(const core::Travel& motion) {
 }
 
 std::optional<Command> MotionEncoder::encode_one(const core::Lift& motion) {
-  const std::int64_t z_um = um_of(motion.to.units());
-  if (state_.z_um == z_um) return std::nullopt;
   Move move;
-  move.z_um = state_.z_um = z_um;
+  put_height(motion.to, move);
+  if (!move.z_um) return std::nullopt;
   put_feed(motion.speed_mm_s, move);
   return move;
 }
@@ -51,6 +50,7 @@ std::optional<Command> MotionEncoder::encode_one(const core::Extrude& motion) {
     state_.filament_rest_10nm += motion.filament_mm * kFilamentUnitsPerMm;
     return std::nullopt;
   }
+  if (motion.z) put_height(*motion.z, move);
   put_filament(motion.filament_mm, move);
   put_feed(motion.speed_mm_s, move);
   return move;
@@ -115,6 +115,11 @@ void MotionEncoder::put_position(core::Point to, Move& move) {
   const std::int64_t x_um = um_of(to.x + origin_x_), y_um = um_of(to.y + origin_y_);
   if (state_.x_um != x_um) move.x_um = state_.x_um = x_um;
   if (state_.y_um != y_um) move.y_um = state_.y_um = y_um;
+}
+
+void MotionEncoder::put_height(core::Length to, Move& move) {
+  const std::int64_t z_um = um_of(to.units());
+  if (state_.z_um != z_um) move.z_um = state_.z_um = z_um;
 }
 
 void MotionEncoder::put_feed(double speed_mm_s, Move& move) {

@@ -73,6 +73,7 @@ class MotionEncoder {
 
   // Put values into the move that differ from the last ones sent.
   void put_position(core::Point to, firmware_link::Move& move);
+  void put_height(core::Length to, firmware_link::Move& move);
   void put_feed(double speed_mm_s, firmware_link::Move& move);
   void put_filament(double filament_mm, firmware_link::Move& move);
 

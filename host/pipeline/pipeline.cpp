@@ -17,6 +17,7 @@
 #include "core/walls/wall_splitter.h"
 #include "core/walls/wall_style.h"
 #include "host/part/layer_rules.h"
+#include "host/part/vase_layers.h"
 #include "host/pipeline/command_stage.h"
 #include "host/pipeline/layer_batch.h"
 #include "host/pipeline/layer_watch.h"
@@ -43,6 +44,8 @@ class Pipeline {
         blocks_(settings_),
         planner_(settings_),
         commands_(settings_, print_plan.command_form, outputs, refused_) {
+    plan_.part.layers =
+        vase_layers(std::move(plan_.part.layers), settings_, plan_.part_path, signals_.warnings);
     if (!print_plan.start) return;
     commands_.resume_from(*print_plan.start);
     planner_.resume_from(print_plan.start->seams);

@@ -45,7 +45,6 @@ constexpr std::array kLeftOut = {
     LeftOut{"top_solid_layers", When::kOn, "the top is as thick as wall_thickness"},
     LeftOut{"bottom_solid_layers", When::kOn, "the bottom is as thick as wall_thickness"},
     LeftOut{"bottom_fill_pattern", When::kUnlike, "bottoms are filled as tops", "top_fill_pattern"},
-    LeftOut{"spiral_vase", When::kOn, "every layer is laid by itself"},
     LeftOut{"z_offset", When::kOn, "heights are as they are computed"},
     LeftOut{"thick_bridges", When::kOn, "bridges are as thick as bridge_flow_ratio says"},
     LeftOut{"bridge_angle", When::kOn, "the direction of bridges is found for each"},

@@ -63,6 +63,7 @@ constexpr std::array kAliases = {
     Alias{"fill_angle", "fill_angle_degrees"},
     Alias{"fill_pattern", "loose_pattern", Kind::kPattern},
     Alias{"infill_every_layers", "loose_every_layers"},
+    Alias{"spiral_vase", "spiral_vase"},
     Alias{"fuzzy_skin", "fuzzy_skin", Kind::kFuzzySkin},
     Alias{"fuzzy_skin_thickness", "fuzzy_skin_thickness"},
     Alias{"fuzzy_skin_point_dist", "fuzzy_skin_point_distance"},

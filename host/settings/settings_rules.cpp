@@ -89,6 +89,11 @@ Status roads_fit_nozzle(const PrintSettings& settings) {
   return {};
 }
 
+Status vase_has_a_thin_wall(const PrintSettings& settings) {
+  if (!settings.spiral_vase || settings.style == core::BuildStyle::kThinWall) return {};
+  return bad("spiral_vase needs style = thin-wall: a vase has no inside to build another way");
+}
+
 Status accelerations_have_a_default(const PrintSettings& settings) {
   if (settings.default_acceleration_mm_s2 > 0) return {};
   for (const auto& [key, member] : kOwnAccelerations) {
@@ -157,9 +162,9 @@ Status actions_are_known(const PrintSettings& settings) {
 }  // namespace
 
 Status validate_settings(const PrintSettings& settings) {
-  for (const auto rule :
-       {every_value_in_range, wall_fits_window, roads_fit_nozzle, accelerations_have_a_default,
-        heights_of_slowdown_fit, part_has_a_place, actions_are_known}) {
+  for (const auto rule : {every_value_in_range, wall_fits_window, roads_fit_nozzle,
+                          vase_has_a_thin_wall, accelerations_have_a_default,
+                          heights_of_slowdown_fit, part_has_a_place, actions_are_known}) {
     Status status = rule(settings);
     if (!status.ok()) return status;
   }

@@ -177,3 +177,14 @@ TEST_CASE("ways around holes and wipes are those of the whole print, too") {
   CHECK_GT(std::count_if(whole.texts.begin(), whole.texts.end(), wipes), 50);
   check_tails(settings, path, whole);
 }
+
+TEST_CASE("the turns of a spiral vase go on as in the whole print") {
+  const test::PartFolder folder;
+  const std::string path = folder.add("dome.stl", parts::dome(7));
+  core::Settings settings = settings_of(core::WallShape::kBall, core::BuildStyle::kThinWall);
+  settings.spiral_vase = true;
+  settings.wipe = true;
+  const Computed whole = compute(settings, path, {});
+  REQUIRE_GT(whole.checkpoints.size(), 15);
+  check_tails(settings, path, whole);
+}
