@@ -23,6 +23,21 @@ inline constexpr int kFoldCostMax =
 
 static_assert(kFoldCostMax < kWallLayersMax, "folding must beat intersecting the window");
 
+// Ranges of height that the user may give a layer height of their own.
+inline constexpr std::size_t kHeightRangesMax = 256;
+
+// Bins of height in which the surface's slopes are gathered (height_limits.h), a power of two:
+// 32 KiB, 0.05 mm each in a part of up to 0.8 m.
+inline constexpr std::size_t kHeightBinsMax = 16'384;
+
+// Runs of layers of one height that a part has (layer_heights.h): 192 KiB. So many are needed if
+// every layer of 0.1 mm in a part of 0.8 m has another height than the one below.
+inline constexpr std::size_t kHeightBandsMax = 8'192;
+
+// Each range has a band, and up to four are below it: layers as elsewhere, and those that fit
+// what is left.
+static_assert(std::has_single_bit(kHeightBinsMax) && 5 * kHeightRangesMax < kHeightBandsMax);
+
 // How often a contour is turned when Boost's Voronoi diagram of it fails its checks, before the
 // offset is made the slow way. One turn nearly always does.
 inline constexpr int kDiagramTurnsMax = 4;

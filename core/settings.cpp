@@ -13,6 +13,10 @@ int wall_layers(const Settings& settings) {
   return static_cast<int>(std::max<std::int64_t>(1, (2 * w + h) / (2 * h)));
 }
 
+bool has_unequal_layers(const Settings& settings) {
+  return settings.adaptive_layer_height || !settings.height_range.empty();
+}
+
 bool wall_counts_layers(const Settings& settings) {
   return settings.wall_shape == WallShape::kCylinder || settings.style == BuildStyle::kFast;
 }

@@ -242,6 +242,9 @@ struct Settings {
 // T: how many layers the wall reaches up and down: wall_layers, or ⌊w/h + ½⌋, at least 1.
 [[nodiscard]] int wall_layers(const Settings& settings);
 
+// Whether a mesh's layers above the first one may differ in height.
+[[nodiscard]] bool has_unequal_layers(const Settings& settings);
+
 // Whether the window is T layers up and T down, whatever their heights: a cylinder's, and the fast
 // style's. Otherwise it is a ball's.
 [[nodiscard]] bool wall_counts_layers(const Settings& settings);

@@ -80,7 +80,6 @@ std::vector<Ring> in_one_order(std::vector<Ring> rings) {
 
 PlaneSweep::PlaneSweep(const Options& options, TriangleSource source)
     : options_(options), source_(std::move(source)) {
-  RIND_CHECK(options.heights.first > Length() && options.heights.rest > Length());
   RIND_CHECK(options.simplify_tolerance.units() >= 0);
   RIND_CHECK(options.chain_gap_max.units() >= 0);
 }

@@ -57,6 +57,9 @@ void report_hanging(const HangingLog& hanging, Reporter& reporter);
 // that it was stopped.
 [[nodiscard]] int fail(const core::Error& error, Reporter& reporter);
 
+// "0.2 mm", or "0.07 to 0.3 mm": how high the layers of a mesh are.
+[[nodiscard]] std::string layer_words(const core::Settings& settings, const PartSummary& summary);
+
 // The part's name without its folder, for titles.
 [[nodiscard]] std::string part_title(const std::string& path);
 

@@ -49,9 +49,13 @@ std::string table(const Options& options, const PrintPlan& print_plan,
                    mm(box.max.y - box.min.y), print_plan.part.summary.height.mm());
   }
   if (facets > 0) {
-    fmt::format_to(out, "layers     {} of {:g} mm, wall {:g} mm = {} layers\n", statistics.layers,
-                   print_plan.settings.layer_height.mm(), print_plan.settings.wall_thickness.mm(),
-                   core::wall_layers(print_plan.settings));
+    fmt::format_to(out, "layers     {} of {}, wall {:g} mm", statistics.layers,
+                   layer_words(print_plan.settings, print_plan.part.summary),
+                   print_plan.settings.wall_thickness.mm());
+    if (!core::has_unequal_layers(print_plan.settings)) {
+      fmt::format_to(out, " = {} layers", core::wall_layers(print_plan.settings));
+    }
+    text += '\n';
   } else {
     fmt::format_to(out, "layers     {} of the file's own heights, wall {:g} mm\n",
                    statistics.layers, print_plan.settings.wall_thickness.mm());

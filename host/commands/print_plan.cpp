@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <utility>
@@ -111,6 +113,13 @@ int fail(const core::Error& error, Reporter& reporter) {
   }
   reporter.error(error.message, kExitBadInput);
   return kExitBadInput;
+}
+
+std::string layer_words(const core::Settings& settings, const PartSummary& summary) {
+  if (!core::has_unequal_layers(settings))
+    return fmt::format("{:g} mm", settings.layer_height.mm());
+  if (summary.highest_layer == core::Length()) return "unequal height";
+  return fmt::format("{:g} to {:g} mm", summary.lowest_layer.mm(), summary.highest_layer.mm());
 }
 
 std::string part_title(const std::string& path) {

@@ -140,8 +140,8 @@ SectionPicture::Options picture_options(const Options& options, const PrintPlan&
   SectionPicture::Options asked;
   asked.title = part_title(options.part.path);
   asked.subtitle =
-      fmt::format("cut {}; {} layers of {:g} mm; {}", where, summary.layers,
-                  print_plan.settings.layer_height.mm(), wall_words(print_plan.settings));
+      fmt::format("cut {}; {} layers of {}; {}", where, summary.layers,
+                  layer_words(print_plan.settings, summary), wall_words(print_plan.settings));
   asked.line = line;
   asked.box = summary.box;
   asked.height = summary.height;

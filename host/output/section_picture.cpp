@@ -88,7 +88,7 @@ void SectionPicture::lay_out() {
   // A whole number of pixels for a row, if that is near enough: edges are sharp then.
   seam_px_ = kSeamPx;
   const double row_px = row_mm * px_per_mm_;
-  if (row_px >= 2) {
+  if (row_px >= 2 && !core::has_unequal_layers(options_.settings)) {
     px_per_mm_ *= std::floor(row_px) / row_px;
     seam_px_ = 0;
   }

@@ -8,11 +8,13 @@
 
 #include "core/booleans/boolean.h"    // unite, intersect, subtract
 #include "core/limits.h"              // kCoordinateMax
+#include "core/slices/height_plan.h"  // adaptive_limits, layer_heights
 #include "core/slices/plane_sweep.h"  // PlaneSweep
 #include "host/part/bed_placing.h"    // shift_to_bed, check_on_bed
 #include "host/part/edge_ledger.h"    // EdgeLedger
 #include "host/part/mesh_sorter.h"    // MeshSorter
 #include "host/part/mesh_survey.h"    // is_degenerate, turned_text
+#include "host/part/part_heights.h"   // part_heights
 #include "host/part/shrinkage.h"      // Enlargement
 #include "host/system/limits.h"       // kSortBytesMin
 #include "host/system/stage_clock.h"  // CpuTimer
@@ -70,11 +72,8 @@ class BooleanLayers : public LayerSource {
       if (Status read = read_operand(shells, *operands_.back()); !read.ok()) return read.error();
     }
     if (Status placed = place(); !placed.ok()) return placed.error();
-    core::PlaneSweep::Options sweep{layer_heights(settings_),
-                                    summary_.layers,
-                                    settings_.simplify_tolerance,
-                                    settings_.chain_gap_max,
-                                    {}};
+    core::PlaneSweep::Options sweep{
+        heights_, summary_.layers, settings_.simplify_tolerance, settings_.chain_gap_max, {}};
     summary_.warnings = tree_->warnings;
     for (const auto& operand : operands_) {
       Operand* source = operand.get();
@@ -128,6 +127,7 @@ class BooleanLayers : public LayerSource {
         continue;
       }
       operand.edges.add(triangle);
+      if (limits_) limits_->add(triangle);
       if (triangle.lowest_z() == triangle.highest_z()) continue;
       if (Status added = operand.sorter.add(triangle); !added.ok()) return added;
     }
@@ -160,7 +160,11 @@ class BooleanLayers : public LayerSource {
                      "the booleans leave nothing that has a height; check the part");
     }
     summary_.height = Length::from_units(extent.highest_z - extent.lowest_z);
-    summary_.layers = layer_heights(settings_).count(summary_.height);
+    Result<core::LayerHeights> heights =
+        part_heights(settings_, limits_, extent.lowest_z, summary_.height, tree_->name);
+    if (!heights.ok()) return heights.error();
+    heights_ = std::move(heights).value();
+    summarise_heights(heights_, summary_);
     if (summary_.layers == 0) {
       return refused(ErrorCode::kBadPart,
                      "the part is " + mm_text(summary_.height.units()) +
@@ -218,6 +222,8 @@ class BooleanLayers : public LayerSource {
   core::Settings settings_;
   Enlargement enlargement_{settings_};
   std::size_t sort_bytes_;
+  std::optional<core::HeightLimits> limits_ = adaptive_limits(settings_);  // of all operands
+  core::LayerHeights heights_ = layer_heights(settings_);
   PartSummary summary_;
   PartCounters counters_;
   std::vector<std::unique_ptr<Operand>> operands_;

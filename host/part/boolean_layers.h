@@ -4,7 +4,8 @@
 //     operand 0 ──> MeshSorter ──> PlaneSweep ──> slice ─┐
 //     operand 1 ──> MeshSorter ──> PlaneSweep ──> slice ─┴─> union, intersection, difference
 //
-// The part's extent, for placing it, is the result of the booleans on the meshes' boxes.
+// The part's extent, for placing it, is the result of the booleans on the meshes' boxes. Adaptive
+// layer heights follow the facets of all meshes, those that are cut away, too.
 #pragma once
 
 #include <memory>

@@ -6,7 +6,6 @@
 #include <optional>
 #include <utility>
 
-#include "core/slices/layer_heights.h"
 #include "host/part/bed_placing.h"  // mm_text
 
 namespace host {
@@ -24,9 +23,9 @@ struct Height {
   core::LayerIndex layers;
 };
 
-Height height_of(const MeshSurvey& survey, const core::Settings& settings) {
+Height height_of(const MeshSurvey& survey, const core::LayerHeights& heights) {
   const std::int64_t low = survey.extent().lowest_z, high = *survey.highest_cut();
-  return {low, high, layer_heights(settings).count(Length::from_units(high - low))};
+  return {low, high, heights.count(Length::from_units(high - low))};
 }
 
 Error asked(const std::string& name, const Height& height, const std::string& cause) {
@@ -89,17 +88,18 @@ Status check_fill(const MeshSurvey& survey, const std::string& name, const Heigh
 
 }  // namespace
 
-Status check_height(MeshSurvey& survey, const core::Settings& settings, const std::string& name) {
-  const Height height = height_of(survey, settings);
+Status check_height(MeshSurvey& survey, const core::LayerHeights& heights,
+                    const std::string& name) {
+  const Height height = height_of(survey, heights);
   if (Status fine = check_strays(survey, name, height); !fine.ok()) return fine;
   if (Status fine = check_gap(survey, name, height); !fine.ok()) return fine;
   return check_fill(survey, name, height);
 }
 
-Status check_height_so_far(const MeshSurvey& survey, const core::Settings& settings,
+Status check_height_so_far(const MeshSurvey& survey, const core::LayerHeights& heights,
                            const std::string& name) {
   const MeshSurvey::TallFacet& facet = survey.tallest();
-  const core::LayerIndex layers = layer_heights(settings).count(Length::from_units(facet.span));
+  const core::LayerIndex layers = heights.count(Length::from_units(facet.span));
   if (layers <= kLayersUnasked) return {};
   return Error{ErrorCode::kOutOfBounds, name + ": " + corner_text(facet.corner) +
                                             ", and alone is " + mm_text(facet.span) + " mm high, " +

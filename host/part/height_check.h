@@ -26,12 +26,12 @@ inline constexpr int kEmptyShare = 10;  // a tenth
 
 // For a mesh that was read to its end. kOutOfBounds says what looks wrong, which facet and where,
 // how high the rest is, and what to do; it starts with `name`. REQUIRES: survey.highest_cut()
-[[nodiscard]] core::Status check_height(MeshSurvey& survey, const core::Settings& settings,
+[[nodiscard]] core::Status check_height(MeshSurvey& survey, const core::LayerHeights& heights,
                                         const std::string& name);
 
 // For a mesh that is still being read: an error if a single facet spans kLayersUnasked layers.
 [[nodiscard]] core::Status check_height_so_far(const MeshSurvey& survey,
-                                               const core::Settings& settings,
+                                               const core::LayerHeights& heights,
                                                const std::string& name);
 
 // Why a mesh is too large, if few corners make it so: "; facet 13 has a corner at …, without it the

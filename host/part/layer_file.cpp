@@ -61,7 +61,7 @@ class PlacedLayers : public LayerSource {
       extent.box = larger.value();
     }
     if (Status placed = place(extent); !placed.ok()) return placed;
-    summary_.warnings = file_.layers->warnings();
+    take_warnings();
     if (promised) return {};
     summary_.warnings.push_back(file_.name +
                                 ": sliced as it comes; its place on the bed is that of its first "
@@ -89,7 +89,7 @@ class PlacedLayers : public LayerSource {
     if (extent.box.empty()) return nothing_to_print();
     if (Status placed = place(extent); !placed.ok()) return placed.error();
     summary_.height = Length::from_units(extent.highest_z - extent.lowest_z);
-    summary_.warnings = file_.layers->warnings();
+    take_warnings();
     Result<std::unique_ptr<LayerReader>> again = file_.again();
     if (!again.ok()) return again.error();
     file_.layers = std::move(again).value();
@@ -136,6 +136,14 @@ class PlacedLayers : public LayerSource {
       ahead_.push_back(*std::move(slice).value());
       if (!ahead_.back().region.empty() || ahead_.size() == kEmptyLayersMax) return {};
     }
+  }
+
+  void take_warnings() {
+    summary_.warnings = file_.layers->warnings();
+    if (!core::has_unequal_layers(settings_)) return;
+    summary_.warnings.push_back(file_.name +
+                                ": its layers have heights of their own: adaptive_layer_height "
+                                "and height_range change nothing");
   }
 
   [[nodiscard]] Error nothing_to_print() const {

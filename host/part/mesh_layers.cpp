@@ -8,11 +8,13 @@
 #include <vector>
 
 #include "core/roads/beading.h"        // kRoomSlack
+#include "core/slices/height_plan.h"   // layer_heights
 #include "core/slices/plane_sweep.h"   // PlaneSweep
 #include "host/part/bed_placing.h"     // shift_to_bed, check_on_bed
 #include "host/part/height_check.h"    // check_height
 #include "host/part/mesh_sorter.h"     // MeshSorter
 #include "host/part/mesh_survey.h"     // MeshSurvey
+#include "host/part/part_heights.h"    // part_heights
 #include "host/part/plane_check.h"     // check_planes
 #include "host/part/reorder_window.h"  // OrderGauge, ReorderWindow
 #include "host/system/stage_clock.h"   // CpuTimer
@@ -45,7 +47,7 @@ class MeshLayers : public LayerSource {
         settings_(settings),
         options_(options),
         window_(window_of(options)),
-        survey_(window_),
+        survey_(window_, adaptive_limits(settings)),
         guess_(std::max<std::size_t>(2, window_ / kGuessShare)) {}
 
   [[nodiscard]] Status look_ahead() {
@@ -58,7 +60,8 @@ class MeshLayers : public LayerSource {
     if (ended_) return sort_all();
     if (Status plausible = check_so_far(); !plausible.ok()) return plausible;
     const bool in_order = survey_.in_order() && (options_.order_is_sure || guess_.in_order());
-    if (mesh_.again || !options_.stream_pipes || !in_order) return {};
+    // Adaptive heights are known at the surface's end.
+    if (mesh_.again || !options_.stream_pipes || !in_order || survey_.limits()) return {};
     streaming_ = true;
     if (Status meant = check_tall(); !meant.ok()) return meant;
     shift_ = shift_to_bed(survey_.extent(), settings_);
@@ -135,8 +138,8 @@ class MeshLayers : public LayerSource {
   // Checks that the height is plausible, as far as it is known.
   [[nodiscard]] Status check_tall() {
     if (options_.tall || !survey_.highest_cut()) return {};
-    return streaming_ && !ended_ ? check_height_so_far(survey_, settings_, mesh_.name)
-                                 : check_height(survey_, settings_, mesh_.name);
+    return streaming_ && !ended_ ? check_height_so_far(survey_, heights_, mesh_.name)
+                                 : check_height(survey_, heights_, mesh_.name);
   }
 
   // Reads a file that is in order so far: to its end, or to the facet that breaks the order.
@@ -149,7 +152,7 @@ class MeshLayers : public LayerSource {
     if (in_order) {
       if (Status placed = place(); !placed.ok()) return placed;
     } else {
-      survey_ = MeshSurvey(window_);
+      survey_ = MeshSurvey(window_, adaptive_limits(settings_));
     }
     Result<std::unique_ptr<TriangleSource>> again = mesh_.again();
     if (!again.ok()) return again.error();
@@ -232,10 +235,6 @@ class MeshLayers : public LayerSource {
     return {code, mesh_.name + ": " + cause};
   }
 
-  [[nodiscard]] std::string first_height_key() const {
-    return settings_.first_layer_height > Length() ? "first_layer_height" : "layer_height";
-  }
-
   // REQUIRES: the mesh was read to its end.
   [[nodiscard]] Status place() {
     const MeshExtent& extent = survey_.extent();
@@ -244,14 +243,19 @@ class MeshLayers : public LayerSource {
                      "the part is flat, it has no height; export it as a solid");
     }
     summary_.height = Length::from_units(*survey_.highest_cut() - extent.lowest_z);
-    summary_.layers = heights_.count(summary_.height);
+    Result<core::LayerHeights> heights =
+        part_heights(settings_, survey_.limits(), extent.lowest_z, summary_.height, mesh_.name);
+    if (!heights.ok()) return heights.error();
+    heights_ = std::move(heights).value();
+    summarise_heights(heights_, summary_);
     if (summary_.layers == 0) {
       const std::optional<std::string> unit = unit_question(extent);
-      return refused(ErrorCode::kBadPart, "the part is " + mm_text(summary_.height.units()) +
-                                              " mm high, less than half a layer of " +
-                                              mm_text(heights_.first.units()) + " mm; " +
-                                              (unit ? *unit + " Otherwise" : "check its unit, or") +
-                                              " lower " + first_height_key());
+      return refused(
+          ErrorCode::kBadPart,
+          "the part is " + mm_text(summary_.height.units()) +
+              " mm high, less than half a layer of " + mm_text(heights_.height(0).units()) +
+              " mm; " + (unit ? *unit + " Otherwise" : "check its unit, or") + " lower " +
+              (settings_.first_layer_height > Length() ? "first_layer_height" : "layer_height"));
     }
     const core::Box& box = extent.box;
     const std::int64_t narrowest =

@@ -5,10 +5,11 @@
 //                 ├─ a pipe, so far in order, trusted ────> read as the sweep asks
 //                 └─ otherwise ─ read to the end ─────────> MeshSorter, in its budget
 //
-// The position on the bed, the number of layers and the checks before a print need the whole mesh,
-// so a file in order is read twice. Of a pipe that is sliced as it arrives, only the look-ahead
-// (kReorderTriangles) is known: it decides the position on the bed, and every later facet is
-// checked when it arrives.
+// The position on the bed, the number of layers, adaptive layer heights (part_heights.h) and the
+// checks before a print need the whole mesh, so a file in order is read twice. Of a pipe that is
+// sliced as it arrives, only the look-ahead (kReorderTriangles) is known: it decides the position
+// on the bed, and every later facet is checked when it arrives. A pipe is never sliced so if layers
+// are adaptive.
 #pragma once
 
 #include <functional>

@@ -42,6 +42,7 @@ bool MeshSurvey::add(const core::Triangle& triangle) {
   }
   highest_cut_ = std::max(high, highest_cut_.value_or(high));
   order_.add(triangle);
+  if (limits_) limits_->add(triangle);
   // Most facets overlap the one before in height.
   if (!spans_.empty() && low <= spans_.back().high && high >= spans_.back().low &&
       spans_.size() > united_) {

@@ -1,15 +1,18 @@
 // Facts about a mesh from one pass over its facets, in constant memory: its extent, whether the
 // facets are nearly in order of height, whether the surface is closed and oriented alike
-// (edge_ledger.h), heights without facets, the outermost corners.
+// (edge_ledger.h), heights without facets, the outermost corners, how high layers may be
+// (core/slices/height_limits.h).
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/geometry.h"                // Triangle
+#include "core/slices/height_limits.h"    // HeightLimits
 #include "core/slices/layer_heights.h"    // LayerHeights
 #include "core/units.h"                   // LayerIndex, Length
 #include "host/formats/mesh_extent.h"     // MeshExtent
@@ -27,8 +30,9 @@ namespace host {
 
 class MeshSurvey {
  public:
-  // `window`: for the OrderGauge.
-  explicit MeshSurvey(std::size_t window) : order_(window) {}
+  // `window`: for the OrderGauge. `limits`: of layers' heights, if they are wanted.
+  explicit MeshSurvey(std::size_t window, std::optional<core::HeightLimits> limits = std::nullopt)
+      : order_(window), limits_(std::move(limits)) {}
 
   // Returns can_be_cut().
   bool add(const core::Triangle& triangle);
@@ -68,6 +72,8 @@ class MeshSurvey {
   // Upwards, of the facets that a plane can cross; in the other directions, of all facets.
   [[nodiscard]] const OutermostCorners& outermost() const { return outermost_; }
   [[nodiscard]] const HeightFill& fill() const { return fill_; }
+  // What the facets' slopes allow; nullopt if it was not wanted.
+  [[nodiscard]] const std::optional<core::HeightLimits>& limits() const { return limits_; }
 
  private:
   struct Span {
@@ -86,6 +92,7 @@ class MeshSurvey {
   std::int64_t degenerate_ = 0;
   EdgeLedger edges_;
   OrderGauge order_;
+  std::optional<core::HeightLimits> limits_;
   std::vector<Span> spans_;  // heights of facets; the first united_ are disjoint and in order
   std::size_t united_ = 0;
 };

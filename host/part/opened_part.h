@@ -51,6 +51,9 @@ struct PartSummary {
   core::Box box;  // on the bed
   core::Length height;
   core::LayerIndex layers = 0;
+  // Of a mesh that was read to its end: the heights that its layers have.
+  core::Length lowest_layer;
+  core::Length highest_layer;
   std::vector<std::string> warnings;  // for people: what was odd and how it was treated
 };
 

@@ -14,15 +14,19 @@ inline constexpr double kLooseEveryMax = 10;
 inline constexpr std::array kPartRows = {
     Setting{"layer_height", &PrintSettings::layer_height, "mm", 0.01, 2, "height of every layer"},
     Setting{"adaptive_layer_height", &PrintSettings::adaptive_layer_height, "", 0, 1,
-            "whether layers of a mesh are lower where its surface is flat"},
+            "whether a mesh's layers are as high as its surface allows; the first keeps its own "
+            "height"},
     Setting{"cusp_height", &PrintSettings::cusp_height, "mm", 0.005, 1,
-            "highest step that adaptive layers leave in the surface"},
+            "highest step that adaptive layers leave in the surface: height · upward part of the "
+            "normal"},
     Setting{"layer_height_min", &PrintSettings::layer_height_min, "mm", 0.01, 2,
-            "height of the lowest adaptive layer"},
+            "height of the lowest adaptive layer; all are whole hundredths of a millimetre"},
     Setting{"layer_height_max", &PrintSettings::layer_height_max, "mm", 0.01, 2,
             "height of the highest adaptive layer; auto: 3/4 of nozzle_diameter", kAutoIsZero},
     Setting{"height_range", &PrintSettings::height_range, "", 0, kVerbatimLinesMax,
-            "lines of two heights and the layers' height between them, as 10-12.5 0.1"},
+            "lines of two heights and the height of a mesh's layers between them, as 10-12.5 0.1; "
+            "elsewhere "
+            "layers are as without"},
     Setting{"wall_thickness", &PrintSettings::wall_thickness, "mm", 0.05, 100,
             "thickness of the dense wall, sideways, up and down"},
     Setting{"wall_shape", choice<&PrintSettings::wall_shape>("ball", "cylinder"), "", 0, 0,

@@ -24,19 +24,19 @@ void add_shortcut(CLI::App& command, Options& options, const std::string& flag,
       ->trigger_on_parse();
 }
 
-// `--at "HEIGHT ACTION"`, once or several times: one line of at_height each.
-void add_height_actions(CLI::App& command, Options& options) {
+// An option that may be given several times: one line of a setting each.
+void add_lines(CLI::App& command, Options& options, const std::string& flag, const std::string& key,
+               const std::string& value_name, const std::string& help) {
   auto lines = std::make_shared<std::vector<std::string>>();
   command
       .add_option_function<std::vector<std::string>>(
-          "--at",
-          [&options, lines](const std::vector<std::string>& values) {
+          flag,
+          [&options, lines, key](const std::vector<std::string>& values) {
             lines->insert(lines->end(), values.begin(), values.end());
-            options.settings.assignments.emplace_back("at_height", write_lines(*lines));
+            options.settings.assignments.emplace_back(key, write_lines(*lines));
           },
-          "what is done at a height, as '12.4 pause', '12.4 M600', '30 nozzle_celsius 220'; may be "
-          "repeated")
-      ->type_name("'MM ACTION'")
+          help)
+      ->type_name(value_name)
       ->allow_extra_args(false)
       ->trigger_on_parse();
 }
@@ -59,7 +59,12 @@ void add_settings(CLI::App& command, Options& options) {
                    "leave out the profile's bed and G-code if they can't be read");
   add_shortcut(command, options, "--allow-gcode", "allow_gcode", "CODES",
                "send these commands, which are refused otherwise, as M500,M501");
-  add_height_actions(command, options);
+  add_lines(
+      command, options, "--at", "at_height", "'MM ACTION'",
+      "what is done at a height, as '12.4 pause', '12.4 M600', '30 nozzle_celsius 220'; may be "
+      "repeated");
+  add_lines(command, options, "--height-range", "height_range", "'MM-MM MM'",
+            "height of a mesh's layers between two heights, as '10-12.5 0.1'; may be repeated");
   command
       .add_option_function<std::vector<std::string>>(
           "--set",

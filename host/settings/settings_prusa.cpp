@@ -47,6 +47,8 @@ struct Alias {
 
 constexpr std::array kAliases = {
     Alias{"layer_height", "layer_height"},
+    Alias{"min_layer_height", "layer_height_min", Kind::kWidth},
+    Alias{"max_layer_height", "layer_height_max", Kind::kLimit},
     Alias{"nozzle_diameter", "nozzle_diameter"},
     Alias{"filament_diameter", "filament_diameter"},
     Alias{"extrusion_width", "road_width", Kind::kWidth},
@@ -140,14 +142,14 @@ constexpr std::array<std::string_view, 14> kHallmarks = {"top_solid_layers",
                                                          "support_material",
                                                          "brim_separation",
                                                          "raft_layers",
-                                                         "gcode_flavor",
+                                                         "fill_density",
                                                          "fill_pattern",
                                                          "infill_extrusion_width",
                                                          "perimeter_extrusion_width",
                                                          "first_layer_extrusion_width",
                                                          "cooling",
                                                          "solid_infill_below_area",
-                                                         "avoid_crossing_perimeters",
+                                                         "solid_infill_every_layers",
                                                          "external_perimeter_extrusion_width"};
 
 // The lowest speed that a setting can have.

@@ -7,6 +7,8 @@
 #include "core/limits.h"
 #include "core/motions/height_actions.h"  // read_height_action
 #include "core/settings.h"                // wall_layers
+#include "core/slices/height_limits.h"    // adaptive_bounds
+#include "core/slices/height_ranges.h"    // height_ranges
 #include "host/settings/own_accelerations.h"
 #include "host/settings/settings_table.h"
 
@@ -94,6 +96,49 @@ Status vase_has_a_thin_wall(const PrintSettings& settings) {
   return bad("spiral_vase needs style = thin-wall: a vase has no inside to build another way");
 }
 
+// A height that layers may have besides layer_height, under the name of what says so.
+Status height_fits(const PrintSettings& settings, const std::string& name, core::Length height) {
+  Status fits = road_fits_nozzle(settings, name, height, "road_width", settings.road_width);
+  if (fits.ok() && settings.top_width > core::Length()) {
+    fits = road_fits_nozzle(settings, name, height, "top_width", settings.top_width);
+  }
+  if (!fits.ok() || core::wall_counts_layers(settings)) return fits;
+  if (height * core::kWallLayersMax >= settings.wall_thickness) return {};
+  return bad(fmt::format(
+      "wall_thickness = {} mm is more than {} layers of {} = {} mm, as many as the window takes: "
+      "a thinner wall or thicker layers",
+      settings.wall_thickness.mm(), core::kWallLayersMax, name, height.mm()));
+}
+
+Status other_heights_fit(const PrintSettings& settings) {
+  if (settings.adaptive_layer_height) {
+    const core::HeightBounds bounds = core::adaptive_bounds(settings);
+    if (bounds.lowest > bounds.highest) {
+      return bad(
+          fmt::format("layer_height_min = {} mm and layer_height_max = {} mm leave no height of "
+                      "whole hundredths of a millimetre between them",
+                      settings.layer_height_min.mm(),
+                      settings.layer_height_max > core::Length() ? settings.layer_height_max.mm()
+                                                                 : bounds.highest.mm()));
+    }
+    Status fits = height_fits(settings, "layer_height_max", bounds.highest);
+    if (fits.ok()) fits = height_fits(settings, "layer_height_min", bounds.lowest);
+    if (!fits.ok()) return fits;
+  }
+  const auto ranges = core::height_ranges(settings);
+  if (!ranges.ok()) return ranges.error();
+  for (const core::HeightRange& range : ranges.value()) {
+    const std::string name = fmt::format("height_range, line {}: height", range.line);
+    if (Status fits = height_fits(settings, name, range.height); !fits.ok()) return fits;
+  }
+  const bool given = settings.wall_shape == core::WallShape::kCylinder && settings.wall_layers > 0;
+  if (!core::has_unequal_layers(settings) || !core::wall_counts_layers(settings) || given)
+    return {};
+  return bad(
+      "wall_shape = cylinder and style = fast count layers, and with adaptive_layer_height or "
+      "height_range these differ in height: set wall_layers as well, or use wall_shape = ball");
+}
+
 Status accelerations_have_a_default(const PrintSettings& settings) {
   if (settings.default_acceleration_mm_s2 > 0) return {};
   for (const auto& [key, member] : kOwnAccelerations) {
@@ -163,7 +208,7 @@ Status actions_are_known(const PrintSettings& settings) {
 
 Status validate_settings(const PrintSettings& settings) {
   for (const auto rule : {every_value_in_range, wall_fits_window, roads_fit_nozzle,
-                          vase_has_a_thin_wall, accelerations_have_a_default,
+                          other_heights_fit, vase_has_a_thin_wall, accelerations_have_a_default,
                           heights_of_slowdown_fit, part_has_a_place, actions_are_known}) {
     Status status = rule(settings);
     if (!status.ok()) return status;

@@ -8,7 +8,7 @@
 #include <optional>
 #include <set>
 
-#include "core/slices/layer_heights.h"  // layer_heights
+#include "core/slices/height_ranges.h"  // first_layer_height
 #include "host/settings/gcode_placeholders.h"
 #include "host/settings/settings_file.h"
 #include "host/settings/settings_prusa.h"
@@ -78,7 +78,7 @@ class Known {
       : settings_(settings), values_(values) {
     for (const SettingRow& row : describe_settings(settings)) rows_[row.key] = row.plain_value;
     // As they are used, where the settings say "auto".
-    rows_["first_layer_height"] = write_number(core::layer_heights(settings).first.mm());
+    rows_["first_layer_height"] = write_number(core::first_layer_height(settings).mm());
     rows_["bed_first_layer_celsius"] = write_number(core::bed_first_layer_celsius(settings));
   }
 

@@ -358,14 +358,16 @@ TEST_CASE("a cut through a part ten times as tall holds no more layers") {
 TEST_CASE("any number of threads gives the same bytes") {
   const PartFolder folder;
   const std::string part = folder.add("demo.stl", parts::demo());
-  for (const char* name : {"out.gcode", "out.cli"}) {
+  const std::string unequal = " --set adaptive_layer_height=1 --height-range '10-12 0.25'";
+  for (const std::string name : {"out.gcode", "out.cli", "unequal.gcode"}) {
     CAPTURE(name);
+    const std::string heights = name == "unequal.gcode" ? unequal : "";
     std::string one;
     for (const char* threads : {"1", "2", "5"}) {
       CAPTURE(threads);
       const std::string out = folder.file(name);
       const ProgramRun run =
-          rind("slice " + part + kCoarse + " --quiet --jobs " + threads + " -o " + out);
+          rind("slice " + part + kCoarse + heights + " --quiet --jobs " + threads + " -o " + out);
       REQUIRE_EQ(run.exit_code, 0);
       if (one.empty()) one = content(out);
       CHECK_FALSE(one.empty());

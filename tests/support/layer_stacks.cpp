@@ -170,7 +170,8 @@ LayerStack sliced_stack(const std::string& name, const parts::Part& part, int la
   std::int64_t top = 0;
   for (const core::Triangle& triangle : triangles) top = std::max(top, triangle.highest_z());
   core::PlaneSweep::Options options = exact_options();
-  options.heights.first = options.heights.rest = Length::from_units(top / layers);
+  const Length height = Length::from_units(top / layers);
+  options.heights = {height, height};
   options.simplify_tolerance = Length::from_mm(0.05);
   LayerStack stack{name, {}, {}};
   for (core::Slice& slice : sweep(std::move(triangles), options).slices) {

@@ -54,11 +54,8 @@ SweepResult sweep(std::vector<Triangle> triangles, core::PlaneSweep::Options opt
 }
 
 core::PlaneSweep::Options exact_options() {
-  core::PlaneSweep::Options options;
-  options.heights.first = options.heights.rest = core::Length::from_units(2'000);
-  options.simplify_tolerance = core::Length::from_units(1);
-  options.chain_gap_max = core::Length::from_units(20'000);
-  return options;
+  const core::Length height = core::Length::from_units(2'000);
+  return {{height, height}, {}, core::Length::from_units(1), core::Length::from_units(20'000), {}};
 }
 
 void shuffle(std::vector<Triangle>& triangles, Random& random) {

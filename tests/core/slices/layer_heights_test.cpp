@@ -3,7 +3,9 @@
 #include <doctest/doctest.h>
 
 #include <random>
+#include <vector>
 
+using core::HeightBand;
 using core::LayerHeights;
 using core::LayerIndex;
 using core::Length;
@@ -56,11 +58,39 @@ TEST_CASE("layers lie on one another, and are counted as they are cut") {
   }
 }
 
-TEST_CASE("without a height of its own the first layer is like the others") {
-  core::Settings settings;
-  settings.layer_height = Length::from_mm(0.3);
-  CHECK_EQ(layer_heights(settings).first, Length::from_mm(0.3));
-  settings.first_layer_height = Length::from_mm(0.2);
-  CHECK_EQ(layer_heights(settings).first, Length::from_mm(0.2));
-  CHECK_EQ(layer_heights(settings).rest, Length::from_mm(0.3));
+TEST_CASE("runs of layers answer as a walk over all layers does") {
+  const unsigned seed = std::random_device{}();
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  for (int i = 0; i < 200; ++i) {
+    CAPTURE(i);
+    std::vector<HeightBand> bands;
+    std::vector<Length> layers;
+    Length bottom;
+    for (std::size_t band = 1 + random() % 12; band > 0; --band) {
+      const Length height = Length::from_units(1 + static_cast<std::int64_t>(random() % 50));
+      bands.push_back({static_cast<LayerIndex>(layers.size()), bottom, height});
+      for (std::size_t layer = 1 + random() % 5; layer > 0; --layer) {
+        layers.push_back(height);
+        bottom += height;
+      }
+    }
+    // The last one goes on.
+    for (int layer = 0; layer < 20; ++layer) layers.push_back(bands.back().height);
+    const LayerHeights heights(bands);
+    Length walked;
+    for (std::size_t layer = 0; layer < layers.size(); ++layer) {
+      const auto index = static_cast<LayerIndex>(layer);
+      REQUIRE_EQ(heights.height(index), layers[layer]);
+      REQUIRE_EQ(heights.bottom(index), walked);
+      REQUIRE_EQ(heights.doubled_plane(index), (walked * 2 + layers[layer]).units());
+      walked += layers[layer];
+    }
+    const std::int64_t sure = walked.units() - layers.back().units();
+    for (std::int64_t top = 0; top < sure; ++top) {
+      LayerIndex count = 0;
+      while (heights.doubled_plane(count) <= 2 * top) ++count;
+      REQUIRE_EQ(count_of(top, heights), count);
+    }
+  }
 }

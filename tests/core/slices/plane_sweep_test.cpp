@@ -315,7 +315,7 @@ TEST_CASE("a part 500 km tall: heights have no bound") {
   const double far_up_mm = 5e8;
   std::vector<Triangle> triangles = triangles_of(parts::pyramid(far_up_mm));
   PlaneSweep::Options options = exact_options();
-  options.heights.first = options.heights.rest = Length::from_mm(1e8);
+  options.heights = {Length::from_mm(1e8), Length::from_mm(1e8)};
   const std::vector<Slice> slices = sweep(triangles, options).slices;
   REQUIRE_EQ(slices.size(), 5);
   for (std::size_t i = 0; i < 5; ++i) {

@@ -80,6 +80,27 @@ TEST_CASE("a pipe whose head tells the extent is centred by it") {
   CHECK_EQ(all_slices(opened.value())[0].region, test::region_from_text("40:23 60:23 60:27 40:27"));
 }
 
+TEST_CASE("layers keep their own heights, and say so where others are asked for") {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.write("part.cli", cli("", kTwoLayers));
+  for (const bool ranges : {false, true}) {
+    Settings settings = small_bed();
+    settings.adaptive_layer_height = !ranges;
+    if (ranges) settings.height_range = {"0-1 0.1"};
+    auto file = host::open_whole_part(path, settings, {});
+    auto pipe = open_once(cli("", kTwoLayers), settings);
+    for (auto* opened : {&file, &pipe}) {
+      REQUIRE_MESSAGE(opened->ok(), (opened->ok() ? "" : opened->error().message));
+      const std::vector<std::string>& warnings = opened->value().summary.warnings;
+      REQUIRE_FALSE(warnings.empty());
+      CHECK(
+          warnings[0].ends_with("its layers have heights of their own: adaptive_layer_height and "
+                                "height_range change nothing"));
+      CHECK_EQ(all_slices(opened->value())[0].height.mm(), 0.3);
+    }
+  }
+}
+
 TEST_CASE("any other pipe is where its first layer is, and says so") {
   Settings settings = small_bed();
   const std::string bytes =

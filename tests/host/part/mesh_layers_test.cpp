@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/slices/height_plan.h"
 #include "host/part/mesh_survey.h"
 #include "host/system/limits.h"
 #include "tests/support/listed_triangles.h"

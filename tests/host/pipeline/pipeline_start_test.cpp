@@ -188,3 +188,24 @@ TEST_CASE("the turns of a spiral vase go on as in the whole print") {
   REQUIRE_GT(whole.checkpoints.size(), 15);
   check_tails(settings, path, whole);
 }
+
+TEST_CASE("where layers differ in height, too") {
+  const test::PartFolder folder;
+  const parts::Part tower =
+      parts::together({parts::box({5, 5, 0}, 10, 8, 2.6), parts::box({8, 7, 0}, 5, 4, 4.6),
+                       parts::dome(4, 32, 16)});
+  const std::string path = folder.add("tower.stl", tower);
+  for (const bool blocks : {false, true}) {
+    CAPTURE(blocks);
+    core::Settings settings = settings_of(core::WallShape::kBall, core::BuildStyle::kThinWall);
+    settings.layer_height = Length::from_mm(0.2);
+    settings.first_layer_height = Length::from_mm(0.25);
+    settings.adaptive_layer_height = !blocks;
+    settings.cusp_height = Length::from_mm(0.1);
+    settings.height_range = {"1.33-2 0.1", "4-4.4 0.15"};
+    if (blocks) settings.loose_every_layers = 2;
+    const Computed whole = compute(settings, path, {});
+    REQUIRE_GT(whole.checkpoints.size(), 20);
+    check_tails(settings, path, whole);
+  }
+}
