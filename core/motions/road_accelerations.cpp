@@ -41,6 +41,7 @@ double own_acceleration(const Settings& s, RoadKind kind) {
     case RoadKind::kSkirt:
     case RoadKind::kBrim:
     case RoadKind::kGapFill:
+    case RoadKind::kRaft:
       break;
   }
   return 0;

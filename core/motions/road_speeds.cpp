@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "core/raft_heights.h"  // is_above_raft
+
 namespace core {
 namespace {
 
@@ -29,6 +31,7 @@ double speed_of_kind(const Settings& settings, RoadKind kind) {
       return settings.ironing_speed_mm_s;
     case RoadKind::kSolid:
     case RoadKind::kBottomSolid:
+    case RoadKind::kRaft:
       break;
   }
   return settings.solid_speed_mm_s;
@@ -63,7 +66,8 @@ double full_speed_mm_s(const Settings& settings, LayerIndex layer, const RoadSpe
   if (settings.volumetric_speed_max_mm3_s > 0) {
     speed = std::min(speed, settings.volumetric_speed_max_mm3_s / flow_mm2);
   }
-  return layer == 0 ? std::min(speed, settings.first_layer_speed_mm_s) : speed;
+  const bool slow = layer == 0 || is_above_raft(settings, layer);
+  return slow ? std::min(speed, settings.first_layer_speed_mm_s) : speed;
 }
 
 double fan_share_least(const Settings& settings, RoadKind kind, Hold hold) {

@@ -25,6 +25,7 @@ struct RoadSpeedCase {
 };
 
 // The least of what the kind of road, its size, what holds it, its flow and the first layer allow.
+// The part's first layer over a raft's gap is as slow as that on the bed.
 // ENSURES: above 0.
 [[nodiscard]] double full_speed_mm_s(const Settings& settings, LayerIndex layer,
                                      const RoadSpeedCase& road);

@@ -27,9 +27,10 @@ enum class RoadKind {
   kBridge,             // straight roads from one held side to another, over air
   kInternalBridge,     // the same over the loose inside
   kIroning,            // smooths a top
+  kRaft,               // under the part (raft.h)
 };
 
-inline constexpr int kRoadKindCount = 13;
+inline constexpr int kRoadKindCount = 14;
 
 // How far the layer below holds a stretch of a road: the share of its width that lies over the
 // slice below (overhangs.h). From kQuarter on, its centre line is in the air.

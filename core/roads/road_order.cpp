@@ -53,6 +53,7 @@ int stage(const Road& road, bool outer_first) {
     case RoadKind::kSolid:
     case RoadKind::kGapFill:
     case RoadKind::kLoose:
+    case RoadKind::kRaft:
       return 4;
     case RoadKind::kTopSolid:
       return 6;

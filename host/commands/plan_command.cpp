@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/motions/motion_clock.h"
+#include "core/raft_heights.h"
 #include "host/commands/commands.h"
 #include "host/pipeline/pipeline.h"
 #include "host/printing/slow_layer_note.h"
@@ -46,7 +47,8 @@ std::string table(const Options& options, const PrintPlan& print_plan,
                  facets > 0 ? fmt::format(", {} facets", facets) : "");
   if (!box.empty()) {
     fmt::format_to(out, "size       {:.2f} x {:.2f} x {:.2f} mm\n", mm(box.max.x - box.min.x),
-                   mm(box.max.y - box.min.y), print_plan.part.summary.height.mm());
+                   mm(box.max.y - box.min.y),
+                   (print_plan.part.summary.height - core::raft_lift(print_plan.settings)).mm());
   }
   if (facets > 0) {
     fmt::format_to(out, "layers     {} of {}, wall {:g} mm", statistics.layers,
@@ -59,6 +61,10 @@ std::string table(const Options& options, const PrintPlan& print_plan,
   } else {
     fmt::format_to(out, "layers     {} of the file's own heights, wall {:g} mm\n",
                    statistics.layers, print_plan.settings.wall_thickness.mm());
+  }
+  if (const int raft = print_plan.settings.raft_layers; raft > 0) {
+    fmt::format_to(out, "raft       {} of these layers; the part begins {:g} mm above the bed\n",
+                   raft, core::raft_lift(print_plan.settings).mm());
   }
   const double volume = statistics.solid_mm3 + statistics.loose_mm3;
   fmt::format_to(out, "volume     {:.2f} cm3, of it wall {:.1f} %\n", volume / 1'000,

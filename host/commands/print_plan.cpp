@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "core/raft_heights.h"
 #include "host/commands/commands.h"
 #include "host/commands/output_names.h"
 #include "host/files/output_file.h"
@@ -24,9 +25,28 @@ core::Result<PrintSettings> load_settings_of(const Options& options, Reporter& r
   return settings;
 }
 
+namespace {
+
+// Files of slices, and cuts, have the part alone.
+bool has_raft(const Options& options) {
+  if (options.subcommand == Subcommand::kSlice) {
+    return options.output.format == OutputFormat::kGcode ||
+           options.output.format == OutputFormat::kCliRoads;
+  }
+  return options.subcommand != Subcommand::kShow || !options.output.section;
+}
+
+}  // namespace
+
 core::Result<PrintPlan> open_print_plan(const Options& options, Reporter& reporter) {
   core::Result<PrintSettings> settings = load_settings_of(options, reporter);
   if (!settings.ok()) return settings.error();
+  if (settings.value().raft_layers > 0 && !has_raft(options)) {
+    core::Settings& of_part = settings.value();
+    of_part = core::settings_above_raft(of_part);
+    of_part.raft_layers = 0;
+    reporter.note("raft", "the part is shown as it lies on its raft, without the raft");
+  }
   const bool prints =
       options.subcommand == Subcommand::kPrint || options.subcommand == Subcommand::kResume;
   const bool sliced = options.subcommand == Subcommand::kSlice;

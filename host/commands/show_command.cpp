@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/raft_heights.h"
 #include "core/sections/layer_window.h"
 #include "core/walls/wall_style.h"
 #include "host/commands/commands.h"
@@ -22,6 +23,25 @@
 namespace host {
 namespace {
 
+// The asked layer, if it is the raft's: dense, or sparse.
+std::string draw_raft_layer(const Options& options, const core::SplitLayer& layer,
+                            const std::vector<core::Road>& roads, core::Settings settings) {
+  settings.style = core::BuildStyle::kRegular;  // nothing decides which of it is dense
+  core::LayerWindow window(settings);
+  window.push(layer);
+  window.finish();
+  if (!window.next()) return {};
+  return draw_layer(
+      {part_title(options.part.path), &window, &roads, layer_words(layer.slice, "raft")});
+}
+
+// The layer as the part alone has it, without what lies under it.
+core::SplitLayer in_part(core::SplitLayer layer, const core::Settings& settings) {
+  layer.slice.index -= settings.raft_layers;
+  layer.slice.bottom -= core::raft_lift(settings);
+  return layer;
+}
+
 // Waits for the layer's neighbours, which decide where its wall is.
 int show_layer(const Options& options, PrintPlan& print_plan, OutputFile& file,
                Reporter& reporter) {
@@ -36,18 +56,29 @@ int show_layer(const Options& options, PrintPlan& print_plan, OutputFile& file,
   if (layers > 0 && options.output.layer > layers) return no_such_layer(layers);
   std::string svg;
   std::vector<core::Road> roads_there;
-  core::LayerWindow window(
-      core::with_style(static_cast<const core::Settings&>(print_plan.settings)));
+  std::string words;
+  const core::Settings settings =
+      core::with_style(static_cast<const core::Settings&>(print_plan.settings));
+  const core::LayerIndex raft = settings.raft_layers;
+  core::LayerWindow window(settings);
   const auto draw = [&] {
     while (svg.empty() && window.next()) {
-      if (window.layer().slice.index + 1 != options.output.layer) continue;
-      svg = draw_layer({part_title(options.part.path), &window, &roads_there});
+      if (window.layer().slice.index + raft + 1 != options.output.layer) continue;
+      svg = draw_layer({part_title(options.part.path), &window, &roads_there, words});
     }
   };
   PipelineOutputs outputs;
   outputs.on_roads = [&](const core::SplitLayer& layer, const std::vector<core::Road>& roads) {
-    if (layer.slice.index + 1 == options.output.layer) roads_there = roads;
-    window.push(layer);
+    const bool asked = layer.slice.index + 1 == options.output.layer;
+    if (layer.slice.index < raft) {
+      if (asked) svg = draw_raft_layer(options, layer, roads, settings);
+      return svg.empty();
+    }
+    if (asked) {
+      roads_there = roads;
+      words = layer_words(layer.slice, wall_words(settings));
+    }
+    window.push(in_part(layer, settings));
     draw();
     return svg.empty();
   };

@@ -19,9 +19,13 @@ constexpr int kWallLabel = 1, kInsideLabel = 2;
 
 // In the order of core::RoadKind.
 constexpr std::array<const char*, core::kRoadKindCount> kRoadLabels{
-    "skirt",  "outer perimeter",    "perimeter", "solid",        "rest",   "loose",
-    "brim",   "overhang perimeter", "top solid", "bottom solid", "bridge", "bridge over loose",
-    "ironing"};
+    "skirt",     "outer perimeter",
+    "perimeter", "solid",
+    "rest",      "loose",
+    "brim",      "overhang perimeter",
+    "top solid", "bottom solid",
+    "bridge",    "bridge over loose",
+    "ironing",   "raft"};
 
 int direction_of(const Ring& ring) { return core::doubled_area_units(ring) > 0 ? 1 : 0; }
 

@@ -36,6 +36,8 @@ const char* prusa_type_name(core::RoadKind kind) {
       return "Bridge infill";
     case core::RoadKind::kIroning:
       return "Ironing";
+    case core::RoadKind::kRaft:
+      return "Support material";
   }
   return "Custom";
 }

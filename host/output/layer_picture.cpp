@@ -190,6 +190,11 @@ void append_road_legend(std::string& svg, const Stretches& roads, const Frame& f
 
 }  // namespace
 
+std::string layer_words(const core::Slice& slice, const std::string& what) {
+  return fmt::format("layer {}, {:g} to {:g} mm above the bed; {}", slice.index + 1,
+                     slice.bottom.mm(), slice.top().mm(), what);
+}
+
 std::string draw_layer(const LayerPicture& picture) {
   RIND_CHECK(picture.window != nullptr);
   RIND_CHECK(picture.roads != nullptr);
@@ -203,9 +208,7 @@ std::string draw_layer(const LayerPicture& picture) {
   std::string svg;
   const Text out = std::back_inserter(svg);
   start_page(svg, frame.page_width(), frame.page_height());
-  append_title(svg, picture.title,
-               fmt::format("layer {}, {:g} to {:g} mm above the bed; {}", slice.index + 1,
-                           slice.bottom.mm(), slice.top().mm(), wall_words(settings)));
+  append_title(svg, picture.title, picture.subtitle);
 
   const double hairline = 1.2 / frame.px_per_mm;
   start_panel(out, frame, 0);

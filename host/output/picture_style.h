@@ -49,6 +49,7 @@ inline constexpr std::array<KindStyle, core::kRoadKindCount> kKindStyles = {{
     {core::RoadKind::kInternalBridge, "bridge over loose", {"#2f6b4a", "#72bf95"}},
     {core::RoadKind::kLoose, "loose fill", {"#2c5d72", "#5f9bb3"}},
     {core::RoadKind::kIroning, "ironing", {"#6d5a6d", "#b79fb7"}},
+    {core::RoadKind::kRaft, "raft", {"#4f6b3a", "#8fb072"}},
     {core::RoadKind::kBrim, "brim", {"#77776a", "#aeae9d"}},
     {core::RoadKind::kSkirt, "skirt", {"#8d8d8d", "#bdbdbd"}},
 }};

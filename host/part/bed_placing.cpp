@@ -65,8 +65,10 @@ core::Status check_on_bed(const MeshExtent& extent, const Shift& shift,
   }
   const std::int64_t axis = settings.axis_z.units(), top = extent.highest_z + shift.z;
   if (axis != 0 && top > axis) {
-    return refused("the part is " + mm_text(top) + " mm high, the axis " + mm_text(axis) +
-                   " mm; scale the part, or check axis_z");
+    const bool raft = settings.raft_layers > 0;
+    return refused("the part is " + mm_text(top) + " mm high, the axis " +
+                   (raft ? "above the raft " : "") + mm_text(axis) +
+                   " mm; scale the part, or check axis_z" + (raft ? " and raft_layers" : ""));
   }
   return {};
 }

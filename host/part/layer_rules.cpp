@@ -47,6 +47,7 @@ core::Status check_on_bed(const std::string& part, const core::Slice& slice,
       if (inside) continue;
       const bool skirt = road.kind == core::RoadKind::kSkirt;
       const bool brim = road.kind == core::RoadKind::kBrim;
+      const bool raft = road.kind == core::RoadKind::kRaft;
       return core::Error{
           core::ErrorCode::kOutOfBounds,
           fmt::format(
@@ -54,12 +55,14 @@ core::Status check_on_bed(const std::string& part, const core::Slice& slice,
               slice.index + 1,
               skirt  ? "the skirt"
               : brim ? "the brim"
+              : raft ? "the raft"
                      : "a road",
               core::Length::from_units(point.x).mm(), core::Length::from_units(point.y).mm(),
               settings.bed_x.mm(), settings.bed_y.mm(),
               skirt  ? "set skirt_loops=0, or a smaller skirt_distance, "
-                       "skirt_length_min or brim_width"
+                       "skirt_length_min, brim_width or raft_expansion"
               : brim ? "set a smaller brim_width"
+              : raft ? "set a smaller raft_expansion"
                      : "move the part or set bed_x and bed_y")};
     }
   }

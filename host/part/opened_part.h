@@ -48,9 +48,9 @@ struct PartSummary {
   std::int64_t facets = 0;      // in the file; 0 for layer files
   std::int64_t degenerate = 0;  // facets with two equal corners: left out
   // Empty and 0 for layers from a pipe, whose end is not known.
-  core::Box box;  // on the bed
-  core::Length height;
-  core::LayerIndex layers = 0;
+  core::Box box;                // on the bed
+  core::Length height;          // above the bed, on its raft
+  core::LayerIndex layers = 0;  // of the print, the raft's counted
   // Of a mesh that was read to its end: the heights that its layers have.
   core::Length lowest_layer;
   core::Length highest_layer;

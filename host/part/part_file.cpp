@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "core/raft_heights.h"             // raft_lift, settings_above_raft
 #include "host/files/input_file.h"         // InputFile
 #include "host/formats/formats.h"          // kind_of
 #include "host/formats/sif_reader.h"       // read_sif
@@ -76,10 +77,8 @@ Result<OpenedPart> open_zipped(InputFile file, const std::string& path,
   return open_enlarged(std::move(mesh), settings, options);
 }
 
-}  // namespace
-
-Result<OpenedPart> open_part(const std::string& path, const core::Settings& settings,
-                             const OpenOptions& options) {
+Result<OpenedPart> open_alone(const std::string& path, const core::Settings& settings,
+                              const OpenOptions& options) {
   Result<InputFile> opened = InputFile::open(path);
   if (!opened.ok()) return opened.error();
   InputFile& file = opened.value();
@@ -102,6 +101,29 @@ Result<OpenedPart> open_part(const std::string& path, const core::Settings& sett
   if (!triangles.ok()) return triangles.error();
   input.triangles = std::move(triangles).value();
   return open_enlarged(std::move(input), settings, options);
+}
+
+PartSummary on_raft(PartSummary summary, const core::Settings& settings) {
+  if (summary.layers > 0) summary.layers += settings.raft_layers;
+  if (summary.height > core::Length()) summary.height += core::raft_lift(settings);
+  return summary;
+}
+
+}  // namespace
+
+Result<OpenedPart> open_part(const std::string& path, const core::Settings& settings,
+                             const OpenOptions& options) {
+  Result<OpenedPart> part = open_alone(path, core::settings_above_raft(settings), options);
+  if (!part.ok() || settings.raft_layers == 0) return part;
+  part.value().summary = on_raft(std::move(part.value().summary), settings);
+  if (!part.value().read_rest) return part;
+  part.value().read_rest = [read = std::move(part.value().read_rest),
+                            settings]() -> Result<PartSummary> {
+    Result<PartSummary> summary = read();
+    if (!summary.ok()) return summary;
+    return on_raft(std::move(summary).value(), settings);
+  };
+  return part;
 }
 
 Result<OpenedPart> open_whole_part(const std::string& path, const core::Settings& settings,

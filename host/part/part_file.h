@@ -1,7 +1,8 @@
 // Opens a part from any kind of file as a source of slices.
 //
 // The kind is recognised by the content, never by the name. The part is placed on the bed: its
-// lowest point at height 0, and in the plane at the bed's centre or where the settings say.
+// lowest point at height 0, and in the plane at the bed's centre or where the settings say. Its
+// slices know no raft, its summary does (core/raft_heights.h).
 #pragma once
 
 #include <string>

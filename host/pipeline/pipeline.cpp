@@ -10,6 +10,7 @@
 
 #include "core/offsets/compensation.h"
 #include "core/offsets/slice_offsets.h"
+#include "core/raft_heights.h"
 #include "core/roads/layer_planner.h"
 #include "core/walls/corners_ahead.h"
 #include "core/walls/layer_neighbours.h"
@@ -19,9 +20,11 @@
 #include "host/part/layer_rules.h"
 #include "host/part/vase_layers.h"
 #include "host/pipeline/command_stage.h"
+#include "host/pipeline/floating_islands.h"
 #include "host/pipeline/layer_batch.h"
 #include "host/pipeline/layer_watch.h"
 #include "host/pipeline/ordered_stages.h"
+#include "host/pipeline/raft_stage.h"
 #include "host/system/memory_budget.h"
 
 namespace host {
@@ -32,10 +35,11 @@ class Pipeline {
   Pipeline(PrintPlan& print_plan, const PipelineOutputs& outputs, PipelineSignals& signals,
            GeometryStatistics& statistics)
       : plan_(print_plan),
-        settings_(core::with_style(static_cast<const core::Settings&>(print_plan.settings))),
+        settings_(core::with_style(core::settings_above_raft(whole(print_plan)))),
         outputs_(outputs),
         signals_(signals),
         statistics_(statistics),
+        raft_(print_plan.settings, print_plan.start),
         bad_layers_(print_plan.on_bad_layer, print_plan.part_path, signals.warnings),
         watch_(signals.on_slow_layer, signals.slow_layer_s),
         cutter_(settings_),
@@ -43,7 +47,8 @@ class Pipeline {
         ahead_(core::seam_layers_ahead(settings_)),
         blocks_(settings_),
         planner_(settings_),
-        commands_(settings_, print_plan.command_form, outputs, refused_) {
+        floating_(print_plan.on_floating, print_plan.part_path, signals.warnings),
+        commands_(core::with_style(whole(print_plan)), print_plan.command_form, outputs, refused_) {
     plan_.part.layers =
         vase_layers(std::move(plan_.part.layers), settings_, plan_.part_path, signals_.warnings);
     if (!print_plan.start) return;
@@ -58,6 +63,9 @@ class Pipeline {
   }
 
  private:
+  // Of the print, with its raft.
+  static const core::Settings& whole(const PrintPlan& print_plan) { return print_plan.settings; }
+
   core::Result<PipelineEnd> run_in_memory() {
     try {
       if (core::Status read = read_rest(); !read.ok()) return read.error();
@@ -110,10 +118,11 @@ class Pipeline {
       if (!found || stopped()) return {};
       core::Status fine = check_layer_height(plan_.part_path, *found, settings_);
       if (!fine.ok()) return fine;
-      auto pause = bad_layers_.check(*found, plan_.part.summary.layers);
+      const core::LayerIndex layers = plan_.part.summary.layers;
+      auto pause = bad_layers_.check(*found, layers > 0 ? layers - raft_.layers() : 0);
       if (!pause.ok()) return pause.error();
       batch.pause = std::move(pause).value();
-    } while (plan_.start && is_far_below(*found, *plan_.start, settings_));
+    } while (plan_.start && is_far_below(*found, *raft_.start_in_part(), settings_));
     core::Slice& slice = *found;
     if (core::compensates(settings_)) slice.region = core::compensated(slice, settings_);
     signals_.slices_cut.fetch_add(1);
@@ -126,7 +135,7 @@ class Pipeline {
 
   // True for a layer below the start: it was printed before, and can't be split correctly here.
   [[nodiscard]] bool below_start(const core::SplitLayer& split) const {
-    return plan_.start && split.slice.index < plan_.start->layer;
+    return plan_.start && split.slice.index < raft_.start_in_part()->layer;
   }
 
   void cut(LayerBatch& batch) {
@@ -239,47 +248,58 @@ class Pipeline {
     refused_ = true;
   }
 
+  // Of the part; and before its first layer those of the raft.
   core::Status give(const SettledLayer& settled) {
+    if (settled.index == 0 && wants_roads()) {
+      if (core::Status laid = give_raft(settled); !laid.ok() || stopped()) return laid;
+    }
     if (settled.pause && outputs_.on_pause) outputs_.on_pause(*settled.pause);
     const core::LayerPlan& plan = *settled.reserved.plan;
     core::SplitLayer layer = plan.layer;
     core::Slice& slice = layer.slice;
     slice.index = settled.index;
     slice.bottom = settled.bottom;
+    slice = raft_.lifted(std::move(slice));
     statistics_.add_volume(layer, plan.regularised_mm3);
-    if (core::Status held = check_floating(slice, plan.hanging); !held.ok()) return held;
+    if (core::Status held = floating_.check(slice, plan.hanging); !held.ok()) return held;
     statistics_.hanging.add(slice.index, slice.bottom, plan.hanging);
     keep(outputs_.on_layer ? outputs_.on_layer(layer) : true);
     if (!wants_roads()) return {};
-    const std::vector<core::Road>& roads = *settled.ordering.roads;
-    core::Status fits = check_on_bed(plan_.part_path, slice, roads, settings_);
-    if (!fits.ok()) return fits;
-    statistics_.roads += static_cast<std::int64_t>(roads.size());
-    keep(outputs_.on_roads ? outputs_.on_roads(layer, roads) : true);
-    if (!outputs_.on_motion) return {};
-    commands_.layer(slice, roads, *settled.seams_before, plan.travel_space.get());
+    counts_.part_roads += settled.ordering.roads->size();
+    return lay(layer, *settled.ordering.roads, *settled.seams_before, plan.travel_space.get());
+  }
+
+  core::Status give_raft(const SettledLayer& settled) {
+    if (raft_.first() == raft_.layers()) return {};
+    const core::Slice& part = settled.reserved.plan->layer.slice;
+    const core::Result<core::Raft> raft = raft_.under(part, plan_.part_path);
+    if (!raft.ok()) return raft.error();
+    for (core::LayerIndex index = raft_.first(); index < raft_.layers() && !stopped(); ++index) {
+      double watched_s = 0;
+      const LayerWatch::Look look(watch_, index, part.height, &part.region, watched_s);
+      const core::RaftLayer laid = raft.value().layer(index);
+      ++statistics_.layers;
+      keep(outputs_.on_layer ? outputs_.on_layer(laid.layer) : true);
+      core::Status fits = lay(laid.layer, laid.roads, *settled.seams_before, nullptr);
+      if (!fits.ok()) return fits;
+    }
     return {};
   }
 
-  // Tells the first islands that begin in the air, or ends the print before them.
-  core::Status check_floating(const core::Slice& slice, const core::HangingPlaces& hanging) {
-    for (const core::HangingPlace& place : hanging.largest) {
-      if (place.kind != core::HangingKind::kIsland) continue;
-      const std::string what =
-          fmt::format("{}: {}", plan_.part_path, hanging_text({slice.index, slice.bottom, place}));
-      if (plan_.on_floating == OnFloating::kStop) {
-        return core::Error{core::ErrorCode::kBadPart,
-                           what + "; it needs a support, or --on-floating warn to print it"};
-      }
-      if (counts_.islands_told++ < kHangingTold) signals_.warnings.put(what);
-    }
+  core::Status lay(const core::SplitLayer& layer, const std::vector<core::Road>& roads,
+                   const core::SeamMemory& seams_before, const core::TravelSpace* space) {
+    core::Status fits = check_on_bed(plan_.part_path, layer.slice, roads, settings_);
+    if (!fits.ok()) return fits;
+    statistics_.roads += static_cast<std::int64_t>(roads.size());
+    keep(outputs_.on_roads ? outputs_.on_roads(layer, roads) : true);
+    if (outputs_.on_motion) commands_.layer(layer.slice, roads, seams_before, space);
     return {};
   }
 
   core::Result<PipelineEnd> finish() {
     if (error_) return *error_;
     if (stopped()) return PipelineEnd::kStopped;
-    if (wants_roads() && statistics_.roads == 0) {
+    if (wants_roads() && counts_.part_roads == 0) {
       return core::Error{
           core::ErrorCode::kBadPart,
           fmt::format("{}: no road fits anywhere: at every height the part is narrower than "
@@ -337,6 +357,8 @@ class Pipeline {
 
   std::atomic<bool> refused_ = false;  // an output returned false, or there was an error
 
+  RaftStage raft_;
+
   // Of take().
   BadLayers bad_layers_;
   LayerWatch watch_;           // of all stages
@@ -353,10 +375,11 @@ class Pipeline {
   std::deque<std::pair<core::LayerIndex, std::string>> pauses_;  // of layers in the window
 
   // Of give().
+  FloatingIslands floating_;
   CommandStage commands_;
   struct Counts {
     core::LayerIndex layers_timed = 0;
-    std::size_t islands_told = 0;
+    std::size_t part_roads = 0;
   } counts_;
   std::optional<core::Error> error_;
 };

@@ -8,7 +8,8 @@
 //
 // The steps before ═> run on several threads (ordered_stages.h); the result is the same for any
 // number. Printing, slicing into a file and planning run this same code and differ
-// only in their outputs, so a print equals its preview.
+// only in their outputs, so a print equals its preview. Layers that are given out count those of a
+// raft, which are laid before the part's first one (raft_stage.h).
 #pragma once
 
 #include <atomic>
@@ -76,7 +77,7 @@ struct PipelineOutputs {
 struct PipelineSignals {
   std::function<bool()> stop_asked;  // called on each layer; may be empty
   std::atomic<std::int64_t> slices_cut = 0;
-  std::atomic<core::LayerIndex> layers = 0;  // of the part; 0: not known
+  std::atomic<core::LayerIndex> layers = 0;  // of the print; 0: not known
   WarningBox warnings;
   // Called while a layer takes long, by a thread of its own (layer_watch.h); may be empty.
   std::function<void(const SlowLayer&)> on_slow_layer;

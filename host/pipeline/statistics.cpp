@@ -137,6 +137,8 @@ std::string road_kind_name(core::RoadKind kind) {
       return "internal_bridge";
     case core::RoadKind::kIroning:
       return "ironing";
+    case core::RoadKind::kRaft:
+      return "raft";
   }
   return "unknown";
 }

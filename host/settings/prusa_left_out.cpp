@@ -19,6 +19,7 @@ enum class When {
   kGcode,     // a command that does something
   kUnlike,    // another value than that of `other`
   kUnlikeOn,  // likewise, except 0, which is automatic
+  kWith,      // as kOn, where `other` is on, too
 };
 
 struct LeftOut {
@@ -35,7 +36,10 @@ constexpr std::string_view kNotSent = "it is not sent";
 constexpr std::array kLeftOut = {
     LeftOut{"support_material", When::kOn, "no supports are laid"},
     LeftOut{"support_material_enforce_layers", When::kOn, "no supports are laid"},
-    LeftOut{"raft_layers", When::kOn, "no raft is laid"},
+    LeftOut{"raft_first_layer_expansion", When::kWith, "the raft is as wide in all its layers",
+            "raft_layers"},
+    LeftOut{"first_layer_speed_over_raft", When::kWith,
+            "the part's first layer over the raft has first_layer_speed", "raft_layers"},
     LeftOut{"draft_shield", When::kOn, "no draft shield is laid"},
     LeftOut{"skirt_height", When::kAboveOne, "the skirt is one layer high"},
     LeftOut{"perimeter_extrusion_width", When::kUnlikeOn, kOneWidth, "extrusion_width"},
@@ -82,10 +86,14 @@ bool same_number(std::string_view a, std::string_view b) {
   return x.ok() && y.ok() ? x.value() == y.value() : a == b;
 }
 
+bool is_off(std::string_view first) {
+  return first.empty() || is_one_of(first, {"none", "no", "disabled", "nil"}) ||
+         same_number(first, "0") || first == "0%";
+}
+
 bool asks(const LeftOut& row, std::string_view value, const ProfileValues& profile) {
   const std::string_view first = first_value(value);
-  const bool off = first.empty() || is_one_of(first, {"none", "no", "disabled", "nil"}) ||
-                   same_number(first, "0") || first == "0%";
+  const bool off = is_off(first);
   const auto other = profile.find(row.other);
   const bool unlike = other == profile.end() || !same_number(first, first_value(other->second));
   const core::Result<double> number = read_number(first, "");
@@ -103,6 +111,8 @@ bool asks(const LeftOut& row, std::string_view value, const ProfileValues& profi
       return unlike && first != "100%";
     case When::kUnlikeOn:
       return !off && unlike;
+    case When::kWith:
+      return !off && other != profile.end() && !is_off(first_value(other->second));
   }
   return false;
 }

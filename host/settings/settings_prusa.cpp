@@ -87,6 +87,10 @@ constexpr std::array kAliases = {
     Alias{"brim_width", "brim_width"},
     Alias{"brim_separation", "brim_gap"},
     Alias{"brim_type", "brim_place", Kind::kBrim},
+    Alias{"raft_layers", "raft_layers"},
+    Alias{"raft_expansion", "raft_expansion"},
+    Alias{"raft_contact_distance", "raft_contact_distance"},
+    Alias{"raft_first_layer_density", "raft_first_layer_density", Kind::kShare},
     Alias{"min_skirt_length", "skirt_length_min"},
     Alias{"seam_position", "seam", Kind::kSeam},
     Alias{"skirts", "skirt_loops"},
@@ -137,6 +141,7 @@ constexpr std::array kAliases = {
     Alias{"pause_print_gcode", "pause_gcode", Kind::kGcode},
 };
 
+// Of its keys, rind has raft_layers alone.
 constexpr std::array<std::string_view, 14> kHallmarks = {"top_solid_layers",
                                                          "bottom_solid_layers",
                                                          "support_material",

@@ -6,6 +6,7 @@
 
 #include "core/limits.h"
 #include "core/motions/height_actions.h"  // read_height_action
+#include "core/raft_heights.h"            // raft_lift
 #include "core/settings.h"                // wall_layers
 #include "core/slices/height_limits.h"    // adaptive_bounds
 #include "core/slices/height_ranges.h"    // height_ranges
@@ -188,9 +189,17 @@ Status part_has_a_place(const PrintSettings& settings) {
                            settings.park_x.mm(), settings.park_y.mm(), settings.bed_x.mm(),
                            settings.bed_y.mm()));
   }
-  if (settings.axis_z != core::Length() && settings.axis_z < settings.layer_height) {
+  if (settings.axis_z == core::Length()) return {};
+  if (settings.axis_z < settings.layer_height) {
     return bad(fmt::format("axis_z = {} mm is less than one layer of {} mm; off: not limited",
                            settings.axis_z.mm(), settings.layer_height.mm()));
+  }
+  if (const core::Length lift = core::raft_lift(settings);
+      settings.axis_z < settings.layer_height + lift) {
+    return bad(
+        fmt::format("axis_z = {} mm holds no layer of {} mm over a raft of {} mm: "
+                    "fewer raft_layers",
+                    settings.axis_z.mm(), settings.layer_height.mm(), lift.mm()));
   }
   return {};
 }

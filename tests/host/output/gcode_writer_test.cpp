@@ -57,4 +57,5 @@ TEST_CASE("every kind of road has a name that PrusaSlicer knows") {
   CHECK_EQ(std::string(host::prusa_type_name(RoadKind::kPerimeter)), "Perimeter");
   CHECK_EQ(std::string(host::prusa_type_name(RoadKind::kSolid)), "Solid infill");
   CHECK_EQ(std::string(host::prusa_type_name(RoadKind::kLoose)), "Internal infill");
+  CHECK_EQ(std::string(host::prusa_type_name(RoadKind::kRaft)), "Support material");
 }

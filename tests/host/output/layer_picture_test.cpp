@@ -49,7 +49,8 @@ TEST_CASE("a picture holds every road with its width, and a legend for every kin
       {RoadKind::kOuterPerimeter, Length::from_mm(0.45), true, square(2'250, 97'750)},
       {RoadKind::kLoose, Length::from_mm(0.5), false, {{10'000, 10'000}, {90'000, 90'000}}},
       {RoadKind::kLoose, Length::from_mm(0.5), false, {{10'000, 50'000}, {50'000, 90'000}}}};
-  const std::string svg = host::draw_layer({"a <part> & more", &window, &roads});
+  const std::string svg = host::draw_layer(
+      {"a <part> & more", &window, &roads, host::layer_words(window.layer().slice, "a wall")});
   CHECK_EQ(count(svg, "stroke-width=\"0.45\""), 1);
   CHECK_EQ(count(svg, "stroke-width=\"0.5\""), 2);
   CHECK_EQ(count(svg, "outer perimeter, 0.45 mm wide, 38 mm"), 1);
@@ -73,7 +74,7 @@ TEST_CASE("a layer without anything is a picture too") {
   window.finish();
   REQUIRE(window.next());
   const std::vector<Road> roads;
-  const std::string svg = host::draw_layer({"empty", &window, &roads});
+  const std::string svg = host::draw_layer({"empty", &window, &roads, "layer 1"});
   CHECK_EQ(test::svg_fault(svg), "");
   CHECK_FALSE(test::has_odd_number(svg));
 }

@@ -209,3 +209,21 @@ TEST_CASE("where layers differ in height, too") {
     check_tails(settings, path, whole);
   }
 }
+
+TEST_CASE("on a raft, from any of its layers and of the part's") {
+  const test::PartFolder folder;
+  const std::string path = folder.add(
+      "part.stl", parts::together({parts::box({5, 5, 0}, 14, 12, 3), parts::tube(6, 3, 4, 40)}));
+  for (const int raft : {1, 3}) {
+    CAPTURE(raft);
+    core::Settings settings = settings_of(core::WallShape::kBall, core::BuildStyle::kThinWall);
+    settings.raft_layers = raft;
+    settings.first_layer_height = Length::from_mm(0.35);
+    settings.avoid_crossing_perimeters = true;
+    settings.wipe = true;
+    const Computed whole = compute(settings, path, {});
+    REQUIRE_GT(whole.checkpoints.size(), 12);
+    CHECK_EQ(whole.checkpoints[1].layer, 1);
+    check_tails(settings, path, whole);
+  }
+}

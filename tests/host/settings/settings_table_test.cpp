@@ -330,6 +330,11 @@ TEST_CASE("settings that do not fit together") {
                  }),
                  "not on the bed"));
   CHECK(contains(message_with([](Settings& s) { s.axis_z = Length::from_mm(0.1); }), "axis_z"));
+  CHECK(contains(message_with([](Settings& s) {
+                   s.axis_z = Length::from_mm(1);
+                   s.raft_layers = 4;
+                 }),
+                 "over a raft of 0.9 mm"));
   CHECK(contains(message_with([](Settings& s) { s.bridge_acceleration_mm_s2 = 500; }),
                  "bridge_acceleration_mm_s2 = 500 needs default_acceleration_mm_s2"));
   CHECK(contains(message_with([](Settings& s) { s.height_slowdown_speed = 0.5; }),
