@@ -15,7 +15,7 @@ namespace core {
 namespace {
 
 // Directions are measured with this many rows at most.
-constexpr double kTrialRows = 48;
+constexpr double kTrialRows = 24;
 
 // Edges that differ by less are of one direction.
 constexpr std::size_t kDirectionSteps = 180;  // of 1°

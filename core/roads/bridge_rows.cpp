@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "core/booleans/boolean.h"      // clean, subtract
@@ -12,6 +13,7 @@ namespace core {
 namespace {
 
 using Spans = std::vector<RowSpan>;
+using SpansHere = std::span<const RowSpan>;  // of one row
 
 // A join is at most this many row distances long.
 constexpr double kJoinMaxDistances = 3;
@@ -19,7 +21,7 @@ constexpr double kJoinMaxDistances = 3;
 // What rounding may take from an anchor, in units.
 constexpr double kSlack = 20;
 
-const RowSpan* span_at(const Spans& spans, double along) {
+const RowSpan* span_at(SpansHere spans, double along) {
   for (const RowSpan& span : spans) {
     if (span.from - kSlack <= along && along <= span.to + kSlack) return &span;
   }
@@ -27,7 +29,7 @@ const RowSpan* span_at(const Spans& spans, double along) {
 }
 
 // What of `way` none of the spans holds.
-Spans unheld_in(const RowSpan& way, const Spans& held) {
+Spans unheld_in(const RowSpan& way, SpansHere held) {
   Spans gaps;
   double from = way.from;
   for (const RowSpan& span : held) {
@@ -43,7 +45,7 @@ Spans unheld_in(const RowSpan& way, const Spans& held) {
 // One row's stretch inside the area, and what it hangs on.
 class RowAnchors {
  public:
-  RowAnchors(const Spans& room, const Spans& held, const Spans& holes, double anchor)
+  RowAnchors(SpansHere room, SpansHere held, SpansHere holes, double anchor)
       : room_(room), held_(held), holes_(holes), anchor_(anchor) {}
 
   struct Anchored {
@@ -129,9 +131,9 @@ class RowAnchors {
     way.to = from;
   }
 
-  const Spans& room_;
-  const Spans& held_;
-  const Spans& holes_;
+  SpansHere room_;
+  SpansHere held_;
+  SpansHere holes_;
   double anchor_;
 };
 
@@ -211,8 +213,8 @@ BridgeRows bridge_rows(const BridgeArea& area, Vector direction, Length distance
   BridgeRows result;
   result.grid = even_rows_over(area.region, direction, static_cast<double>(distance.units()));
   const RowGrid& grid = result.grid;
-  const auto region = cut_rows(grid, area.region), room = cut_rows(grid, area.room);
-  const auto held = cut_rows(grid, area.held), holes = cut_rows(grid, area.holes);
+  const RowCuts region(grid, area.region), room(grid, area.room);
+  const RowCuts held(grid, area.held), holes(grid, area.holes);
   const auto anchor = static_cast<double>(area.anchor.units());
   for (std::size_t row = 0; row < grid.count; ++row) {
     const RowAnchors anchors(room[row], held[row], holes[row], anchor);

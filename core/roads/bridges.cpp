@@ -101,6 +101,10 @@ class BridgePlanner {
     const double angle = turned * std::numbers::pi / 180;
     const Vector across{cosine(angle), sine(angle)};
     const double density = settings_.loose_density;
+    // In no direction is the mean chord shorter than 2 · area / perimeter (Cauchy, Crofton).
+    const double shortest_mm =
+        2 * walls.region.area_mm2() / walls.region.perimeter_mm() - 2 * anchor_.mm();
+    if (density > 0 && shortest_mm >= distance.mm() / density) return across;
     const Vector shortest = best_direction(walls, distance, kBridgeTrials);
     if (density <= 0) return shortest;
     const BridgeRows rows = bridge_rows(walls, shortest, distance);

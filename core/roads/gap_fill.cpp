@@ -52,7 +52,7 @@ constexpr double kSideShare = 4;
 std::vector<Region> pieces_of(const Region& gaps, const Settings& settings) {
   const double narrowest = settings.road_width_min.mm();
   std::vector<Region> kept;
-  for (Island& island : islands(simplified(gaps, settings.simplify_tolerance * 2))) {
+  for (Island& island : islands(simplified(gaps, settings.simplify_tolerance * 4))) {
     std::vector<Ring> rings;
     append_rings(std::move(island), rings);
     // The outer ring last: the lines along the medial axis come in this order.

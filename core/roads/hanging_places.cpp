@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "core/booleans/boolean.h"          // intersect, subtract
 #include "core/offsets/voronoi_mountain.h"  // offset
+#include "core/regions/polyline.h"          // between, distance_mm
+#include "core/regions/segment_grid.h"      // SegmentGrid
 #include "core/roads/bridge_direction.h"    // best_direction
 #include "core/roads/bridge_rows.h"         // BridgeArea, bridge_rows
 #include "core/roads/unheld.h"              // unheld
@@ -24,6 +27,14 @@ constexpr double kHairMm = 0.02;
 constexpr double kAngleMaxDegrees = 89;
 
 constexpr DirectionTrials kTrials{2, 4};
+
+// A ledge is narrower than this many roads, and this share of its outline is the slice's contour:
+// one of its two sides, less what rounding takes.
+constexpr double kLedgeBreadthMaxWidths = 0.5;
+constexpr double kLedgeOpenShareMin = 0.4;
+
+// What booleans move a point by, at most.
+constexpr Length kOnContour = Length::from_units(3);
 
 Point middle_of(const Box& box) {
   return {static_cast<std::int32_t>((std::int64_t{box.min.x} + box.max.x) / 2),
@@ -48,7 +59,13 @@ class HangingSearch {
     find_islands(air);
     std::vector<Ring> pieces;
     for (Island& island : islands(air)) {
-      if (!is_hair(region_of(island))) append_rings(std::move(island), pieces);
+      const Region piece = region_of(std::move(island));
+      if (is_hair(piece)) continue;
+      if (is_ledge(piece)) {
+        found_.push_back({HangingKind::kOverhang, piece.rings().front().front(), piece.area_mm2()});
+      } else {
+        pieces.insert(pieces.end(), piece.rings().begin(), piece.rings().end());
+      }
     }
     if (!pieces.empty()) find_places(Region::from_clean_rings(std::move(pieces)));
     std::stable_sort(found_.begin(), found_.end(),
@@ -64,6 +81,20 @@ class HangingSearch {
   }
 
  private:
+  // Whether it is narrower than a row of a bridge, and open on one side: along the slice's contour.
+  [[nodiscard]] bool is_ledge(const Region& piece) {
+    const double perimeter = piece.perimeter_mm();
+    const double breadth = 2 * piece.area_mm2() / perimeter;
+    if (breadth > kLedgeBreadthMaxWidths * settings_.road_width.mm()) return false;
+    if (!contour_) contour_.emplace(Length::from_mm(1), slice_);
+    double open = 0;
+    for (const Segment& edge : edges_of(piece.rings())) {
+      const Point middle = between(edge.from, edge.to, 0.5);
+      if (contour_->any_within(middle, kOnContour)) open += distance_mm(edge.from, edge.to);
+    }
+    return open >= kLedgeOpenShareMin * perimeter;
+  }
+
   // Islands over nothing; what is over nothing anyway is no overhang as well.
   void find_islands(Region& air) {
     std::vector<Ring> begun;
@@ -105,6 +136,7 @@ class HangingSearch {
   const Region& below_;
   const Settings& settings_;
   Length reach_;
+  std::optional<SegmentGrid> contour_;  // of the slice, once asked for
   std::vector<HangingPlace> found_;
 };
 

@@ -16,6 +16,27 @@ std::int64_t row_from(const RowGrid& grid, double across) {
   return static_cast<std::int64_t>(std::ceil((across - grid.first) / grid.distance));
 }
 
+// Calls visit(row, along) where a row crosses a ring. An edge's lower end counts as above a row, so
+// that every row meets the rings an even number of times.
+template <typename Visit>
+void each_crossing(const RowGrid& grid, const Region& region, const Visit& visit) {
+  const auto count = static_cast<std::int64_t>(grid.count);
+  for (const Ring& ring : region.rings()) {
+    Vector from = grid.to_rows(ring.back());
+    for (const Point point : ring) {
+      const Vector to = grid.to_rows(point);
+      const auto [low, high] = from.y <= to.y ? std::pair(from, to) : std::pair(to, from);
+      const std::int64_t end = std::min(count, row_from(grid, high.y));
+      for (std::int64_t row = std::max<std::int64_t>(0, row_from(grid, low.y)); row < end; ++row) {
+        const auto at = static_cast<std::size_t>(row);
+        const double t = (grid.across(at) - low.y) / (high.y - low.y);
+        visit(at, low.x + t * (high.x - low.x));
+      }
+      from = to;
+    }
+  }
+}
+
 }  // namespace
 
 Vector RowGrid::to_rows(Point point) const {
@@ -50,33 +71,28 @@ RowGrid even_rows_over(const Region& region, Vector direction, double distance) 
   return grid;
 }
 
-// An edge's lower end counts as above a row, so that every row meets the rings an even number of
-// times.
-std::vector<std::vector<RowSpan>> cut_rows(const RowGrid& grid, const Region& region) {
-  const auto count = static_cast<std::int64_t>(grid.count);
-  std::vector<std::vector<double>> crossings(grid.count);
-  for (const Ring& ring : region.rings()) {
-    Vector from = grid.to_rows(ring.back());
-    for (const Point point : ring) {
-      const Vector to = grid.to_rows(point);
-      const auto [low, high] = from.y <= to.y ? std::pair(from, to) : std::pair(to, from);
-      const std::int64_t end = std::min(count, row_from(grid, high.y));
-      for (std::int64_t row = std::max<std::int64_t>(0, row_from(grid, low.y)); row < end; ++row) {
-        const double t = (grid.across(static_cast<std::size_t>(row)) - low.y) / (high.y - low.y);
-        crossings[static_cast<std::size_t>(row)].push_back(low.x + t * (high.x - low.x));
-      }
-      from = to;
-    }
-  }
-  std::vector<std::vector<RowSpan>> rows(grid.count);
+RowCuts::RowCuts(const RowGrid& grid, const Region& region) : starts_(grid.count + 1) {
+  std::vector<std::size_t> ends(grid.count);  // of each row's crossings
+  each_crossing(grid, region, [&](std::size_t row, double) { ++ends[row]; });
+  std::size_t all = 0;
+  for (std::size_t& end : ends) end = std::exchange(all, all + end);
+  std::vector<double> crossings(all);
+  each_crossing(grid, region,
+                [&](std::size_t row, double along) { crossings[ends[row]++] = along; });
+  spans_.reserve(all / 2);
+  std::size_t begin = 0;
   for (std::size_t row = 0; row < grid.count; ++row) {
-    std::vector<double>& at = crossings[row];
-    std::sort(at.begin(), at.end());
-    for (std::size_t i = 0; i + 1 < at.size(); i += 2) {
-      if (at[i] < at[i + 1]) rows[row].push_back({at[i], at[i + 1]});
+    starts_[row] = spans_.size();
+    std::sort(crossings.begin() + static_cast<std::ptrdiff_t>(begin),
+              crossings.begin() + static_cast<std::ptrdiff_t>(ends[row]));
+    for (; begin + 1 < ends[row]; begin += 2) {
+      if (crossings[begin] < crossings[begin + 1]) {
+        spans_.push_back({crossings[begin], crossings[begin + 1]});
+      }
     }
+    begin = ends[row];
   }
-  return rows;
+  starts_[grid.count] = spans_.size();
 }
 
 }  // namespace core

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "core/geometry.h"        // Point
@@ -41,8 +42,20 @@ struct RowGrid {
 // COSTS: O(points).
 [[nodiscard]] RowGrid even_rows_over(const Region& region, Vector direction, double distance);
 
-// For each row its spans inside the region, in ascending order; they are disjoint.
-// COSTS: O(points + crossings · log).
-[[nodiscard]] std::vector<std::vector<RowSpan>> cut_rows(const RowGrid& grid, const Region& region);
+// The spans of rows inside a region.
+class RowCuts {
+ public:
+  // COSTS: O(points + crossings · log).
+  RowCuts(const RowGrid& grid, const Region& region);
+
+  // Disjoint, in ascending order.
+  [[nodiscard]] std::span<const RowSpan> operator[](std::size_t row) const {
+    return {spans_.data() + starts_[row], starts_[row + 1] - starts_[row]};
+  }
+
+ private:
+  std::vector<RowSpan> spans_;
+  std::vector<std::size_t> starts_;  // by row, into spans_; one more at the end
+};
 
 }  // namespace core

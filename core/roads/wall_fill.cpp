@@ -123,9 +123,11 @@ class WallFill {
     std::vector<Road> rings;
     std::size_t innermost = 0;
     for (Length depth = scaled(distance, 0.5); true; depth += distance) {
+      const Region line = inner(band, depth);
+      if (line.empty()) break;
       std::vector<Road> ring =
-          roads_near_core(inner(band, depth), inner(band, depth + half_narrow), half_narrow * 2,
-                          width, style_.kind, settings_.simplify_tolerance);
+          roads_near_core(line, inner(band, depth + half_narrow), half_narrow * 2, width,
+                          style_.kind, settings_.simplify_tolerance);
       if (ring.empty()) break;
       innermost = rings.size();
       std::move(ring.begin(), ring.end(), std::back_inserter(rings));

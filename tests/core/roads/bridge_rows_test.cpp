@@ -34,7 +34,9 @@ TEST_CASE("rows share the breadth evenly, and are cut where the region's edge is
   REQUIRE_EQ(grid.count, 8);
   CHECK_EQ(grid.distance, doctest::Approx(3 * kMm / 8));
   CHECK_EQ(grid.across(0), doctest::Approx(2 * kMm + grid.distance / 2));
-  for (const std::vector<RowSpan>& row : cut_rows(grid, region)) {
+  const RowCuts cuts(grid, region);
+  for (std::size_t i = 0; i < grid.count; ++i) {
+    const std::span<const RowSpan> row = cuts[i];
     REQUIRE_EQ(row.size(), 1);
     CHECK_EQ(row.front().from, doctest::Approx(1 * kMm));
     CHECK_EQ(row.front().to, doctest::Approx(8 * kMm));
@@ -49,7 +51,7 @@ TEST_CASE("spans of random regions are where a second computation finds the insi
     const Region region = test::random_region(random, 200, 20);
     const double angle = random.between(0, std::numbers::pi);
     const RowGrid grid = even_rows_over(region, {std::cos(angle), std::sin(angle)}, 0.5 * kMm);
-    const auto rows = cut_rows(grid, region);
+    const RowCuts rows(grid, region);
     for (int i = 0; i < 2'000; ++i) {
       const auto row =
           static_cast<std::size_t>(random.integer(0, static_cast<int>(grid.count) - 1));
