@@ -275,15 +275,21 @@ class Pipeline {
     const core::Result<core::Raft> raft = raft_.under(part, plan_.part_path);
     if (!raft.ok()) return raft.error();
     for (core::LayerIndex index = raft_.first(); index < raft_.layers() && !stopped(); ++index) {
-      double watched_s = 0;
-      const LayerWatch::Look look(watch_, index, part.height, &part.region, watched_s);
-      const core::RaftLayer laid = raft.value().layer(index);
+      const core::RaftLayer laid = plan_raft(raft.value(), index, part);
       ++statistics_.layers;
       keep(outputs_.on_layer ? outputs_.on_layer(laid.layer) : true);
       core::Status fits = lay(laid.layer, laid.roads, *settled.seams_before, nullptr);
       if (!fits.ok()) return fits;
     }
     return {};
+  }
+
+  // Watched without its motions, which wait for the printer.
+  core::RaftLayer plan_raft(const core::Raft& raft, core::LayerIndex index,
+                            const core::Slice& part) {
+    double watched_s = 0;
+    const LayerWatch::Look look(watch_, index, part.height, &part.region, watched_s);
+    return raft.layer(index);
   }
 
   core::Status lay(const core::SplitLayer& layer, const std::vector<core::Road>& roads,

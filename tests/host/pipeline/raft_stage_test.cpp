@@ -12,6 +12,7 @@
 #include "core/raft_heights.h"
 #include "firmware_link/wire/line_codec.h"
 #include "host/pipeline/pipeline.h"
+#include "host/system/exit_codes.h"
 #include "tests/host/print_rig.h"
 #include "tests/support/part_folder.h"
 
@@ -114,13 +115,15 @@ std::vector<Kind> of_kind(const std::vector<core::Motion>& motions) {
 TEST_CASE("the part on a raft is the part without a first layer of its own, lifted") {
   const test::PartFolder folder;
   const std::string path = folder.add("stepped.stl", stepped());
-  for (const auto& asked : {std::pair(1, false), {3, false}, {2, true}}) {
+  enum class Way { kPlain, kVase, kHeights };
+  for (const auto& asked :
+       {std::pair(1, Way::kPlain), {3, Way::kPlain}, {2, Way::kVase}, {2, Way::kHeights}}) {
     const int layers = asked.first;
-    const bool vase = asked.second;
     CAPTURE(layers);
-    CAPTURE(vase);
     core::Settings settings = on_raft(layers);
-    settings.spiral_vase = vase;
+    settings.spiral_vase = asked.second == Way::kVase;
+    settings.adaptive_layer_height = asked.second == Way::kHeights;
+    if (settings.adaptive_layer_height) settings.height_range = {"1-1.5 0.1"};
     core::Settings plain = settings;
     plain.raft_layers = 0;
     plain.first_layer_height = plain.first_layer_width = Length();
@@ -250,4 +253,18 @@ TEST_CASE("a file of layers gets a raft, but not one under an empty layer") {
   const Printed refused = print(on_raft(2), cli("empty.cli", true));
   CHECK_NE(refused.error.find("no raft can be laid"), std::string::npos);
   CHECK(refused.texts.empty());
+}
+
+TEST_CASE("a raft is printed as it is sliced") {
+  const test::PartFolder folder;
+  const std::string path = folder.add("box.stl", parts::box({0, 0, 0}, 10, 8, 1));
+  core::Settings settings = on_raft(2);
+  settings.start_gcode = {"G28"};
+  const std::vector<std::string> sliced = print_test::given_lines(settings, path);
+  print_test::Rig rig(settings, path);
+  const host::PrintOutcome outcome = rig.print();
+  CHECK_EQ(outcome.exit_code, host::kExitDone);
+  CHECK_EQ(outcome.geometry.layers, 7);
+  const auto first = std::find(rig.executed.begin(), rig.executed.end(), sliced.front());
+  CHECK((std::vector<std::string>(first, rig.executed.end()) == sliced));
 }
