@@ -1,8 +1,10 @@
 #include "core/roads/gap_fill.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "core/booleans/simplified.h"     // simplified
@@ -65,6 +67,35 @@ std::vector<Region> pieces_of(const Region& gaps, const Settings& settings) {
   }
   return kept;
 }
+
+// How wide a piece is at most, in steps. Offsets tell it for a small part of an axis's cost, which
+// grows with the square of the width that it looks for.
+class RoomGauge {
+ public:
+  RoomGauge(Length narrowest, Length widest)
+      : widths_{narrowest, Length::from_mm(widest.mm() / 4), Length::from_mm(widest.mm() / 2)},
+        widest_(widest) {
+    for (std::size_t i = 0; i < widths_.size(); ++i) {
+      depths_[i] = Length::from_units(widths_[i].units() / 2);
+    }
+  }
+
+  // No place of the piece is wider; nullopt where none is as wide as the narrowest.
+  [[nodiscard]] std::optional<Length> width_max(const Region& piece) {
+    offsetter_.offset(piece, depths_, offsets_);
+    if (offsets_.front().empty()) return std::nullopt;
+    for (std::size_t i = 1; i < widths_.size(); ++i) {
+      if (offsets_[i].empty()) return widths_[i];
+    }
+    return widest_;
+  }
+
+ private:
+  std::array<Length, 3> widths_, depths_;
+  Length widest_;
+  std::array<OffsetContours, 3> offsets_;
+  PolygonOffsetter offsetter_;
+};
 
 // Whether the whole line lies in the piece, looked at in nine places.
 bool holds(const Region& piece, const Segment& line) {
@@ -197,12 +228,12 @@ std::vector<Road> gap_fill_roads(const Region& gaps, Length layer_height,
   std::vector<Road> roads;
   const Length narrowest = gap_width_min(settings);
   const Length widest = Length::from_mm(kRoomMaxWidths * settings.road_width.mm());
-  PolygonOffsetter offsetter;
+  RoomGauge gauge(narrowest, widest);
   for (const Region& piece : pieces_of(gaps, settings)) {
-    // An offset tells whether there is room anywhere, for a small part of an axis's cost.
-    if (offsetter.offset(piece, Length::from_units(narrowest.units() / 2)).empty()) continue;
+    const std::optional<Length> width = gauge.width_max(piece);
+    if (!width) continue;
     const std::size_t before = roads.size();
-    for (const ThickPolyline& line : medial_axis(piece, narrowest, widest)) {
+    for (const ThickPolyline& line : medial_axis(piece, narrowest, *width)) {
       add_road(line, layer_height, settings, roads);
     }
     if (roads.size() == before && piece.point_count() <= kBlobPointsMax) {
