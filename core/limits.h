@@ -30,13 +30,18 @@ inline constexpr std::size_t kHeightRangesMax = 256;
 // 32 KiB, 0.05 mm each in a part of up to 0.8 m.
 inline constexpr std::size_t kHeightBinsMax = 16'384;
 
+// Bins of height in which flat faces are found (flat_faces.h), a power of two: 64 KiB, 0.05 mm each
+// in a part of up to 0.2 m.
+inline constexpr std::size_t kFlatBinsMax = 4'096;
+
 // Runs of layers of one height that a part has (layer_heights.h): 192 KiB. So many are needed if
 // every layer of 0.1 mm in a part of 0.8 m has another height than the one below.
 inline constexpr std::size_t kHeightBandsMax = 8'192;
 
 // Each range has a band, and up to four are below it: layers as elsewhere, and those that fit
 // what is left.
-static_assert(std::has_single_bit(kHeightBinsMax) && 5 * kHeightRangesMax < kHeightBandsMax);
+static_assert(std::has_single_bit(kHeightBinsMax) && std::has_single_bit(kFlatBinsMax));
+static_assert(5 * kHeightRangesMax < kHeightBandsMax);
 
 // How often a contour is turned when Boost's Voronoi diagram of it fails its checks, before the
 // offset is made the slow way. One turn nearly always does.

@@ -44,7 +44,7 @@ std::size_t HeightLimits::slot(std::int64_t bin) {
 
 void HeightLimits::add(const Triangle& facet) {
   const std::int64_t low = facet.lowest_z(), high = facet.highest_z();
-  if (high - low < kFlatSpan.units()) return;
+  if (high - low < kFlatSpan.units()) return flats_.add(facet);
   const auto& [p, q, r] = facet.corners;
   const auto ux = static_cast<double>(std::int64_t{q.x} - p.x);
   const auto uy = static_cast<double>(std::int64_t{q.y} - p.y);
@@ -69,7 +69,7 @@ void HeightLimits::limit(std::int64_t low, std::int64_t high, Length height) {
   auto [from, to] = ends();
   const bool none = last_ < first_;
   while ((none ? to - from : std::max(to, last_) - std::min(from, first_)) >= kBins) {
-    widen();
+    widen_bins();
     std::tie(from, to) = ends();
   }
   first_ = none ? from : std::min(from, first_);
@@ -85,6 +85,11 @@ void HeightLimits::limit(std::int64_t low, std::int64_t high, Length height) {
 }
 
 void HeightLimits::widen() {
+  widen_bins();
+  flats_.widen();
+}
+
+void HeightLimits::widen_bins() {
   std::vector<std::uint16_t> wider(bins_.size(),
                                    static_cast<std::uint16_t>(bounds_.highest.units()));
   for (std::int64_t bin = first_; bin <= last_; ++bin) {

@@ -7,7 +7,8 @@
 //                                      │ h╲
 //
 // A layer may be as high as h · |n_z| <= cusp_height allows for every facet between its bottom and
-// its top. Upright facets allow any height; flat ones leave no step, and don't count.
+// its top. Upright facets allow any height. Flat ones leave no step, and limit
+// nothing; layers should end at them (flat_faces.h).
 //
 // The height is divided into up to kHeightBinsMax bins, which keep the lowest height that a facet
 // within them allows. Their width doubles when the surface outgrows them: then a facet counts for
@@ -21,9 +22,10 @@
 #include <optional>
 #include <vector>
 
-#include "core/geometry.h"  // Triangle
-#include "core/settings.h"  // Settings
-#include "core/units.h"     // Length
+#include "core/geometry.h"           // Triangle
+#include "core/settings.h"           // Settings
+#include "core/slices/flat_faces.h"  // FlatFaces
+#include "core/units.h"              // Length
 
 namespace core {
 
@@ -51,10 +53,11 @@ class HeightLimits {
   // Layers between two heights are at most so high. REQUIRES: low < high.
   void limit(std::int64_t low, std::int64_t high, Length height);
 
-  // Makes bins twice as wide.
+  // Makes bins twice as wide, those of flat faces, too.
   void widen();
 
   [[nodiscard]] HeightBounds bounds() const { return bounds_; }
+  [[nodiscard]] const FlatFaces& flats() const { return flats_; }
 
   // The bins that limit layers: from first() to last(); none if last() < first(). Bin k reaches
   // from k · bin_width() up, counted from height 0.
@@ -67,6 +70,7 @@ class HeightLimits {
   }
 
  private:
+  void widen_bins();
   [[nodiscard]] static std::size_t slot(std::int64_t bin);
 
   Length cusp_height_;
@@ -75,6 +79,7 @@ class HeightLimits {
   std::int64_t first_ = 0;
   std::int64_t last_ = -1;
   int shift_;
+  FlatFaces flats_;
 };
 
 // For adaptive layers; nothing if the settings ask for none. REQUIRES: settings validated.

@@ -23,9 +23,10 @@ std::vector<HeightRange> ranges_of(const Settings& settings) {
 // Walks upwards, layer by layer or, where the ceiling is level, over many at once.
 class HeightWalk {
  public:
-  // Layers between ranges are whole steps high, and at least `lowest`.
-  HeightWalk(const HeightCeiling& ceiling, Length step, Length lowest)
-      : ceiling_(ceiling), step_(step), lowest_(lowest) {}
+  // Layers between ranges are whole steps high, and at least `lowest`. `flats`: heights, in order,
+  // at which one of them should end.
+  HeightWalk(const HeightCeiling& ceiling, Length step, Length lowest, std::vector<Length> flats)
+      : ceiling_(ceiling), step_(step), lowest_(lowest), flats_(std::move(flats)) {}
 
   void add(Length height, LayerIndex layers) {
     if (bands_.empty() || bands_.back().height != height) {
@@ -39,8 +40,8 @@ class HeightWalk {
   void fill_beyond(Length top) {
     while (bottom_ < top && fits()) {
       const Length height = greatest();
-      const Length level = std::min(ceiling_.level_until(bottom_), top);
-      add(height, std::max<LayerIndex>(1, (level - bottom_).units() / height.units()));
+      if (add_to_flat(height, top)) continue;
+      add(height, std::max<LayerIndex>(1, alike(height, top)));
     }
   }
 
@@ -52,9 +53,8 @@ class HeightWalk {
       // So many may come before the rest is too low for one.
       const LayerIndex whole = (rest - lowest_).units() / height.units();
       if (whole == 0) return split(rest);
-      const Length level = ceiling_.level_until(bottom_);
-      const LayerIndex alike = std::min(level - bottom_, rest).units() / height.units();
-      add(height, std::clamp<LayerIndex>(alike, 1, whole));
+      if (add_to_flat(height, end - lowest_)) continue;
+      add(height, std::clamp<LayerIndex>(alike(height, end), 1, whole));
     }
   }
 
@@ -68,6 +68,38 @@ class HeightWalk {
     Length height = std::max(lowest_, step_ * steps);
     while (height > lowest_ && ceiling_.least(bottom_, bottom_ + height) < height) height -= step_;
     return height;
+  }
+
+  // How many layers of that height may follow one another, up to the next flat face's last ones.
+  [[nodiscard]] LayerIndex alike(Length height, Length end) const {
+    Length level = std::min(ceiling_.level_until(bottom_), end);
+    if (next_flat_ < flats_.size()) {
+      level = std::min(level, flats_[next_flat_] - height * (kLayersToFlat - 1));
+    }
+    return (level - bottom_).units() / height.units();
+  }
+
+  // In whole steps, to the nearest.
+  [[nodiscard]] Length way_to(Length flat) const {
+    return step_ * (((flat - bottom_).units() + step_.units() / 2) / step_.units());
+  }
+
+  // One of the last layers below the next flat face; false if that is farther, above `end`, or
+  // can't be reached by layers that are at most so high.
+  bool add_to_flat(Length height, Length end) {
+    while (next_flat_ < flats_.size()) {
+      const Length flat = flats_[next_flat_], way = way_to(flat);
+      if (flat > end || way > height * kLayersToFlat) return false;
+      const LayerIndex layers = (way.units() + height.units() - 1) / height.units();
+      // Equal ones, but for a step: the higher ones first.
+      const std::int64_t steps = way.units() / step_.units();
+      if (layers > 0 && steps / layers * step_.units() >= lowest_.units()) {
+        add(step_ * ((steps + layers - 1) / layers), 1);
+        return true;
+      }
+      ++next_flat_;
+    }
+    return false;
   }
 
   // Into equal layers, but for a unit, as few as the ceiling allows: two, or three.
@@ -86,13 +118,15 @@ class HeightWalk {
   std::vector<HeightBand> bands_;
   LayerIndex next_ = 0;
   Length bottom_;  // of that layer
+  std::vector<Length> flats_;
+  std::size_t next_flat_ = 0;  // that is above the bottom
 };
 
 }  // namespace
 
 LayerHeights layer_heights(const Settings& settings) {
   const HeightCeiling ceiling(settings.layer_height);
-  HeightWalk walk(ceiling, kUnit, settings.layer_height);
+  HeightWalk walk(ceiling, kUnit, settings.layer_height, {});
   walk.add(first_layer_height(settings), 1);
   for (const HeightRange& range : ranges_of(settings)) {
     walk.fill_up_to(range.from);
@@ -111,7 +145,11 @@ LayerHeights adaptive_heights(const Settings& settings, HeightLimits limits, std
   }
   while (true) {
     const HeightCeiling ceiling(limits, bed_z);
-    HeightWalk walk(ceiling, kHeightStep, limits.bounds().lowest);
+    std::vector<Length> flats;
+    for (const std::int64_t z : limits.flats().heights()) {
+      flats.push_back(Length::from_units(z - bed_z));
+    }
+    HeightWalk walk(ceiling, kHeightStep, limits.bounds().lowest, std::move(flats));
     walk.add(first_layer_height(settings), 1);
     for (const HeightRange& range : ranges) {
       walk.fill_up_to(range.from);

@@ -4,16 +4,19 @@
 //     ranges        of height_range, their own (height_ranges.h); they win over all else
 //     elsewhere     layer_height; or, adaptive, the greatest whole step (kHeightStep) within
 //                   layer_height_min and layer_height_max that the ceiling allows from the
-//                   layer's bottom to its top (height_ceiling.h)
+//                   layer's bottom to its top (height_ceiling.h); a little less below a flat face,
+//                   so that a layer ends there
 //
 // A range starts where it says. The layers below it end there: whole ones as far as they go, then
 // two or three equal ones for what is left, none higher than those, none lower than half of
 // least_between_ranges(). Adaptive layers get lower towards a range of lower layers, as towards a
-// slope.
+// slope. The last kLayersToFlat of them below a flat face (flat_faces.h) are made equal, as few as
+// the ceiling allows, so that one ends there, to half a step; not where they would be lower than
+// the least.
 //
-// At most kHeightBandsMax runs of equal layers are kept. If there are more, slopes are looked at
-// more coarsely: the limits' bins are made twice as wide until it fits, and layers are lower than
-// they could be.
+// At most kHeightBandsMax runs of equal layers are kept. If there are more, slopes and flat
+// faces are looked at more coarsely: bins are made twice as wide until it fits, layers are lower
+// than they could be, and end at fewer faces.
 #pragma once
 
 #include <cstdint>
@@ -24,6 +27,9 @@
 #include "core/units.h"                 // Length
 
 namespace core {
+
+// Layers below a flat face that are made to end there: no longer ones than that give up much.
+inline constexpr LayerIndex kLayersToFlat = 8;
 
 // Of layers that are not adaptive. REQUIRES: settings validated.
 [[nodiscard]] LayerHeights layer_heights(const Settings& settings);

@@ -5,7 +5,8 @@
 //                        ────────         reach above its end, by less than its height
 //                        ──────── 10      the first starts exactly where the range does
 //
-// The first layer keeps its own height: a range that begins within it begins at its top.
+// Heights count from the part's lowest point, also where it lies on a raft. The first layer keeps
+// its own height: a range that begins within it begins at its top.
 #pragma once
 
 #include <cstddef>

@@ -34,6 +34,7 @@ bool MeshSurvey::add(const core::Triangle& triangle) {
     return false;
   }
   edges_.add(triangle);
+  if (limits_) limits_->add(triangle);
   const std::int64_t low = triangle.lowest_z(), high = triangle.highest_z();
   if (!cut) return false;
   for (const core::Vertex& corner : triangle.corners) {
@@ -42,7 +43,6 @@ bool MeshSurvey::add(const core::Triangle& triangle) {
   }
   highest_cut_ = std::max(high, highest_cut_.value_or(high));
   order_.add(triangle);
-  if (limits_) limits_->add(triangle);
   // Most facets overlap the one before in height.
   if (!spans_.empty() && low <= spans_.back().high && high >= spans_.back().low &&
       spans_.size() > united_) {

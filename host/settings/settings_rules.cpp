@@ -6,7 +6,7 @@
 
 #include "core/limits.h"
 #include "core/motions/height_actions.h"  // read_height_action
-#include "core/raft_heights.h"            // raft_lift
+#include "core/raft_heights.h"            // raft_lift, settings_above_raft
 #include "core/settings.h"                // wall_layers
 #include "core/slices/height_limits.h"    // adaptive_bounds
 #include "core/slices/height_ranges.h"    // height_ranges
@@ -126,7 +126,9 @@ Status other_heights_fit(const PrintSettings& settings) {
     if (fits.ok()) fits = height_fits(settings, "layer_height_min", bounds.lowest);
     if (!fits.ok()) return fits;
   }
-  const auto ranges = core::height_ranges(settings);
+  // Of the part's own layers.
+  const auto ranges =
+      core::height_ranges(core::settings_above_raft(static_cast<const core::Settings&>(settings)));
   if (!ranges.ok()) return ranges.error();
   for (const core::HeightRange& range : ranges.value()) {
     const std::string name = fmt::format("height_range, line {}: height", range.line);

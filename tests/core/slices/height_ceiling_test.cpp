@@ -21,6 +21,7 @@ HeightLimits random_limits(std::mt19937& random) {
     const std::int64_t low = below(60'000) - 20'000;
     limits.limit(low, low + 1 + below(8'000), Length::from_units(500 + below(2'600)));
   }
+  for (std::int64_t times = below(6); times > 0; --times) limits.widen();
   return limits;
 }
 

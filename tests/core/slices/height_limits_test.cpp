@@ -91,6 +91,10 @@ TEST_CASE("upright facets and flat ones limit nothing") {
                                          {{Vertex{0, 0, 700}, {9'000, 0, 700}, {0, 900, 700}}},
                                          {{Vertex{0, 0, 700}, {9'000, 0, 705}, {0, 900, 700}}}});
   CHECK_LT(limits.last(), limits.first());
+  // What ends where a bin begins is not in it.
+  const HeightLimits ends = limits_of({{{Vertex{0, 0, 512}, {9'000, 0, 1'024}, {0, 900, 512}}}});
+  CHECK_EQ(ends.first(), 1);
+  CHECK_EQ(ends.last(), 1);
   // As flat as can be, but not flat: the lowest layers.
   const HeightLimits sloped = limits_of({{{Vertex{0, 0, 700}, {9'000, 0, 800}, {0, 9'000, 700}}}});
   CHECK_EQ(sloped.first(), 1);

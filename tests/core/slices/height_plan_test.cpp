@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <random>
 #include <string>
 #include <vector>
@@ -12,8 +11,6 @@
 #include "core/limits.h"
 #include "core/slices/height_ceiling.h"
 #include "core/slices/height_ranges.h"
-#include "tests/support/mesh.h"
-#include "tools/parts/part_maker.h"
 
 using core::HeightLimits;
 using core::LayerHeights;
@@ -35,31 +32,6 @@ LayerHeights heights_of(const Settings& settings, const std::vector<Triangle>& f
   for (const Triangle& facet : facets) limits.add(facet);
   return core::adaptive_heights(settings, limits, 0, top);
 }
-
-// A body of revolution about an axis far enough inside the first quadrant: rings of facets between
-// the points of its outline.
-std::vector<Triangle> turned(const std::vector<std::pair<double, double>>& outline) {
-  constexpr int kSides = 48;
-  std::vector<Triangle> facets;
-  const auto corner = [](const std::pair<double, double>& at, int side) {
-    const double angle = 2 * std::numbers::pi * side / kSides;
-    return core::Vertex{static_cast<std::int32_t>(std::lround(at.first * std::cos(angle) * 1e4)),
-                        static_cast<std::int32_t>(std::lround(at.first * std::sin(angle) * 1e4)),
-                        std::llround(at.second * 1e4)};
-  };
-  for (std::size_t i = 0; i + 1 < outline.size(); ++i) {
-    for (int side = 0; side < kSides; ++side) {
-      const core::Vertex a = corner(outline[i], side), b = corner(outline[i], side + 1);
-      const core::Vertex c = corner(outline[i + 1], side + 1), d = corner(outline[i + 1], side);
-      facets.push_back({{a, b, c}});
-      facets.push_back({{a, c, d}});
-    }
-  }
-  return facets;
-}
-
-// The facets' slopes are those of the outline, divided by this.
-const double kInradius = std::cos(std::numbers::pi / 48);
 
 double upwards(const Triangle& t) {
   const auto& [a, b, c] = t.corners;
@@ -169,12 +141,20 @@ TEST_CASE(
   const unsigned seed = std::random_device{}();
   CAPTURE(seed);
   std::mt19937 random(seed);
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < 400; ++i) {
     CAPTURE(i);
     Settings settings = adaptive();
-    if (i % 2 == 1) settings.height_range = {"2.123-3.4 0.1", "6-7 0.25", "7.27-7.5 0.05"};
+    if (i % 2 == 1) {
+      const std::string from = std::to_string(2'000 + random() % 1'000);
+      settings.height_range = {"2." + from + "-3.4 0.1", "6-7 0.25", "7.27-7.5 0.05"};
+    }
     const Length top = Length::from_mm(12);
-    const std::vector<Triangle> facets = random_facets(random, top.units());
+    std::vector<Triangle> facets = random_facets(random, top.units());
+    const bool flat = i % 4 >= 2;
+    for (int k = 0; flat && k < 12; ++k) {
+      const auto z = static_cast<std::int64_t>(random() % 120'000);
+      facets.push_back({{core::Vertex{0, 0, z}, {20'000, 0, z}, {0, 20'000, z}}});
+    }
     const LayerHeights heights = heights_of(settings, facets, top);
     const Ranges ranges(settings);
     check_ranges(heights, ranges, top);
@@ -193,15 +173,49 @@ TEST_CASE(
       if (height > bounds.lowest) {
         for (const Triangle& facet : facets) {
           if (facet.lowest_z() >= (bottom + height).units()) continue;
-          if (facet.highest_z() <= bottom.units()) continue;
+          if (facet.highest_z() <= bottom.units() || facet.lowest_z() == facet.highest_z())
+            continue;
           REQUIRE_LE(height.mm() * upwards(facet), settings.cusp_height.mm() + 1e-6);
         }
       }
       const Length before = heights.height(n - 1);
-      if (n == 1 || ranges.holds(heights.bottom(n - 1)) || ranges.is_near_below(bottom)) continue;
+      if (n == 1 || flat || ranges.holds(heights.bottom(n - 1)) || ranges.is_near_below(bottom)) {
+        continue;
+      }
       const double step = core::kHeightStep.mm();
       REQUIRE_LE(height.mm(), before.mm() * 9 / 8 + 2 * step);
       REQUIRE_GE(height.mm(), before.mm() * 8 / 9 - 2 * step);
+    }
+  }
+}
+
+TEST_CASE("adaptive layers get lower towards a range of lower ones, and higher behind it") {
+  Settings settings = adaptive();
+  settings.height_range = {"10-12 0.1"};
+  const LayerHeights heights = heights_of(settings, {}, Length::from_mm(20));
+  LayerIndex first = 0;
+  while (heights.bottom(first) < Length::from_mm(10)) ++first;
+  CHECK_LE(heights.height(first - 1), Length::from_mm(0.13));
+  CHECK_LE(heights.height(first - 4), Length::from_mm(0.18));
+  CHECK_EQ(heights.height(first - 15), Length::from_mm(0.3));
+  CHECK_LE(heights.height(first + 20), Length::from_mm(0.11));
+  CHECK_EQ(heights.height(first + 35), Length::from_mm(0.3));
+}
+
+TEST_CASE("layers that fit what is left below a range keep under the ceiling, too") {
+  for (int units = 30'000; units < 33'000; units += 7) {
+    CAPTURE(units);
+    Settings settings = adaptive();
+    const Length from = Length::from_units(units);
+    settings.height_range = {std::to_string(from.mm()).substr(0, 6) + "-5 0.0725"};
+    const core::HeightRange range = core::height_ranges(settings).value()[0];
+    HeightLimits limits = *core::adaptive_limits(settings);
+    limits.limit(range.from.units(), range.end().units(), range.height);
+    const core::HeightCeiling ceiling(limits, 0);
+    const LayerHeights heights = heights_of(settings, {}, Length::from_mm(5));
+    for (LayerIndex n = 1; heights.bottom(n) < from; ++n) {
+      const Length bottom = heights.bottom(n), height = heights.height(n);
+      REQUIRE_LE(height, ceiling.least(bottom, bottom + height));
     }
   }
 }
@@ -223,49 +237,16 @@ TEST_CASE("no adaptive layer could be a step higher") {
   }
 }
 
-TEST_CASE("a cone's layers are as high as its slope allows, an upright wall's the highest") {
+TEST_CASE("more flat faces than there are bands") {
   const Settings settings = adaptive();
-  for (const double run : {0.18, 0.3, 0.5, 0.65}) {
-    CAPTURE(run);
-    const auto facets = turned({{40, 0}, {40 - run * 30, 30}});
-    const LayerHeights heights = heights_of(settings, facets, Length::from_mm(30));
-    // The flats of the cone's facets are a little less steep than its edges.
-    const double slope = run * kInradius;
-    const double most = settings.cusp_height.mm() * std::sqrt(1 + slope * slope) / slope;
-    const double steps = std::floor(std::min(most, 0.3) * 100 + 1e-3);
-    REQUIRE_EQ(heights.bands().size(), 2);
-    CHECK_EQ(heights.bands()[1].height, core::kHeightStep * static_cast<std::int64_t>(steps));
+  HeightLimits limits = *core::adaptive_limits(settings);
+  for (std::int64_t z = 5'000; z < 20'000'000; z += 2'500) {
+    limits.add({{core::Vertex{0, 0, z}, {20'000, 0, z}, {0, 20'000, z}}});
   }
-  const auto wedge = test::triangles_of(parts::box({0, 0, 0}, 9, 8, 30));
-  const LayerHeights heights = heights_of(settings, wedge, Length::from_mm(30));
-  REQUIRE_EQ(heights.bands().size(), 2);
-  CHECK_EQ(heights.bands()[1].height, Length::from_mm(0.3));
-  CHECK_EQ(heights.count(Length::from_mm(30)), 100);
-}
-
-TEST_CASE("a sphere's layers keep the cusp, and waste less than two steps") {
-  const Settings settings = adaptive();
-  constexpr double kRadius = 20;
-  constexpr int kRings = 2'000;
-  std::vector<std::pair<double, double>> outline;
-  for (int i = 1; i < kRings; ++i) {
-    const double angle = std::numbers::pi * i / kRings;
-    outline.emplace_back(kRadius * std::sin(angle), kRadius * (1 - std::cos(angle)));
-  }
-  const Length top = Length::from_mm(2 * kRadius);
-  const LayerHeights heights = heights_of(settings, turned(outline), top);
-  const double cusp = settings.cusp_height.mm();
-  for (LayerIndex n = 1; n < heights.count(top); ++n) {
-    const double bottom = heights.bottom(n).mm(), height = heights.height(n).mm();
-    CAPTURE(bottom);
-    CAPTURE(height);
-    // |n_z| is the distance from the equator's height, in radii: greatest at one of the ends.
-    const double most = std::max(std::abs(bottom - kRadius), std::abs(bottom + height - kRadius));
-    const double ring = std::numbers::pi * kRadius / kRings + 0.0512;
-    if (height > 0.07) REQUIRE_LE(height * (most - ring) / kRadius * kInradius, cusp);
-    const double bound = std::min(0.3, cusp * kRadius / (most + 0.02 + ring));
-    REQUIRE_GE(height, std::max(0.07, bound - 0.02) - 1e-9);
-  }
+  const LayerHeights heights =
+      core::adaptive_heights(settings, limits, 0, Length::from_units(20'000'000));
+  CHECK_LE(heights.bands().size(), core::kHeightBandsMax);
+  CHECK_LT(heights.count(Length::from_units(20'000'000)), 2'000 / 0.2);
 }
 
 TEST_CASE("a part of a million layers takes no more memory than one of a thousand") {
@@ -278,7 +259,8 @@ TEST_CASE("a part of a million layers takes no more memory than one of a thousan
     for (int i = 0; i < 20'000; ++i) {
       const auto low = static_cast<std::int64_t>(static_cast<double>(random()) / 4294967296.0 *
                                                  static_cast<double>(top.units() - 20'000));
-      limits.limit(low, low + 1'500, Length::from_units(500 + random() % 2'500));
+      limits.limit(low, low + 1'500,
+                   Length::from_units(500 + static_cast<std::int64_t>(random() % 2'500)));
     }
     const LayerHeights heights = core::adaptive_heights(settings, limits, 0, top);
     CHECK_LE(heights.bands().size(), core::kHeightBandsMax);

@@ -16,10 +16,13 @@
 #include "core/offsets/slice_offsets.h"
 #include "core/offsets/wall_depths.h"
 #include "core/settings.h"
+#include "core/slices/height_plan.h"
 #include "core/walls/wall_splitter.h"
+#include "tests/support/mesh.h"
 #include "tests/support/random_regions.h"
 #include "tests/support/region_checks.h"
 #include "tests/support/region_text.h"
+#include "tools/parts/part_maker.h"
 
 using core::Length;
 using core::Region;
@@ -109,6 +112,19 @@ Section sloped_plate(double degrees) {
   };
 }
 
+// How high the layers of a dome are planned, by its facets' slopes.
+std::vector<double> adaptive_heights(double radius_mm) {
+  Settings settings;
+  settings.adaptive_layer_height = true;
+  core::HeightLimits limits = *core::adaptive_limits(settings);
+  for (const core::Triangle& facet : test::triangles_of(parts::dome(radius_mm))) limits.add(facet);
+  const Length top = Length::from_mm(radius_mm);
+  const core::LayerHeights heights = core::adaptive_heights(settings, limits, 0, top);
+  std::vector<double> all;
+  for (core::LayerIndex n = 0; n < heights.count(top); ++n) all.push_back(heights.height(n).mm());
+  return all;
+}
+
 struct Part {
   std::string name;
   Section section;
@@ -167,7 +183,11 @@ double distance_to_outside(const std::vector<Slice>& slices, std::size_t n, doub
 TEST_CASE("every loose point is the wall's thickness away from the outside, no solid one farther") {
   constexpr double kWallMm = 0.6;
   const double wall = kWallMm * core::kUnitsPerMm;
-  for (const Part& part : parts()) {
+  std::vector<Part> all = parts();
+  all.push_back({"dome in adaptive layers",
+                 [](double z) { return disc(std::sqrt(std::max(0.0, 9 - z * z))); },
+                 adaptive_heights(3)});
+  for (const Part& part : all) {
     CAPTURE(part.name);
     const std::vector<Slice> slices = cut(part.section, part.heights_mm);
     const std::vector<SplitLayer> layers = split(slices, settings_for(kWallMm));

@@ -65,6 +65,16 @@ TEST_CASE("ranges fit, too, and a wall that counts layers is refused") {
                s.wall_thickness = Length::from_mm(3.3);
              }),
              "64 layers of height_range, line 1: height = 0.05 mm");
+  // On a raft, the part's first layer is like the others.
+  for (const int raft : {0, 2}) {
+    const std::string error = error_with([&](S& s) {
+      s.first_layer_height = Length::from_mm(0.3);
+      s.height_range = {"0.22-2 0.1"};
+      s.raft_layers = raft;
+    });
+    if (raft == 0) CHECK_EQ(error, "");
+    if (raft > 0) check_says(error, "0.02 mm above the first layer, which ends at 0.2 mm");
+  }
   check_says(error_with([](S& s) { s.height_range = {"1-2"}; }), "height_range, line 1: \"1-2\"");
   check_says(error_with([](S& s) { s.wall_shape = core::WallShape::kCylinder; }),
              "count layers, and with adaptive_layer_height or height_range these differ in height");
