@@ -61,7 +61,8 @@ class LooseFill {
       : slice_(slice),
         settings_(settings),
         spacing_(perimeter_spacing(settings, slice.height)),
-        bead_mm_(bead_area_mm2(settings.road_width, slice.height) / slice.height.mm()),
+        bead_mm_(bead_mm(slice.height)),
+        even_bead_mm_(has_unequal_layers(settings) ? bead_mm(settings.layer_height) : bead_mm_),
         pattern_(pattern_of(settings.loose_pattern)),
         room_(within) {}
 
@@ -104,6 +105,11 @@ class LooseFill {
     double length_mm = 0;
   };
 
+  // A bead's area over the layer's height.
+  [[nodiscard]] double bead_mm(Length height) const {
+    return bead_area_mm2(settings_.road_width, height) / height.mm();
+  }
+
   static double misfit(const Laid& laid, double asked_mm) {
     if (laid.length_mm <= 0) return std::numeric_limits<double>::infinity();
     return std::max(laid.length_mm / asked_mm, asked_mm / laid.length_mm);
@@ -114,7 +120,7 @@ class LooseFill {
     const double joins_mm = settings_.infill_anchor_max > Length() ? middle.perimeter_mm() / 2 : 0;
     const double rows_mm = asked_mm - joins_mm;
     if (rows_mm <= 0) return kDistanceSteps;
-    const double factor = settings_.loose_density / bead_mm_ * middle.area_mm2() / rows_mm;
+    const double factor = settings_.loose_density / even_bead_mm_ * middle.area_mm2() / rows_mm;
     int step = 0;
     for (double up_to = std::sqrt(kDistanceStep); step < kDistanceSteps && factor > up_to; ++step) {
       up_to *= kDistanceStep;
@@ -123,7 +129,7 @@ class LooseFill {
   }
 
   [[nodiscard]] double distance(int step) const {
-    double units = bead_mm_ * kUnitsPerMm / settings_.loose_density;
+    double units = even_bead_mm_ * kUnitsPerMm / settings_.loose_density;
     for (int i = 0; i < step; ++i) units *= kDistanceStep;
     return units;
   }
@@ -181,7 +187,8 @@ class LooseFill {
   const Slice& slice_;
   const Settings& settings_;
   Length spacing_;
-  double bead_mm_;  // what a millimetre of road fills, as an area
+  double bead_mm_;       // what a millimetre of road fills, as an area
+  double even_bead_mm_;  // the same in a layer of layer_height, where layers differ in height
   std::unique_ptr<FillPattern> pattern_;
   LineClipper room_;
   PolygonOffsetter offsetter_;

@@ -14,7 +14,8 @@
 // Rings at equal distances (concentric) are not lines of the plane: they are cut from the region.
 //
 // p is the nearest of a few steps, so that it changes seldom from layer to layer and rows lie over
-// those below. The roads' width makes up for what is left.
+// those below. The roads' width makes up for what is left. For the same reason a is that of a layer
+// of layer_height where a mesh's layers differ in height.
 #pragma once
 
 #include <vector>

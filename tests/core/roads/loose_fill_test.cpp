@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "core/offsets/voronoi_mountain.h"
@@ -73,4 +74,31 @@ TEST_CASE("nothing asked for, and no room") {
   CHECK(loose_roads(hair, hair, slice_at(0, settings), settings).empty());
   settings.loose_density = 0;
   CHECK(loose_roads(inside, inside, slice_at(0, settings), settings).empty());
+}
+
+TEST_CASE("rows lie over one another in layers of unlike height, and lay the share asked for") {
+  Settings settings;
+  settings.adaptive_layer_height = true;
+  settings.infill_anchor_max = Length();
+  const Region inside = test::region_from_text("10:10 50:10 50:50 10:50");
+  const Region room = test::region_from_text("9:9 51:9 51:51 9:51");
+  std::vector<std::int64_t> first;
+  for (const double height : {0.2, 0.07, 0.13, 0.3}) {
+    CAPTURE(height);
+    Slice slice = slice_at(4, settings);
+    slice.height = Length::from_mm(height);
+    const auto roads = loose_roads(inside, room, slice, settings);
+    // Rows run at 45°: each is where x and y differ by so much.
+    std::vector<std::int64_t> rows;
+    for (const Road& road : roads) {
+      const Point end = road.points.front();
+      rows.push_back((std::int64_t{end.x} - end.y + 50) / 100);
+    }
+    std::sort(rows.begin(), rows.end());
+    if (first.empty()) first = rows;
+    REQUIRE_GT(rows.size(), 20);
+    CHECK(rows == first);
+    const double share = test::laid_mm2(roads, slice.height) / inside.area_mm2();
+    CHECK(share == doctest::Approx(settings.loose_density).epsilon(0.02));
+  }
 }
