@@ -9,12 +9,14 @@ namespace core {
 
 double SpiralRise::flow(double share) const {
   if (at_top_) return 1 - share;
-  return turn_.first ? share : 1;
+  return turn_.first ? share : 1 + (turn_.below - 1) * (1 - share);
 }
 
+// Of the gap, once round.
+double SpiralRise::change() const { return at_top_ || turn_.first ? 1 : std::abs(1 - turn_.below); }
+
 std::vector<SpiralRise::Step> SpiralRise::advance(double length_mm) {
-  const bool gap_changes = at_top_ || turn_.first;
-  const double wanted = gap_changes ? std::ceil(length_mm / (length_mm_ * kSpiralGapStep)) : 1;
+  const double wanted = std::ceil(change() * length_mm / (length_mm_ * kSpiralGapStep));
   const int parts = std::max(1, static_cast<int>(wanted));
   std::vector<Step> steps;
   for (int i = 0; i < parts; ++i) {

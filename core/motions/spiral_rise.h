@@ -6,7 +6,8 @@
 //     0 ┤────────╱          0 ┤
 //
 // Under the first turn is a flat layer, so its gap grows from 0 to h. After the last one comes a
-// round at the top, over a gap that sinks from h to 0.
+// round at the top, over a gap that sinks from h to 0. Over a turn of another height the gap goes
+// from that height to h.
 #pragma once
 
 #include <vector>
@@ -40,6 +41,7 @@ class SpiralRise {
 
  private:
   [[nodiscard]] double flow(double share) const;
+  [[nodiscard]] double change() const;
 
   SpiralTurn turn_;
   Length bottom_, height_;

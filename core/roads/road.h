@@ -46,6 +46,7 @@ enum class Hold : std::uint8_t {
 struct SpiralTurn {
   bool first = false;  // on a flat layer
   bool last = false;   // under a flat layer, or at the part's top
+  double below = 1;    // how high the turn below is, in heights of this one; of no meaning if first
 };
 
 struct Road {

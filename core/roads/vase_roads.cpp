@@ -27,6 +27,7 @@ std::vector<Road> vase_roads(const SplitLayer& layer, const Settings& settings) 
   SpiralTurn turn;
   turn.first = starts_vase(layer, settings) || !is_turn(loops_in(*layer.below, settings));
   turn.last = !layer.above || !is_turn(loops_in(*layer.above, settings));
+  turn.below = turn.first ? 1 : layer.below_height.mm() / layer.slice.height.mm();
   roads.front().spiral = turn;
   return roads;
 }

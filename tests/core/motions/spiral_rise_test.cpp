@@ -56,13 +56,16 @@ TEST_CASE("what is laid fills the gap between the nozzle and the turn below") {
       pieces.push_back(static_cast<double>(random.integer(1, 1'000)) / 50);
       total += pieces.back();
     }
-    const SpiralTurn turn{random.integer(0, 1) == 1, random.integer(0, 1) == 1};
+    const double below = trial % 3 == 0 ? 1 : random.between(0.3, 3);
+    const SpiralTurn turn{random.integer(0, 1) == 1, random.integer(0, 1) == 1, below};
     SpiralRise rise(turn, bottom, height, total);
-    const auto under_turn = [&](double share) { return turn.first ? share : 1.0; };
+    const auto under_turn = [&](double share) {
+      return share + (turn.first ? 0 : below * (1 - share));
+    };
     const Round up = go_round(rise, pieces, total, under_turn);
     CHECK_EQ(up.end, bottom + height);
     CHECK(up.worst < 1e-9);
-    CHECK(up.material == doctest::Approx(turn.first ? total / 2 : total));
+    CHECK(up.material == doctest::Approx(total * (turn.first ? 0.5 : (1 + below) / 2)));
     if (!turn.last) continue;
     rise.begin_top_round();
     const Round top = go_round(rise, pieces, total, [](double share) { return 1 - share; });
