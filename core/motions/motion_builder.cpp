@@ -168,7 +168,7 @@ Road MotionBuilder::as_laid(const Road& road) const {
 
 // Whether the road is a turn that the nozzle goes on to from the turn below, as it lays.
 bool MotionBuilder::joins_turn(const LaidRoad& road) const {
-  if (!road.spiral || road.spiral->first || !state_.position_known || state_.retracted)
+  if (!road.spiral || road.spiral->first() || !state_.position_known || state_.retracted)
     return false;
   const WidthStretch& start = road.stretches.front();
   return distance_mm(state_.position, start.points.front()) <= 2 * start.width.mm();

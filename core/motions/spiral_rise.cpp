@@ -9,14 +9,13 @@ namespace core {
 
 double SpiralRise::flow(double share) const {
   if (at_top_) return 1 - share;
-  return turn_.first ? share : 1 + (turn_.below - 1) * (1 - share);
+  const double below = turn_.below.mm() / height_.mm();
+  return below + share * (1 - below);
 }
 
-// Of the gap, once round.
-double SpiralRise::change() const { return at_top_ || turn_.first ? 1 : std::abs(1 - turn_.below); }
-
 std::vector<SpiralRise::Step> SpiralRise::advance(double length_mm) {
-  const double wanted = std::ceil(change() * length_mm / (length_mm_ * kSpiralGapStep));
+  const double change = std::abs(flow(1) - flow(0));
+  const double wanted = std::ceil(change * length_mm / (length_mm_ * kSpiralGapStep));
   const int parts = std::max(1, static_cast<int>(wanted));
   std::vector<Step> steps;
   for (int i = 0; i < parts; ++i) {

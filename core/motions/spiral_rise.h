@@ -2,12 +2,13 @@
 //
 //     height above the turn's bottom, and the gap under the nozzle, along the way once round:
 //
-//     h ┤         ╱         h ┤─────────        a turn: the gap is one layer high all along
+//     h ┤         ╱         h ┤─────────
 //     0 ┤────────╱          0 ┤
 //
-// Under the first turn is a flat layer, so its gap grows from 0 to h. After the last one comes a
-// round at the top, over a gap that sinks from h to 0. Over a turn of another height the gap goes
-// from that height to h.
+// A turn on one of the same height has a gap that is one layer high all along. On a turn of
+// another height b the gap goes from b to h. Under the first turn is a flat layer, so that its gap
+// grows from 0 to h. After the last one comes a round at the top, over a gap that sinks from h to
+// 0.
 #pragma once
 
 #include <vector>
@@ -41,7 +42,6 @@ class SpiralRise {
 
  private:
   [[nodiscard]] double flow(double share) const;
-  [[nodiscard]] double change() const;
 
   SpiralTurn turn_;
   Length bottom_, height_;

@@ -33,10 +33,13 @@ bool alike_in_vase(const SplitLayer& a, const SplitLayer& b, const Settings& set
          starts_vase(a, settings) == starts_vase(b, settings);
 }
 
-// A vase has no inside that could hang.
+// A vase has no inside that could hang, or hold.
 SplitLayer as_printed(const SplitLayer& layer, const Settings& settings) {
   SplitLayer printed = layer;
   if (in_vase(layer.slice, settings)) printed.slice.region = layer.solid;
+  if (over_vase(layer, settings)) {
+    printed.below = std::make_shared<const Region>(vase_ring(*layer.below, settings));
+  }
   return printed;
 }
 

@@ -44,9 +44,10 @@ enum class Hold : std::uint8_t {
 
 // A turn of a spiral vase (vase_roads.h): it rises from the layer's bottom to its top.
 struct SpiralTurn {
-  bool first = false;  // on a flat layer
-  bool last = false;   // under a flat layer, or at the part's top
-  double below = 1;    // how high the turn below is, in heights of this one; of no meaning if first
+  Length below{};     // the height of the turn below; 0: a flat layer is below
+  bool last = false;  // under a flat layer, or at the part's top
+
+  [[nodiscard]] bool first() const { return below == Length(); }
 };
 
 struct Road {

@@ -2,7 +2,8 @@
 // rises through the layer as it goes round.
 //
 // A layer where the perimeter is one loop is one turn. Where a narrow place parts it into several
-// loops, they are laid flat, and the turns below end flat:
+// loops, they are laid flat. There, and where a turn lies nowhere on the one below it, the turns
+// below end flat:
 //
 //     ▁▁▁▂▂▂▃▃▃▃▃▃   the last turn: once round as it rises, once more at its top, with less and
 //     ▁▁▂▂▂▃▃▃        less material
@@ -17,8 +18,8 @@
 
 namespace core {
 
-// COSTS: an offset of the slice and one of each neighbour. REQUIRES: in_vase(layer.slice); the
-// slices from here on are single contours.
+// COSTS: two offsets of the slice and of each neighbour, and some booleans.
+// REQUIRES: in_vase(layer.slice); the slices from here on are single contours.
 [[nodiscard]] std::vector<Road> vase_roads(const SplitLayer& layer, const Settings& settings);
 
 }  // namespace core

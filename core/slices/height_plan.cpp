@@ -141,7 +141,8 @@ LayerHeights adaptive_heights(const Settings& settings, HeightLimits limits, std
   std::vector<HeightRange> ranges = ranges_of(settings);
   std::erase_if(ranges, [&](const HeightRange& range) { return range.from >= top; });
   for (const HeightRange& range : ranges) {
-    limits.limit(bed_z + range.from.units(), bed_z + range.end().units(), range.height);
+    limits.limit(bed_z + range.from.units(), bed_z + std::min(range.end(), top).units(),
+                 range.height);
   }
   while (true) {
     const HeightCeiling ceiling(limits, bed_z);

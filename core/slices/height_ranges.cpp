@@ -47,8 +47,8 @@ Status check_space(Length below, const std::string& what, const HeightRange& ran
   if (range.from == below || (range.from - below) * 2 >= least) return {};
   return bad(name(range) + ": it begins at " + mm(range.from) + ", " + mm(range.from - below) +
              " above " + what + ", which ends at " + mm(below) +
-             ": too little for a layer; begin at " + mm(below) + ", or at " + mm(below + least) +
-             " or above");
+             ": too little for a layer; begin at " + mm(below) + ", or at " +
+             mm(below + Length::from_units((least.units() + 1) / 2)) + " or above");
 }
 
 }  // namespace

@@ -1,5 +1,8 @@
 #include "core/walls/spiral_vase.h"
 
+#include "core/booleans/boolean.h"          // subtract_within
+#include "core/offsets/voronoi_mountain.h"  // offset
+
 namespace core {
 
 Region largest_contour(const Region& region) {
@@ -12,6 +15,10 @@ Region largest_contour(const Region& region) {
     largest = &ring;
   }
   return largest == nullptr ? Region() : Region::from_clean_rings({*largest});
+}
+
+Region vase_ring(const Region& slice, const Settings& settings) {
+  return subtract_within(slice, offset(slice, settings.road_width, settings.arc_tolerance));
 }
 
 }  // namespace core

@@ -30,7 +30,15 @@ namespace core {
          (!layer.below || !in_vase(layer.slice.bottom - layer.below_height, settings));
 }
 
+// Whether the layer below is above the floor, too.
+[[nodiscard]] inline bool over_vase(const SplitLayer& layer, const Settings& settings) {
+  return in_vase(layer.slice, settings) && layer.below && !starts_vase(layer, settings);
+}
+
 // The contour with the most area, without its holes; empty where the region is.
 [[nodiscard]] Region largest_contour(const Region& region);
+
+// What is laid of a slice above the floor: one road inside its contours. COSTS: an offset.
+[[nodiscard]] Region vase_ring(const Region& slice, const Settings& settings);
 
 }  // namespace core

@@ -16,14 +16,12 @@ Settings with_style(Settings settings) {
 
 SplitLayer WallStyle::apply(SplitLayer layer) const {
   if (in_vase(layer.slice, settings_)) return hollow(std::move(layer));
+  if (settings_.spiral_vase) return dense(std::move(layer));  // its floor
   switch (settings_.style) {
     case BuildStyle::kThinWall:
       return regularised(std::move(layer));
     case BuildStyle::kRegular:
-      layer.solid = layer.slice.region;
-      layer.loose = {};
-      layer.below_loose.reset();
-      return layer;
+      return dense(std::move(layer));
     case BuildStyle::kFast:
       return fast(std::move(layer));
   }
@@ -39,10 +37,16 @@ SplitLayer WallStyle::regularised(SplitLayer layer) const {
   return layer;
 }
 
+SplitLayer WallStyle::dense(SplitLayer layer) {
+  layer.solid = layer.slice.region;
+  layer.loose = {};
+  layer.below_loose.reset();
+  return layer;
+}
+
 SplitLayer WallStyle::hollow(SplitLayer layer) const {
-  const Region& slice = layer.slice.region;
-  layer.loose = offset(slice, settings_.road_width, settings_.arc_tolerance);
-  layer.solid = subtract_within(slice, layer.loose);
+  layer.solid = vase_ring(layer.slice.region, settings_);
+  layer.loose = subtract_within(layer.slice.region, layer.solid);
   layer.below_loose.reset();
   return layer;
 }

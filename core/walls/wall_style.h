@@ -40,6 +40,7 @@ class WallStyle {
  private:
   [[nodiscard]] SplitLayer regularised(SplitLayer layer) const;
   [[nodiscard]] SplitLayer fast(SplitLayer layer) const;
+  [[nodiscard]] static SplitLayer dense(SplitLayer layer);
   [[nodiscard]] SplitLayer hollow(SplitLayer layer) const;
 
   Settings settings_;

@@ -45,7 +45,7 @@ core::Result<PrintPlan> open_print_plan(const Options& options, Reporter& report
     core::Settings& of_part = settings.value();
     of_part = core::settings_above_raft(of_part);
     of_part.raft_layers = 0;
-    reporter.note("raft", "the part is shown as it lies on its raft, without the raft");
+    reporter.note("raft", "the raft is left out here: the layers are the part's alone");
   }
   const bool prints =
       options.subcommand == Subcommand::kPrint || options.subcommand == Subcommand::kResume;
@@ -139,6 +139,9 @@ std::string layer_words(const core::Settings& settings, const PartSummary& summa
   if (!core::has_unequal_layers(settings))
     return fmt::format("{:g} mm", settings.layer_height.mm());
   if (summary.highest_layer == core::Length()) return "unequal height";
+  if (summary.highest_layer == summary.lowest_layer) {
+    return fmt::format("{:g} mm", summary.lowest_layer.mm());
+  }
   return fmt::format("{:g} to {:g} mm", summary.lowest_layer.mm(), summary.highest_layer.mm());
 }
 

@@ -27,9 +27,10 @@ class VaseLayers : public LayerSource {
     const std::size_t contours = slice.region.rings().size();
     if (contours < 2) return {std::move(slice)};
     if (!std::exchange(told_, true)) {
-      warnings_.put(fmt::format(
-          "{}: layer {} has {} contours; above the floor, spiral_vase lays the largest alone",
-          part_, slice.index + 1, contours));
+      warnings_.put(
+          fmt::format("{}: the part's layer {} has {} contours; above the floor, spiral_vase lays "
+                      "the largest alone",
+                      part_, slice.index + 1, contours));
     }
     slice.region = core::largest_contour(slice.region);
     return {std::move(slice)};

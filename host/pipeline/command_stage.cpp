@@ -1,5 +1,7 @@
 #include "host/pipeline/command_stage.h"
 
+#include <fmt/format.h>
+
 #include <optional>
 #include <utility>
 
@@ -67,6 +69,14 @@ void CommandStage::send(const core::Motion& motion) {
   const std::optional<firmware_link::Command> command = encoder_.encode(motion);
   if (command) ++commands_;
   if (!outputs_.on_motion(motion, command)) refused_ = true;
+}
+
+void CommandStage::tell_missed(const std::string& part, WarningBox& warnings) const {
+  const std::optional<core::Length> height = builder_.next_action();
+  if (!height) return;
+  warnings.put(
+      fmt::format("{}: at_height: no layer starts at {:g} mm or above; nothing was done there",
+                  part, height->mm()));
 }
 
 void CommandStage::tell(GeometryStatistics& statistics) const {

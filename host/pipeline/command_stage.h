@@ -4,7 +4,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
-#include <optional>
+#include <string>
 #include <vector>
 
 #include "core/motions/motion_builder.h"   // MotionBuilder
@@ -19,6 +19,7 @@
 #include "host/pipeline/motion_encoder.h"  // MotionEncoder
 #include "host/pipeline/pipeline.h"        // CommandForm, PipelineOutputs
 #include "host/pipeline/statistics.h"      // GeometryStatistics
+#include "host/system/warning_box.h"       // WarningBox
 
 namespace host {
 
@@ -40,8 +41,8 @@ class CommandStage {
              const core::SeamMemory& seams_before, const core::TravelSpace* space);
 
   void finish() { builder_.finish(sink_); }
-  // The height of the first action that was not due yet (core/motions/height_actions.h).
-  [[nodiscard]] std::optional<core::Length> next_action() const { return builder_.next_action(); }
+  // A warning about the first action that was never due (core/motions/height_actions.h).
+  void tell_missed(const std::string& part, WarningBox& warnings) const;
 
   // Filament, arcs and time.
   void tell(GeometryStatistics& statistics) const;

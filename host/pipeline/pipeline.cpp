@@ -276,7 +276,8 @@ class Pipeline {
     if (!raft.ok()) return raft.error();
     for (core::LayerIndex index = raft_.first(); index < raft_.layers() && !stopped(); ++index) {
       const core::RaftLayer laid = plan_raft(raft.value(), index, part);
-      ++statistics_.layers;
+      if (core::Status lies = raft_.check(laid, plan_.part_path); !lies.ok()) return lies;
+      ++counts_.raft_layers;
       keep(outputs_.on_layer ? outputs_.on_layer(laid.layer) : true);
       core::Status fits = lay(laid.layer, laid.roads, *settled.seams_before, nullptr);
       if (!fits.ok()) return fits;
@@ -288,7 +289,8 @@ class Pipeline {
   core::RaftLayer plan_raft(const core::Raft& raft, core::LayerIndex index,
                             const core::Slice& part) {
     double watched_s = 0;
-    const LayerWatch::Look look(watch_, index, part.height, &part.region, watched_s);
+    const core::Length top = raft_.top(index);
+    const LayerWatch::Look look(watch_, index, top, &part.region, watched_s);
     return raft.layer(index);
   }
 
@@ -313,11 +315,7 @@ class Pipeline {
                       plan_.part_path, settings_.road_width_min.mm())};
     }
     if (outputs_.on_motion) commands_.finish();
-    if (const auto height = commands_.next_action(); outputs_.on_motion && height) {
-      signals_.warnings.put(
-          fmt::format("{}: at_height: no layer starts at {:g} mm or above; nothing was done there",
-                      plan_.part_path, height->mm()));
-    }
+    if (outputs_.on_motion) commands_.tell_missed(plan_.part_path, signals_.warnings);
     return stopped() ? PipelineEnd::kStopped : PipelineEnd::kDone;
   }
 
@@ -329,6 +327,7 @@ class Pipeline {
     clock.set_seconds(Stage::kSlice, used.slice_cpu_s);
     statistics_.peak_held.triangles = used.peak_triangles_held;
     statistics_.spilled_bytes = used.spilled_bytes;
+    statistics_.layers += counts_.raft_layers;
     statistics_.bad_layers = bad_layers_.count();
     statistics_.slow_layers = watch_.slow_layers();
     if (statistics_.slow_layers.count > static_cast<std::int64_t>(kSlowLayersTold)) {
@@ -385,6 +384,7 @@ class Pipeline {
   CommandStage commands_;
   struct Counts {
     core::LayerIndex layers_timed = 0;
+    core::LayerIndex raft_layers = 0;
     std::size_t part_roads = 0;
   } counts_;
   std::optional<core::Error> error_;

@@ -1,8 +1,10 @@
 #include "host/pipeline/raft_stage.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
-#include "core/raft_heights.h"  // raft_lift
+#include "core/raft_heights.h"  // raft_layer_bottom, raft_lift
 
 namespace host {
 
@@ -22,6 +24,21 @@ core::Result<core::Raft> RaftStage::under(const core::Slice& slice, const std::s
                            "raft_layers=0, or let the part begin on the bed"};
   }
   return core::Raft(slice.region, settings_);
+}
+
+core::Status RaftStage::check(const core::RaftLayer& layer, const std::string& part) const {
+  const auto is_raft = [](const core::Road& road) { return road.kind == core::RoadKind::kRaft; };
+  if (std::any_of(layer.roads.begin(), layer.roads.end(), is_raft)) return {};
+  return core::Error{
+      core::ErrorCode::kBadPart,
+      fmt::format(
+          "{}: its foot, with raft_expansion = {:g} mm, is too narrow for a road of a raft; "
+          "set a larger raft_expansion, or raft_layers=0",
+          part, settings_.raft_expansion.mm())};
+}
+
+core::Length RaftStage::top(core::LayerIndex index) const {
+  return core::raft_layer_bottom(settings_, index) + core::raft_layer_height(settings_, index);
 }
 
 core::Slice RaftStage::lifted(core::Slice slice) const {

@@ -37,6 +37,12 @@ class RaftStage {
   [[nodiscard]] core::Result<core::Raft> under(const core::Slice& slice,
                                                const std::string& part) const;
 
+  // Error if no road fits into it; `part` is for the message.
+  [[nodiscard]] core::Status check(const core::RaftLayer& layer, const std::string& part) const;
+
+  // Above the bed. REQUIRES: index < layers().
+  [[nodiscard]] core::Length top(core::LayerIndex index) const;
+
   [[nodiscard]] core::Slice lifted(core::Slice slice) const;
 
  private:

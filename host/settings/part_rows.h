@@ -12,7 +12,8 @@ namespace host {
 inline constexpr double kLooseEveryMax = 10;
 
 inline constexpr std::array kPartRows = {
-    Setting{"layer_height", &PrintSettings::layer_height, "mm", 0.01, 2, "height of every layer"},
+    Setting{"layer_height", &PrintSettings::layer_height, "mm", 0.01, 2,
+            "height of the layers, where nothing else gives them another"},
     Setting{"adaptive_layer_height", &PrintSettings::adaptive_layer_height, "", 0, 1,
             "whether a mesh's layers are as high as its surface allows; the first keeps its own "
             "height"},
@@ -20,13 +21,12 @@ inline constexpr std::array kPartRows = {
             "highest step that adaptive layers leave in the surface: height · upward part of the "
             "normal"},
     Setting{"layer_height_min", &PrintSettings::layer_height_min, "mm", 0.01, 2,
-            "height of the lowest adaptive layer; all are whole hundredths of a millimetre"},
+            "least height of adaptive layers, but for the few that end at a flat face or a range"},
     Setting{"layer_height_max", &PrintSettings::layer_height_max, "mm", 0.01, 2,
             "height of the highest adaptive layer; auto: 3/4 of nozzle_diameter", kAutoIsZero},
     Setting{"height_range", &PrintSettings::height_range, "", 0, kVerbatimLinesMax,
-            "lines of two heights and the height of a mesh's layers between them, as 10-12.5 0.1; "
-            "elsewhere "
-            "layers are as without"},
+            "lines of two heights over the part's lowest point, and the height of a mesh's layers "
+            "between them, as 10-12.5 0.1"},
     Setting{"wall_thickness", &PrintSettings::wall_thickness, "mm", 0.05, 100,
             "thickness of the dense wall, sideways, up and down"},
     Setting{"wall_shape", choice<&PrintSettings::wall_shape>("ball", "cylinder"), "", 0, 0,

@@ -115,12 +115,13 @@ Status other_heights_fit(const PrintSettings& settings) {
   if (settings.adaptive_layer_height) {
     const core::HeightBounds bounds = core::adaptive_bounds(settings);
     if (bounds.lowest > bounds.highest) {
-      return bad(
-          fmt::format("layer_height_min = {} mm and layer_height_max = {} mm leave no height of "
-                      "whole hundredths of a millimetre between them",
-                      settings.layer_height_min.mm(),
-                      settings.layer_height_max > core::Length() ? settings.layer_height_max.mm()
-                                                                 : bounds.highest.mm()));
+      const bool given = settings.layer_height_max > core::Length();
+      return bad(fmt::format(
+          "layer_height_min = {} mm and layer_height_max = {} mm{} leave no height of whole "
+          "hundredths of a millimetre between them",
+          settings.layer_height_min.mm(),
+          given ? settings.layer_height_max.mm() : bounds.highest.mm(),
+          given ? "" : " (auto: 3/4 of nozzle_diameter)"));
     }
     Status fits = height_fits(settings, "layer_height_max", bounds.highest);
     if (fits.ok()) fits = height_fits(settings, "layer_height_min", bounds.lowest);

@@ -56,16 +56,19 @@ TEST_CASE("what is laid fills the gap between the nozzle and the turn below") {
       pieces.push_back(static_cast<double>(random.integer(1, 1'000)) / 50);
       total += pieces.back();
     }
-    const double below = trial % 3 == 0 ? 1 : random.between(0.3, 3);
-    const SpiralTurn turn{random.integer(0, 1) == 1, random.integer(0, 1) == 1, below};
+    // 0: on a flat layer.
+    const Length below = Length::from_units(random.integer(0, 3) * 1'000);
+    const SpiralTurn turn{below, random.integer(0, 1) == 1};
     SpiralRise rise(turn, bottom, height, total);
-    const auto under_turn = [&](double share) {
-      return share + (turn.first ? 0 : below * (1 - share));
+    // From the turn below, which rises by its own height, to the nozzle.
+    const auto gap = [&](double share) {
+      const double surface = bottom.mm() - below.mm() * (1 - share);
+      return (bottom.mm() + share * height.mm() - surface) / height.mm();
     };
-    const Round up = go_round(rise, pieces, total, under_turn);
+    const Round up = go_round(rise, pieces, total, gap);
     CHECK_EQ(up.end, bottom + height);
     CHECK(up.worst < 1e-9);
-    CHECK(up.material == doctest::Approx(total * (turn.first ? 0.5 : (1 + below) / 2)));
+    CHECK(up.material == doctest::Approx(total * (1 + below.mm() / height.mm()) / 2));
     if (!turn.last) continue;
     rise.begin_top_round();
     const Round top = go_round(rise, pieces, total, [](double share) { return 1 - share; });

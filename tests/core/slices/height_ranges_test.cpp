@@ -78,7 +78,7 @@ TEST_CASE("errors name the line and the cause") {
              "line 1: it ends at 0.2 mm, within the first layer of 0.2 mm");
   check_says(error_of(with({"20-21 0.1", "10-19.95 0.05"})),
              "line 1: it begins at 20 mm, 0.05 mm above line 2, which ends at 19.95 mm: too little "
-             "for a layer; begin at 19.95 mm, or at 20.15 mm or above");
+             "for a layer; begin at 19.95 mm, or at 20.05 mm or above");
   check_says(error_of(with({"0.25-1 0.1"})), "0.05 mm above the first layer, which ends at 0.2");
   CHECK_EQ(error_of(with({"0.3-1 0.1", "1-2 0.05", "2.1-3 0.3"})), "");
   // Adaptive layers are at least layer_height_min high.

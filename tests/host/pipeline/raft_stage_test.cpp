@@ -233,6 +233,21 @@ TEST_CASE("a raft that leaves the bed or the axis is refused") {
   CHECK_NE(printed.error.find("axis above the raft"), std::string::npos);
 }
 
+TEST_CASE("a raft with no room for a road is refused before anything is laid") {
+  const test::PartFolder folder;
+  const std::string path = folder.add(
+      "tip.stl",
+      parts::together({parts::box({0, 0, 0}, 0.1, 0.1, 0.3), parts::box({-2, -2, 0.3}, 4, 4, 2)}));
+  core::Settings settings = on_raft(2);
+  settings.raft_expansion = Length();
+  settings.skirt_loops = 0;
+  const Printed printed = print(settings, path);
+  CHECK_NE(printed.error.find("too narrow for a road of a raft"), std::string::npos);
+  CHECK(printed.texts.empty());
+  settings.raft_expansion = Length::from_mm(1);
+  CHECK_EQ(print(settings, path).error, "");
+}
+
 TEST_CASE("a file of layers gets a raft, but not one under an empty layer") {
   const test::PartFolder folder;
   const auto cli = [&](const std::string& name, bool begins_empty) {

@@ -34,7 +34,8 @@ TEST_CASE("adaptive heights fit the nozzle, the roads, the wall and one another"
   using S = PrintSettings;
   CHECK_EQ(error_with([](S&) {}), "");
   check_says(error_with([](S& s) { s.layer_height_min = Length::from_mm(0.31); }),
-             "layer_height_min = 0.31 mm and layer_height_max = 0.3 mm leave no height");
+             "layer_height_min = 0.31 mm and layer_height_max = 0.3 mm (auto: 3/4 of "
+             "nozzle_diameter) leave no height");
   check_says(error_with([](S& s) {
                s.layer_height_min = Length::from_mm(0.071);
                s.layer_height_max = Length::from_mm(0.079);
