@@ -6,6 +6,7 @@
 
 #include "core/booleans/boolean.h"          // intersect, subtract
 #include "core/offsets/voronoi_mountain.h"  // offset
+#include "core/walls/wall_style.h"          // window_decides
 
 namespace core {
 namespace {
@@ -44,16 +45,12 @@ void split_wall(const LayerWindow& window, See see, Set& own, Set& uncovered, Se
   neighbours = subtract(covered, common);
 }
 
-bool style_decides(const LayerWindow& window) {
-  return window.settings().style != BuildStyle::kThinWall;
-}
-
 }  // namespace
 
 WallRegions wall_regions(const LayerWindow& window) {
   WallRegions regions;
   const SplitLayer& layer = window.layer();
-  if (style_decides(window)) {
+  if (!window_decides(window.settings())) {
     regions.further = layer.solid;
     return regions;
   }
@@ -78,7 +75,7 @@ WallSection wall_section(const LayerWindow& window, const SectionLine& line) {
   const SplitLayer& layer = window.layer();
   section.slice = section_of(layer.slice.region, line);
   section.loose = section_of(layer.loose, line);
-  if (style_decides(window)) {
+  if (!window_decides(window.settings())) {
     section.further = subtract(section.slice, section.loose);
     return section;
   }

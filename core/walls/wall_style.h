@@ -23,6 +23,11 @@ inline constexpr int kFastPerimeters = 3;
 // before any stage sees the settings.
 [[nodiscard]] Settings with_style(Settings settings);
 
+// Whether the window decides what is wall, and neither the style nor a spiral vase does.
+[[nodiscard]] inline bool window_decides(const Settings& settings) {
+  return settings.style == BuildStyle::kThinWall && !settings.spiral_vase;
+}
+
 class WallStyle {
  public:
   // REQUIRES: with_style() was applied.
@@ -33,9 +38,7 @@ class WallStyle {
   [[nodiscard]] SplitLayer apply(SplitLayer layer) const;
 
   // Whether regularisation alone accounts for what apply() takes from the inside.
-  [[nodiscard]] bool only_regularises() const {
-    return settings_.style == BuildStyle::kThinWall && !settings_.spiral_vase;
-  }
+  [[nodiscard]] bool only_regularises() const { return window_decides(settings_); }
 
  private:
   [[nodiscard]] SplitLayer regularised(SplitLayer layer) const;

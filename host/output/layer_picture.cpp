@@ -142,7 +142,7 @@ std::vector<Area> areas_of(const core::WallRegions& regions, const core::SplitLa
           {&regions.uncovered, &kUncoveredColours, words.uncovered},
           {&regions.neighbours, &kNeighbourColours, words.neighbours},
           {&regions.further, &further_colours(settings), words.further},
-          {&layer.loose, &kLooseColours, "inside, filled loosely"}};
+          {&layer.loose, &kLooseColours, words.loose}};
 }
 
 void append_area_legend(std::string& svg, const std::vector<Area>& areas,

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "core/check.h"
+#include "core/walls/wall_style.h"
 
 namespace host {
 
@@ -18,12 +19,16 @@ const KindStyle& style_of(core::RoadKind kind) {
 }
 
 const Colours& further_colours(const core::Settings& settings) {
-  return settings.style == core::BuildStyle::kThinWall ? kFurtherColours : kOwnColours;
+  return core::window_decides(settings) ? kFurtherColours : kOwnColours;
 }
 
 double to_mm(std::int64_t units) { return static_cast<double>(units) / core::kUnitsPerMm; }
 
 std::string wall_words(const core::Settings& settings) {
+  if (settings.spiral_vase) {
+    return fmt::format("spiral vase: one road of {:g} mm over a floor of {:g} mm",
+                       settings.road_width.mm(), settings.wall_thickness.mm());
+  }
   if (settings.style == core::BuildStyle::kRegular) return "dense everywhere (style regular)";
   if (settings.style == core::BuildStyle::kFast) return "style fast";
   const bool ball = settings.wall_shape == core::WallShape::kBall;
@@ -41,7 +46,9 @@ RegionWords region_words(const core::Settings& settings) {
   words.own = fmt::format("region 1: within {} of the slice's own edge", depth);
   words.uncovered = fmt::format("region 2: a slice within {} above or below leaves it bare", reach);
   words.neighbours = fmt::format("region 3: a slice within {} has its edge too near", reach);
-  words.further = settings.style == core::BuildStyle::kThinWall
+  words.loose = settings.spiral_vase ? "hollow" : "inside, filled loosely";
+  words.further = settings.spiral_vase ? "one road, and the floor"
+                  : settings.style == core::BuildStyle::kThinWall
                       ? "too narrow to be filled loosely, made dense"
                       : "filled densely";
   return words;

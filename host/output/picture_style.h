@@ -67,7 +67,7 @@ inline constexpr std::array<KindStyle, core::kRoadKindCount> kKindStyles = {{
 
 // For legends: why each of the wall's regions is wall.
 struct RegionWords {
-  std::string own, uncovered, neighbours, further;
+  std::string own, uncovered, neighbours, further, loose;
 };
 [[nodiscard]] RegionWords region_words(const core::Settings& settings);
 

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "core/sections/wall_regions.h"
+#include "core/walls/wall_style.h"
 
 namespace host {
 namespace {
@@ -59,9 +60,9 @@ const Colours& SectionPicture::colours_of(std::size_t tint) const {
   return *colours[tint];
 }
 
-// No balls if the style decides instead of the wall, nor if they would be specks.
+// No balls if the window does not decide, nor if they would be specks.
 bool SectionPicture::shows_balls() const {
-  return options_.settings.style == core::BuildStyle::kThinWall &&
+  return core::window_decides(options_.settings) &&
          options_.settings.wall_thickness.mm() * px_per_mm_ >= kBallPxMin;
 }
 
@@ -248,6 +249,7 @@ std::string SectionPicture::layer(const core::LayerWindow& window) {
     highest_loose_ = slice.bottom + core::Length::from_units(slice.height.units() / 2);
     highest_loose_along_ = widest->from + (widest->to - widest->from) / 2;
   }
+  if (options_.settings.spiral_vase) return svg;  // open at the top
   const std::optional<core::ThinnestWall> place = core::thinnest_wall(window, options_.line);
   if (place && (!thinnest_ || place->thickness_mm < thinnest_->thickness_mm)) thinnest_ = place;
   if (in_view(slice)) note_balls(slice, in_view(section.loose));
@@ -338,8 +340,8 @@ void SectionPicture::append_measures(std::string& svg) {
 
 void SectionPicture::append_legend(std::string& svg) {
   const RegionWords words = region_words(options_.settings);
-  const std::array<std::string, kTints> texts = {"inside, filled loosely", words.own,
-                                                 words.uncovered, words.neighbours, words.further};
+  const std::array<std::string, kTints> texts = {words.loose, words.own, words.uncovered,
+                                                 words.neighbours, words.further};
   double y = legend_top_;
   for (const std::size_t tint : kLegendOrder) {
     if (!tint_seen_[tint]) continue;
