@@ -316,10 +316,9 @@ void SectionPicture::append_measures(std::string& svg) {
     }
     svg += "</g>\n";
   }
-  if (!thinnest_ || !in_view(Ball{along_px(thinnest_->loose_along.units()),
-                                  height_px(thinnest_->loose_height)})) {
+  if (!thinnest_) return;
+  if (!in_view({along_px(thinnest_->loose_along.units()), height_px(thinnest_->loose_height)}))
     return;
-  }
   const double x0 = along_px(thinnest_->loose_along.units()),
                y0 = height_px(thinnest_->loose_height);
   const double x1 = along_px(thinnest_->outside_along.units()),

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -66,7 +67,7 @@ class MortalPrinter {
   // How high the nozzle is, as a person would see it.
   [[nodiscard]] std::int64_t nozzle_z_um() {
     settle();
-    return static_cast<std::int64_t>(tracer_.height() * 1'000 + 0.5);
+    return std::llround(tracer_.height() * 1'000);
   }
 
   [[nodiscard]] std::size_t write(std::span<const std::byte> bytes) {

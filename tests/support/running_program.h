@@ -16,8 +16,6 @@
 
 #include "core/check.h"  // RIND_CHECK
 
-extern char** environ;
-
 namespace test {
 
 class RunningProgram {

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <ostream>
+#include <utility>
 
 namespace parts {
 namespace {
@@ -38,6 +39,25 @@ Part stairs() {
   std::vector<Part> steps;
   for (int i = 0; i < 10; ++i) steps.push_back(box({10.0 * i, 0, 0}, 8, 20, 2 + 0.1 * i));
   return together(std::move(steps));
+}
+
+// A ring 1 mm thick, and ribs in it.
+Part thin_walls() {
+  constexpr double kRadius = 15, kMiddle = kRadius + 1, kHeight = 4;
+  std::vector<Part> all = {tube(kRadius, kRadius - 1, kHeight, 128)};
+  for (const auto& [y, thickness] :
+       {std::pair(-7.0, 0.5), std::pair(0.0, 0.9), std::pair(7.0, 1.4)}) {
+    const double half = std::sqrt((kRadius - 0.5) * (kRadius - 0.5) - y * y);
+    all.push_back(
+        box({kMiddle - half, kMiddle + y - thickness / 2, 0}, 2 * half, thickness, kHeight));
+  }
+  return together(std::move(all));
+}
+
+// A deck on two posts, 16 mm apart.
+Part bridge() {
+  return together(
+      {box({0, 0, 0}, 8, 14, 6), box({24, 0, 0}, 8, 14, 6), box({0, 0, 6}, 32, 14, 1.6)});
 }
 
 std::vector<NamedPart> faulty_parts() {
@@ -121,6 +141,8 @@ std::vector<NamedPart> all_parts(const PartSizes& sizes) {
       {"vase", "bumpy tubes, 8 islands a layer; see --detail", vase(sizes.detail)},
       {"lattice", "21 x 21 columns on a plate", lattice(21)},
       {"tube", "radii 10 and 6 mm, 20 mm tall", tube(10, 6, 20, 96)},
+      {"thin_walls", "a ring 1 mm thick, in it ribs of 0.5, 0.9 and 1.4 mm", thin_walls()},
+      {"bridge", "a deck on two posts, 16 mm apart", bridge()},
   };
   for (NamedPart& part : faulty_parts()) all.push_back(std::move(part));
   return all;

@@ -4,7 +4,6 @@
 
 #include <vector>
 
-using core::Length;
 using core::Settings;
 
 namespace {

@@ -32,7 +32,7 @@ class Raster {
   Raster(const Region& region, const SegmentGrid& contours, Length depth) : box_(region.box()) {
     columns_ = (box_.max.x - box_.min.x) / kCell + 1;
     const int rows = (box_.max.y - box_.min.y) / kCell + 1;
-    piece_.resize(static_cast<std::size_t>(columns_ * rows));
+    piece_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows));
     std::iota(piece_.begin(), piece_.end(), 0);
     inside_.resize(piece_.size());
     for (int i = 0; i < columns_ * rows; ++i) {

@@ -199,7 +199,7 @@ TEST_CASE("a binary STL is one, whatever its head begins with") {
 
 TEST_CASE("what is no kind of file is refused with what it looks like") {
   const auto refusal = [](const std::string& bytes) { return test::error_of(bytes); };
-  CHECK(refusal("\xFF\xFEs\0o\0l\0").find("text in UTF-16") != std::string::npos);
+  CHECK(refusal(std::string("\xFF\xFEs\0o\0l\0", 8)).find("text in UTF-16") != std::string::npos);
   CHECK(refusal("ply\nformat ascii 1.0\n").find("text of no kind that is known") !=
         std::string::npos);
 }

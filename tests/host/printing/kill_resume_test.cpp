@@ -24,8 +24,6 @@
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"
 
-extern char** environ;
-
 using test::LaidPiece;
 using test::run_program;
 

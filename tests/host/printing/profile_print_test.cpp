@@ -85,7 +85,7 @@ struct Asked {
     const core::Result<host::WholeSettings> whole = settings(changed, lax);
     if (!whole.ok()) FAIL(whole.error().message);
     REQUIRE(host::check_user_gcode(whole.value().settings).ok());
-    return whole.value().settings;
+    return static_cast<const Settings&>(whole.value().settings);
   }
 
   std::string refusal(const std::map<std::string, std::string>& changed) const {
