@@ -34,13 +34,14 @@ bool alike_in_vase(const SplitLayer& a, const SplitLayer& b, const Settings& set
 }
 
 // A vase has no inside that could hang, or hold.
-SplitLayer as_printed(const SplitLayer& layer, const Settings& settings) {
-  SplitLayer printed = layer;
-  if (in_vase(layer.slice, settings)) printed.slice.region = layer.solid;
+HangingPlaces hanging_of(const SplitLayer& layer, const Settings& settings) {
+  if (!in_vase(layer.slice, settings)) return hanging_places(layer, settings);
+  SplitLayer ring = layer;
+  ring.slice.region = layer.solid;
   if (over_vase(layer, settings)) {
-    printed.below = std::make_shared<const Region>(vase_ring(*layer.below, settings));
+    ring.below = std::make_shared<const Region>(vase_ring(*layer.below, settings));
   }
-  return printed;
+  return hanging_places(ring, settings);
 }
 
 }  // namespace
@@ -61,7 +62,7 @@ void LayerPlanner::fill(LayerPlan& plan, bool with_roads) const {
   plan.layer = style_.apply(plan.split);
   const double moved_mm2 = plan.split.loose.area_mm2() - plan.layer.loose.area_mm2();
   plan.regularised_mm3 = style_.only_regularises() ? moved_mm2 * plan.layer.slice.height.mm() : 0;
-  plan.hanging = hanging_places(as_printed(plan.layer, settings_), settings_);
+  plan.hanging = hanging_of(plan.layer, settings_);
   if (!with_roads) return;
   plan.roads = roads_.plan(plan.layer);
   plan.seams = seam_loops(plan.layer, plan.roads);

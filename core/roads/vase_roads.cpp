@@ -15,37 +15,30 @@ Region loops_in(const Region& slice, const Settings& settings) {
 
 bool is_turn(const Region& loops) { return loops.rings().size() == 1; }
 
-// Whether a turn lies on the one below it somewhere.
-bool rests_on(const Region& slice, const Region& below, const Settings& settings) {
-  return !intersect(vase_ring(slice, settings), vase_ring(below, settings)).empty();
-}
-
-// Whether a turn goes on from one layer to the one above.
-bool goes_on(const Region& below, const Region& above, const Settings& settings) {
-  return is_turn(loops_in(below, settings)) && is_turn(loops_in(above, settings)) &&
-         rests_on(above, below, settings);
-}
+// Whether a turn lies on another one somewhere. REQUIRES: their rings.
+bool meet(const Region& a, const Region& b) { return !intersect(a, b).empty(); }
 
 }  // namespace
 
 std::vector<Road> vase_roads(const SplitLayer& layer, const Settings& settings) {
-  const Region& slice = layer.slice.region;
-  const Region loops = loops_in(slice, settings);
+  const Region loops = loops_in(layer.slice.region, settings);
   std::vector<Road> roads;
   for (const Ring& ring : loops.rings()) {
     roads.push_back({RoadKind::kOuterPerimeter, settings.road_width, true, ring});
   }
-  if (over_vase(layer, settings)) {
-    mark_holds(slice, vase_ring(*layer.below, settings), settings, roads);
-  } else if (layer.below) {
-    mark_holds(slice, *layer.below, settings, roads);
+  const bool over_ring = over_vase(layer, settings);
+  const Region ring_below = over_ring ? vase_ring(*layer.below, settings) : Region();
+  if (layer.below) {
+    const Region& below = over_ring ? ring_below : *layer.below;
+    mark_holds(layer.slice.region, below, settings, roads);
   }
   if (!is_turn(loops)) return roads;
   SpiralTurn turn;
-  if (over_vase(layer, settings) && goes_on(*layer.below, slice, settings)) {
+  if (over_ring && is_turn(loops_in(*layer.below, settings)) && meet(layer.solid, ring_below)) {
     turn.below = layer.below_height;
   }
-  turn.last = !layer.above || !goes_on(slice, *layer.above, settings);
+  turn.last = !layer.above || !is_turn(loops_in(*layer.above, settings)) ||
+              !meet(layer.solid, vase_ring(*layer.above, settings));
   roads.front().spiral = turn;
   return roads;
 }

@@ -18,8 +18,9 @@
 
 namespace core {
 
-// COSTS: two offsets of the slice and of each neighbour, and some booleans.
-// REQUIRES: in_vase(layer.slice); the slices from here on are single contours.
+// COSTS: an offset of the slice, two of each neighbour, and some booleans.
+// REQUIRES: in_vase(layer.slice); the style was applied (walls/wall_style.h); the slices from here
+// on are single contours.
 [[nodiscard]] std::vector<Road> vase_roads(const SplitLayer& layer, const Settings& settings);
 
 }  // namespace core

@@ -11,6 +11,7 @@
 #include "core/limits.h"
 #include "core/slices/height_ceiling.h"
 #include "core/slices/height_ranges.h"
+#include "tests/support/adaptive_heights.h"
 
 using core::HeightLimits;
 using core::LayerHeights;
@@ -20,18 +21,6 @@ using core::Settings;
 using core::Triangle;
 
 namespace {
-
-Settings adaptive() {
-  Settings settings;
-  settings.adaptive_layer_height = true;
-  return settings;
-}
-
-LayerHeights heights_of(const Settings& settings, const std::vector<Triangle>& facets, Length top) {
-  HeightLimits limits = *core::adaptive_limits(settings);
-  for (const Triangle& facet : facets) limits.add(facet);
-  return core::adaptive_heights(settings, limits, 0, top);
-}
 
 double upwards(const Triangle& t) {
   const auto& [a, b, c] = t.corners;
@@ -143,7 +132,7 @@ TEST_CASE(
   std::mt19937 random(seed);
   for (int i = 0; i < 400; ++i) {
     CAPTURE(i);
-    Settings settings = adaptive();
+    Settings settings = test::adaptive_settings();
     if (i % 2 == 1) {
       const std::string from = std::to_string(2'000 + random() % 1'000);
       settings.height_range = {"2." + from + "-3.4 0.1", "6-7 0.25", "7.27-7.5 0.05"};
@@ -155,7 +144,7 @@ TEST_CASE(
       const auto z = static_cast<std::int64_t>(random() % 120'000);
       facets.push_back({{core::Vertex{0, 0, z}, {20'000, 0, z}, {0, 20'000, z}}});
     }
-    const LayerHeights heights = heights_of(settings, facets, top);
+    const LayerHeights heights = test::adaptive_heights_of(settings, facets, top);
     const Ranges ranges(settings);
     check_ranges(heights, ranges, top);
     const auto bounds = core::adaptive_bounds(settings);
@@ -190,9 +179,9 @@ TEST_CASE(
 }
 
 TEST_CASE("adaptive layers get lower towards a range of lower ones, and higher behind it") {
-  Settings settings = adaptive();
+  Settings settings = test::adaptive_settings();
   settings.height_range = {"10-12 0.1"};
-  const LayerHeights heights = heights_of(settings, {}, Length::from_mm(20));
+  const LayerHeights heights = test::adaptive_heights_of(settings, {}, Length::from_mm(20));
   LayerIndex first = 0;
   while (heights.bottom(first) < Length::from_mm(10)) ++first;
   CHECK_LE(heights.height(first - 1), Length::from_mm(0.13));
@@ -205,14 +194,14 @@ TEST_CASE("adaptive layers get lower towards a range of lower ones, and higher b
 TEST_CASE("layers that fit what is left below a range keep under the ceiling, too") {
   for (int units = 30'000; units < 33'000; units += 7) {
     CAPTURE(units);
-    Settings settings = adaptive();
+    Settings settings = test::adaptive_settings();
     const Length from = Length::from_units(units);
     settings.height_range = {std::to_string(from.mm()).substr(0, 6) + "-5 0.0725"};
     const core::HeightRange range = core::height_ranges(settings).value()[0];
     HeightLimits limits = *core::adaptive_limits(settings);
     limits.limit(range.from.units(), range.end().units(), range.height);
     const core::HeightCeiling ceiling(limits, 0);
-    const LayerHeights heights = heights_of(settings, {}, Length::from_mm(5));
+    const LayerHeights heights = test::adaptive_heights_of(settings, {}, Length::from_mm(5));
     for (LayerIndex n = 1; heights.bottom(n) < from; ++n) {
       const Length bottom = heights.bottom(n), height = heights.height(n);
       REQUIRE_LE(height, ceiling.least(bottom, bottom + height));
@@ -222,7 +211,7 @@ TEST_CASE("layers that fit what is left below a range keep under the ceiling, to
 
 TEST_CASE("no adaptive layer could be a step higher") {
   std::mt19937 random(3);
-  const Settings settings = adaptive();
+  const Settings settings = test::adaptive_settings();
   const Length top = Length::from_mm(12);
   for (int i = 0; i < 50; ++i) {
     HeightLimits limits = *core::adaptive_limits(settings);
@@ -238,7 +227,7 @@ TEST_CASE("no adaptive layer could be a step higher") {
 }
 
 TEST_CASE("more flat faces than there are bands") {
-  const Settings settings = adaptive();
+  const Settings settings = test::adaptive_settings();
   HeightLimits limits = *core::adaptive_limits(settings);
   for (std::int64_t z = 5'000; z < 20'000'000; z += 2'500) {
     limits.add({{core::Vertex{0, 0, z}, {20'000, 0, z}, {0, 20'000, z}}});
@@ -250,7 +239,7 @@ TEST_CASE("more flat faces than there are bands") {
 }
 
 TEST_CASE("a part of a million layers takes no more memory than one of a thousand") {
-  const Settings settings = adaptive();
+  const Settings settings = test::adaptive_settings();
   std::mt19937 random(9);
   for (const double mm : {100.0, 1e3, 1e5, 1e9}) {
     CAPTURE(mm);
@@ -273,7 +262,7 @@ TEST_CASE("a part of a million layers takes no more memory than one of a thousan
 }
 
 TEST_CASE("more changes than there are bands: slopes count for more height, no limit is broken") {
-  Settings settings = adaptive();
+  Settings settings = test::adaptive_settings();
   settings.layer_height_min = Length::from_mm(0.05);
   HeightLimits limits = *core::adaptive_limits(settings);
   // Up and down all the way, within the first bins' reach.
@@ -288,5 +277,20 @@ TEST_CASE("more changes than there are bands: slopes count for more height, no l
   for (LayerIndex n = 1; n < heights.count(top); ++n) {
     const Length bottom = heights.bottom(n), height = heights.height(n);
     REQUIRE_LE(height, ceiling.least(bottom, bottom + height));
+  }
+}
+
+TEST_CASE("a range that reaches far above the part limits no more than one that ends at its top") {
+  std::mt19937 random(7);
+  const Length top = Length::from_mm(40);
+  const std::vector<Triangle> facets = random_facets(random, top.units());
+  Settings near = test::adaptive_settings(), far = near;
+  near.height_range = {"20-40 0.2"};
+  far.height_range = {"20-1000000 0.2"};
+  const LayerHeights as_near = test::adaptive_heights_of(near, facets, top);
+  const LayerHeights as_far = test::adaptive_heights_of(far, facets, top);
+  for (LayerIndex layer = 0; as_near.bottom(layer) < Length::from_mm(20); ++layer) {
+    CAPTURE(layer);
+    REQUIRE_EQ(as_far.height(layer), as_near.height(layer));
   }
 }

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "core/slices/height_plan.h"
+#include "tests/support/adaptive_heights.h"
 #include "tests/support/mesh.h"
 #include "tools/parts/part_maker.h"
 
-using core::HeightLimits;
 using core::LayerHeights;
 using core::LayerIndex;
 using core::Length;
@@ -20,18 +20,6 @@ using core::Settings;
 using core::Triangle;
 
 namespace {
-
-Settings adaptive() {
-  Settings settings;
-  settings.adaptive_layer_height = true;
-  return settings;
-}
-
-LayerHeights heights_of(const Settings& settings, const std::vector<Triangle>& facets, Length top) {
-  HeightLimits limits = *core::adaptive_limits(settings);
-  for (const Triangle& facet : facets) limits.add(facet);
-  return core::adaptive_heights(settings, limits, 0, top);
-}
 
 // A body of revolution about an axis far enough inside the first quadrant: rings of facets between
 // the points of its outline.
@@ -61,11 +49,11 @@ const double kInradius = std::cos(std::numbers::pi / 48);
 }  // namespace
 
 TEST_CASE("a cone's layers are as high as its slope allows, an upright wall's the highest") {
-  const Settings settings = adaptive();
+  const Settings settings = test::adaptive_settings();
   for (const double run : {0.18, 0.3, 0.5, 0.65}) {
     CAPTURE(run);
     const auto facets = turned({{40, 0}, {40 - run * 30, 30}});
-    const LayerHeights heights = heights_of(settings, facets, Length::from_mm(30));
+    const LayerHeights heights = test::adaptive_heights_of(settings, facets, Length::from_mm(30));
     // The flats of the cone's facets are a little less steep than its edges.
     const double slope = run * kInradius;
     const double most = settings.cusp_height.mm() * std::sqrt(1 + slope * slope) / slope;
@@ -74,7 +62,7 @@ TEST_CASE("a cone's layers are as high as its slope allows, an upright wall's th
     CHECK_EQ(heights.bands()[1].height, core::kHeightStep * static_cast<std::int64_t>(steps));
   }
   const auto wedge = test::triangles_of(parts::box({0, 0, 0}, 9, 8, 30));
-  const LayerHeights heights = heights_of(settings, wedge, Length::from_mm(30));
+  const LayerHeights heights = test::adaptive_heights_of(settings, wedge, Length::from_mm(30));
   CHECK_EQ(heights.bands()[1].height, Length::from_mm(0.3));
   // As few as there can be, and the last one ends at its top.
   CHECK_EQ(heights.count(Length::from_mm(30)), 1 + 100);
@@ -82,7 +70,7 @@ TEST_CASE("a cone's layers are as high as its slope allows, an upright wall's th
 }
 
 TEST_CASE("a sphere's layers keep the cusp, and waste less than two steps") {
-  const Settings settings = adaptive();
+  const Settings settings = test::adaptive_settings();
   constexpr double kRadius = 20;
   constexpr int kRings = 2'000;
   std::vector<std::pair<double, double>> outline;
@@ -91,7 +79,7 @@ TEST_CASE("a sphere's layers keep the cusp, and waste less than two steps") {
     outline.emplace_back(kRadius * std::sin(angle), kRadius * (1 - std::cos(angle)));
   }
   const Length top = Length::from_mm(2 * kRadius);
-  const LayerHeights heights = heights_of(settings, turned(outline), top);
+  const LayerHeights heights = test::adaptive_heights_of(settings, turned(outline), top);
   const double cusp = settings.cusp_height.mm();
   for (LayerIndex n = 1; n < heights.count(top); ++n) {
     const double bottom = heights.bottom(n).mm(), height = heights.height(n).mm();
@@ -110,7 +98,7 @@ TEST_CASE("a layer ends at every flat face that layers of these heights can end 
   const unsigned seed = std::random_device{}();
   CAPTURE(seed);
   std::mt19937 random(seed);
-  const Settings settings = adaptive();
+  const Settings settings = test::adaptive_settings();
   for (int i = 0; i < 100; ++i) {
     CAPTURE(i);
     const bool steps = i % 2 == 0;
@@ -125,7 +113,7 @@ TEST_CASE("a layer ends at every flat face that layers of these heights can end 
       facets.push_back(
           {{core::Vertex{0, 0, z.units()}, {20'000, 0, z.units()}, {0, 20'000, z.units()}}});
     }
-    const LayerHeights heights = heights_of(settings, facets, z);
+    const LayerHeights heights = test::adaptive_heights_of(settings, facets, z);
     const LayerIndex count = heights.count(z);
     CHECK_LE((heights.bottom(count) - z).mm(), 0.0051);
     for (const Length flat : flats) {
@@ -139,7 +127,7 @@ TEST_CASE("a layer ends at every flat face that layers of these heights can end 
       REQUIRE_LE(heights.height(n), Length::from_mm(0.3));
     }
     // As many as without the faces, and at most one more for each.
-    const LayerIndex free = heights_of(settings, {}, z).count(z);
+    const LayerIndex free = test::adaptive_heights_of(settings, {}, z).count(z);
     CHECK_GE(count, free - 1);
     CHECK_LE(count, free + static_cast<LayerIndex>(flats.size()) + 1);
   }

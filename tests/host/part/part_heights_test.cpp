@@ -11,6 +11,7 @@
 #include "core/slices/height_plan.h"
 #include "host/part/mesh_layers.h"
 #include "host/part/part_file.h"
+#include "tests/support/adaptive_heights.h"
 #include "tests/support/listed_triangles.h"
 #include "tests/support/mesh.h"
 #include "tests/support/part_slices.h"
@@ -24,8 +25,7 @@ using core::Triangle;
 namespace {
 
 Settings adaptive() {
-  Settings settings;
-  settings.adaptive_layer_height = true;
+  Settings settings = test::adaptive_settings();
   settings.height_range = {"3-4.1 0.12"};
   return settings;
 }
