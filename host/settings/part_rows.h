@@ -3,8 +3,8 @@
 
 #include <array>
 
-#include "host/settings/setting_row.h"    // Setting
-#include "host/settings/settings_text.h"  // kVerbatimLinesMax
+#include "core/limits.h"                // kHeightRangesMax
+#include "host/settings/setting_row.h"  // Setting
 
 namespace host {
 
@@ -24,7 +24,7 @@ inline constexpr std::array kPartRows = {
             "least height of adaptive layers, but for the few that end at a flat face or a range"},
     Setting{"layer_height_max", &PrintSettings::layer_height_max, "mm", 0.01, 2,
             "height of the highest adaptive layer; auto: 3/4 of nozzle_diameter", kAutoIsZero},
-    Setting{"height_range", &PrintSettings::height_range, "", 0, kVerbatimLinesMax,
+    Setting{"height_range", &PrintSettings::height_range, "", 0, core::kHeightRangesMax,
             "lines of two heights over the part's lowest point, and the height of a mesh's layers "
             "between them, as 10-12.5 0.1"},
     Setting{"wall_thickness", &PrintSettings::wall_thickness, "mm", 0.05, 100,

@@ -78,7 +78,7 @@ std::string range_text(const Setting& setting) {
                        core::kOverhangSteps);
   }
   if (std::holds_alternative<Lines S::*>(setting.member)) {
-    return fmt::format("up to {} lines of {} bytes", kVerbatimLinesMax, kVerbatimBytesMax);
+    return fmt::format("up to {:g} lines of {} bytes", setting.max, kVerbatimBytesMax);
   }
   return number_range_text(setting);
 }
