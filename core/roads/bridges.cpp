@@ -20,6 +20,9 @@ namespace {
 // Over the loose inside, strips narrower than this many roads are filled like the rest.
 constexpr double kOverLooseRoadsMin = 4;
 
+// Rows over the loose inside overlap by this at least.
+constexpr Length kTouch = Length::from_units(50);
+
 Length scaled(Length length, double factor) { return Length::from_mm(length.mm() * factor); }
 
 Region grown(const Region& region, Length by, const Settings& settings) {
@@ -90,7 +93,9 @@ class BridgePlanner {
       const BridgeArea area{piece, here, rings_near(held, box), {}, width_};
       const BridgeRows rows = bridge_rows(area, direction, distance);
       if (rows.rows.empty()) continue;
-      lay(rows, area, RoadKind::kInternalBridge, flat_width(), covered);
+      const std::size_t first = result_.roads.size();
+      const double cover_mm2 = lay(rows, area, RoadKind::kInternalBridge, flat_width(), covered);
+      fit(first, cover_mm2, distance);
     }
     take(std::move(covered));
   }
@@ -136,14 +141,31 @@ class BridgePlanner {
     return std::max(bead_width(area, site_.height), site_.height);
   }
 
-  void lay(const BridgeRows& rows, const BridgeArea& area, RoadKind kind, Length width,
-           std::vector<Ring>& covered) {
+  // Returns the area that the roads cover.
+  double lay(const BridgeRows& rows, const BridgeArea& area, RoadKind kind, Length width,
+             std::vector<Ring>& covered) {
     for (std::vector<Point>& line : joined(rows, area)) {
       line.erase(std::unique(line.begin(), line.end()), line.end());
       if (line.size() >= 2) result_.roads.push_back({kind, width, false, std::move(line)});
     }
     const Region cover = covered_by(rows, area);
     covered.insert(covered.end(), cover.rings().begin(), cover.rings().end());
+    return cover.area_mm2();
+  }
+
+  // Flat rows and their joins, from the road `first` on, lay together what rows without joins
+  // would, as far as they still touch.
+  void fit(std::size_t first, double cover_mm2, Length distance) {
+    double laid_mm = 0;
+    for (std::size_t i = first; i < result_.roads.size(); ++i) {
+      laid_mm += length_mm(result_.roads[i]);
+    }
+    const Length flat = flat_width(), touching = std::min(flat, distance + kTouch);
+    if (laid_mm == 0) return;
+    const double rows_mm = cover_mm2 / distance.mm();
+    const double area_mm2 = bead_area_mm2(flat, site_.height) * rows_mm / laid_mm;
+    const Length width = std::clamp(bead_width(area_mm2, site_.height), touching, flat);
+    for (std::size_t i = first; i < result_.roads.size(); ++i) result_.roads[i].width = width;
   }
 
   void take(std::vector<Ring> covered) {

@@ -10,7 +10,6 @@
 #include "core/booleans/simplified.h"     // simplified
 #include "core/offsets/polygon_offset.h"  // PolygonOffsetter
 #include "core/regions/polyline.h"        // between, distance_mm
-#include "core/roads/bead_cover.h"        // kBeadSeam
 #include "core/roads/medial_axis.h"       // medial_axis
 #include "core/trigonometry.h"            // hypotenuse
 #include "core/vector.h"                  // Vector
@@ -199,7 +198,7 @@ double room_mm2(const ThickPolyline& line) {
 }
 
 // One road along the line, as wide everywhere as the room is.
-void add_road(const ThickPolyline& whole, Length height, const Settings& settings,
+void add_road(const ThickPolyline& whole, Length seam, Length height, const Settings& settings,
               std::vector<Road>& roads) {
   const double narrowest = settings.road_width_min.mm();
   if (length_mm(whole.points, whole.closed) < kLineLengthMinMm) return;
@@ -208,7 +207,7 @@ void add_road(const ThickPolyline& whole, Length height, const Settings& setting
   ThickPolyline line = simplified(whole, kLineTolerance);
   if (line.closed && line.points.size() < 3) line = whole;
   // What a bead's round sides need beyond the room.
-  const double side = height.mm() * (1 - std::numbers::pi / 4) + kBeadSeam.mm();
+  const double side = height.mm() * (1 - std::numbers::pi / 4) + seam.mm();
   Road road{RoadKind::kGapFill, {}, line.closed, std::move(line.points), std::move(line.widths)};
   for (Length& width : road.widths) {
     width = Length::from_mm(std::max(width.mm() + side, narrowest));
@@ -223,7 +222,7 @@ Length gap_width_min(const Settings& settings) {
   return Length::from_mm(kRoomMinShare * settings.road_width_min.mm());
 }
 
-std::vector<Road> gap_fill_roads(const Region& gaps, Length layer_height,
+std::vector<Road> gap_fill_roads(const Region& gaps, Length seam, Length layer_height,
                                  const Settings& settings) {
   std::vector<Road> roads;
   const Length narrowest = gap_width_min(settings);
@@ -234,7 +233,7 @@ std::vector<Road> gap_fill_roads(const Region& gaps, Length layer_height,
     if (!width) continue;
     const std::size_t before = roads.size();
     for (const ThickPolyline& line : medial_axis(piece, narrowest, *width)) {
-      add_road(line, layer_height, settings, roads);
+      add_road(line, seam, layer_height, settings, roads);
     }
     if (roads.size() == before && piece.point_count() <= kBlobPointsMax) {
       add_blob(piece, widest, settings, roads);

@@ -20,8 +20,9 @@ namespace core {
 // Narrower gaps get no road.
 [[nodiscard]] Length gap_width_min(const Settings& settings);
 
+// `seam`: the gaps were made so much narrower than what they are, on both sides together.
 // COSTS: a medial axis of the gaps. Crumbs too small for any road are sorted out before.
-[[nodiscard]] std::vector<Road> gap_fill_roads(const Region& gaps, Length layer_height,
+[[nodiscard]] std::vector<Road> gap_fill_roads(const Region& gaps, Length seam, Length layer_height,
                                                const Settings& settings);
 
 }  // namespace core

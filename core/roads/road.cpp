@@ -103,6 +103,19 @@ double road_area_mm2(RoadKind kind, Length width, Length height) {
   return bead_area_mm2(width, kind == RoadKind::kBridge ? width : height);
 }
 
+double volume_mm3(const Road& road, Length height) {
+  if (road.widths.empty()) return length_mm(road) * road_area_mm2(road.kind, road.width, height);
+  const std::size_t count = road.points.size();
+  double sum = 0;
+  for (std::size_t i = 0; i < (road.closed ? count : count - 1); ++i) {
+    const std::size_t j = (i + 1) % count;
+    const double areas = road_area_mm2(road.kind, road.widths[i], height) +
+                         road_area_mm2(road.kind, road.widths[j], height);
+    sum += distance_mm(road.points[i], road.points[j]) * areas / 2;
+  }
+  return sum;
+}
+
 RoadKind laid_as(RoadKind kind, Hold hold) {
   const bool perimeter = kind == RoadKind::kOuterPerimeter || kind == RoadKind::kPerimeter;
   return perimeter && hold >= Hold::kQuarter ? RoadKind::kOverhangPerimeter : kind;

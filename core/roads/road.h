@@ -109,6 +109,9 @@ void start_at(Road& road, RingPlace place);
 // That of a road of this kind. A bridge is round: nothing presses it flat.
 [[nodiscard]] double road_area_mm2(RoadKind kind, Length width, Length height);
 
+// What a road lays in all. Between two points its cross-section changes linearly.
+[[nodiscard]] double volume_mm3(const Road& road, Length height);
+
 // As what a stretch of a road is laid: a perimeter whose centre line is in the air is an overhang.
 [[nodiscard]] RoadKind laid_as(RoadKind kind, Hold hold);
 

@@ -114,8 +114,8 @@ class WallFill {
   }
 
   // Roads along the edges for as long as there is room for two, and one of its own width in the
-  // middle. That gap tapers off into hairs that get no road: the innermost rings, a hair wider,
-  // close them from both sides.
+  // middle. That gap tapers off into hairs that get no road: the innermost rings, up to a hair
+  // wider, close them from both sides.
   void fill_band(const Region& band) {
     const Length distance = ring_distance(band);
     const Length width = style_.width + distance - spacing_;
@@ -132,14 +132,33 @@ class WallFill {
       innermost = rings.size();
       std::move(ring.begin(), ring.end(), std::back_inserter(rings));
     }
-    const Region gaps = rings.empty() ? band : uncovered(band, rings, distance + kBeadSeam);
-    // Rings that share a narrow band overlap already.
-    if (!gaps.empty() && breadth_mm(band) >= 2 * distance.mm()) {
-      const Length hair = gap_width_min(settings_);
-      for (std::size_t i = innermost; i < rings.size(); ++i) rings[i].width += hair;
-    }
+    if (rings.empty()) return add(gap_fill_roads(band, Length(), height_, settings_));
+    const Region gaps = uncovered(band, rings, distance + kBeadSeam);
+    std::vector<Road> between = gap_fill_roads(gaps, kBeadSeam, height_, settings_);
+    fit(rings, innermost, distance, band, volume_mm3(between));
     add(std::move(rings));
-    add(gap_fill_roads(gaps, height_, settings_));
+    add(std::move(between));
+  }
+
+  // Makes the innermost rings as wide as the rest of what the band holds asks for, where other
+  // roads lay `between_mm3` of it. They still touch.
+  void fit(std::vector<Road>& rings, std::size_t innermost, Length distance, const Region& band,
+           double between_mm3) const {
+    double rest_mm3 = band.area_mm2() * height_.mm() - between_mm3;
+    double laid_mm = 0;
+    for (std::size_t i = 0; i < rings.size(); ++i) {
+      if (i < innermost) {
+        rest_mm3 -= core::volume_mm3(rings[i], height_);
+      } else {
+        laid_mm += length_mm(rings[i]);
+      }
+    }
+    const Length least = distance + Length::from_mm(kTouchMm);
+    const Length most = rings.back().width + gap_width_min(settings_);
+    const Length fitted = bead_width(std::max(rest_mm3, 0.0) / laid_mm, height_);
+    for (std::size_t i = innermost; i < rings.size(); ++i) {
+      rings[i].width = std::clamp(fitted, least, most);
+    }
   }
 
   // Where the innermost rings leave too little for one more road, all rings share it.
@@ -179,18 +198,30 @@ class WallFill {
     const double narrowest = settings_.road_width_min.mm();
     const Region gaps =
         row_rests(piece, rows.stretches, grid, kRestSquaresMin * narrowest * narrowest);
+    std::vector<Road> between = gap_fill_roads(gaps, Length(), height_, settings_);
     double laid_mm = 0;
     for (const Road& row : rows.roads) laid_mm += length_mm(row);
     if (laid_mm > 0) {
-      const double holds_mm2 = piece.area_mm2() - gaps.area_mm2();
+      const double holds_mm3 = piece.area_mm2() * height_.mm() - volume_mm3(between);
       const double w = style_.width.mm();
       const double least = std::max(w * (1 - kWidthChangeMax), distance.mm() + kTouchMm);
-      const double width = bead_width(holds_mm2 * height_.mm() / laid_mm, height_).mm();
+      const double width = bead_width(std::max(holds_mm3, 0.0) / laid_mm, height_).mm();
       const Length fitted = Length::from_mm(std::clamp(width, least, w * (1 + kWidthChangeMax)));
+      const double most_mm3 = kRowsMost * holds_mm3;
+      if (style_.pattern == SolidPattern::kRectilinear &&
+          laid_mm * bead_area_mm2(fitted, height_) > most_mm3) {
+        return fill_band(piece);
+      }
       for (Road& row : rows.roads) row.width = fitted;
     }
     add(std::move(rows.roads));
-    add(gap_fill_roads(gaps, height_, settings_));
+    add(std::move(between));
+  }
+
+  [[nodiscard]] double volume_mm3(const std::vector<Road>& roads) const {
+    double sum = 0;
+    for (const Road& road : roads) sum += core::volume_mm3(road, height_);
+    return sum;
   }
 
   void add(std::vector<Road> roads) {

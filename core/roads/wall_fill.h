@@ -3,7 +3,8 @@
 //     wide parts     parallel roads at the fill angle, joined at their ends (line_fill.h)
 //     bands          where at most four roads fit side by side: roads along the edges, because the
 //                    joins of short rows would lay far too much (concentric infill)
-//     gaps           what both leave: roads of fitting width (gap_fill.h)
+//     gaps           what both leave: roads of fitting width (gap_fill.h); the innermost roads
+//                    along the edges hold the rest
 //
 // Joins lay material where the rows that they connect have laid some already, and rows that end
 // before the edge lay too little there. Let s be the volume-true distance, c the depth at which
@@ -14,7 +15,8 @@
 // So a narrow piece gets rows a little farther apart, though never so far that beads don't touch. A
 // wide one gets rows at nearly the volume-true distance, with c near s / 2: it is as full in the
 // middle as at the edge. The roads' width makes up for the difference that is left: what is laid is
-// what the piece holds.
+// what the piece holds. Where rows are so short that they would lay kRowsMost of it even then, they
+// give way to roads along the edges, but not in tops and bottoms.
 #pragma once
 
 #include <vector>
@@ -25,6 +27,8 @@
 #include "core/units.h"           // LayerIndex, Length
 
 namespace core {
+
+inline constexpr double kRowsMost = 1.06;
 
 // COSTS: some offsets of each piece, for a band a boolean with the outlines of its roads, and a
 // medial axis of each gap.

@@ -60,17 +60,21 @@ double farthest_outside(const Region& region, const std::vector<Road>& roads) {
 
 TEST_CASE("a strip gets one road that holds what the strip holds") {
   const Region strip = test::region_from_text("0:0 10:0 10:0.3 0:0.3");
-  const std::vector<Road> roads = core::gap_fill_roads(strip, kHeight, Settings());
+  const std::vector<Road> roads = core::gap_fill_roads(strip, core::kBeadSeam, kHeight, Settings());
   REQUIRE_EQ(roads.size(), 1u);
   // Its round sides reach into what the roads beside it leave.
   const double side = kHeight.mm() * (1 - std::numbers::pi / 4) + core::kBeadSeam.mm();
   CHECK_EQ(roads[0].width.mm(), doctest::Approx(0.3 + side).epsilon(0.001));
+  const std::vector<Road> whole = core::gap_fill_roads(strip, Length(), kHeight, Settings());
+  REQUIRE_EQ(whole.size(), 1u);
+  CHECK_EQ((roads[0].width - whole[0].width).units(),
+           doctest::Approx(core::kBeadSeam.units()).epsilon(0.01));
   CHECK_GT(core::length_mm(roads[0]), 9.6);
 }
 
 TEST_CASE("a square too short for an axis gets a blot, a crumb nothing") {
   const auto roads = [](const char* text) {
-    return core::gap_fill_roads(test::region_from_text(text), kHeight, Settings());
+    return core::gap_fill_roads(test::region_from_text(text), core::kBeadSeam, kHeight, Settings());
   };
   CHECK_EQ(roads("0:0 0.45:0 0.45:0.4 0:0.4").size(), 1u);
   CHECK(roads("0:0 0.1:0 0.1:0.1 0:0.1").empty());
@@ -83,7 +87,8 @@ TEST_CASE("no road leads out of a crescent along its chord") {
       CAPTURE(thick);
       CAPTURE(half_angle);
       const Region region = crescent(9, thick, half_angle, 8);
-      const std::vector<Road> roads = core::gap_fill_roads(region, kHeight, Settings());
+      const std::vector<Road> roads =
+          core::gap_fill_roads(region, core::kBeadSeam, kHeight, Settings());
       roads_seen += static_cast<int>(roads.size());
       CHECK_LE(farthest_outside(region, roads), 100);
     }
@@ -99,7 +104,8 @@ TEST_CASE("random gaps: roads stay within them") {
   for (int i = 0; i < 60; ++i) {
     CAPTURE(i);
     const Region region = test::random_region(random, 60, 4);
-    const std::vector<Road> roads = core::gap_fill_roads(region, kHeight, Settings());
+    const std::vector<Road> roads =
+        core::gap_fill_roads(region, core::kBeadSeam, kHeight, Settings());
     roads_seen += roads.size();
     // Pieces are simplified by 10 µm before.
     CHECK_LE(farthest_outside(region, roads), 110);
