@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "core/booleans/boolean.h"          // clean
 #include "core/booleans/simplified.h"       // simplified
 #include "core/offsets/slice_offsets.h"     // OffsetCutter
 #include "core/offsets/voronoi_mountain.h"  // offset
@@ -24,6 +25,17 @@ double inside_density(double density, double whole_mm2, double inside_mm2) {
   return std::clamp(1 - (1 - density) * whole_mm2 / inside_mm2, kInsideDensityMin, 1.0);
 }
 
+// A hole goes with what lies in it.
+Region without_small_holes(const Region& region) {
+  constexpr double kDoubledUnits = 2 * kUnitsPerMm * kUnitsPerMm;
+  std::vector<Ring> rings;
+  for (const Ring& ring : region.rings()) {
+    const double mm2 = doubled_area_units(ring) / kDoubledUnits;
+    if (mm2 > 0 || mm2 <= -kRaftHoleMin_mm2) rings.push_back(ring);
+  }
+  return rings.size() == region.rings().size() ? region : clean(rings, FillRule::kPositive);
+}
+
 bool is_around(RoadKind kind) { return kind == RoadKind::kSkirt || kind == RoadKind::kBrim; }
 
 }  // namespace
@@ -35,8 +47,9 @@ double raft_density(const Settings& settings, LayerIndex layer) {
 
 Raft::Raft(const Region& first, const Settings& settings)
     : settings_(settings),
-      region_(simplified(offset(first, -settings.raft_expansion, settings.arc_tolerance),
-                         settings.simplify_tolerance)) {}
+      region_(without_small_holes(
+          simplified(offset(first, -settings.raft_expansion, settings.arc_tolerance),
+                     settings.simplify_tolerance))) {}
 
 // The layers are planned like those of a part with one perimeter.
 Settings Raft::settings_of(LayerIndex layer) const {

@@ -1,5 +1,5 @@
 // The raft: layers under the part that hold it on the bed and are torn off later. It covers the
-// part's first slice grown by raft_expansion:
+// part's first slice grown by raft_expansion, without holes smaller than kRaftHoleMin_mm2:
 //
 //     ═╪═╪═╪═╪═╪═   dense: the upper half of the layers, but not the first
 //     │  │  │  │    sparse: the layers under them, half full
@@ -22,6 +22,9 @@ namespace core {
 // What sparse layers between the first and the dense ones hold.
 inline constexpr double kRaftSparseDensity = 0.5;
 
+// Rows that end at every small hole cost more travel than what the holes save.
+inline constexpr double kRaftHoleMin_mm2 = 25;
+
 // The share of the raft's layer that is filled. REQUIRES: 0 <= layer < raft_layers.
 [[nodiscard]] double raft_density(const Settings& settings, LayerIndex layer);
 
@@ -35,7 +38,7 @@ class Raft {
   // `first`: the part's first slice. COSTS: an offset. REQUIRES: settings in their ranges.
   Raft(const Region& first, const Settings& settings);
 
-  // ENSURES: no bead leaves the grown slice by more than 0.035 mm, but for skirt and brim; what is
+  // ENSURES: no bead leaves that region by more than 0.035 mm, but for skirt and brim; what is
   // laid is the layer's share of its volume. COSTS: as the perimeters and the fill of one layer.
   // REQUIRES: 0 <= layer < raft_layers.
   [[nodiscard]] RaftLayer layer(LayerIndex layer) const;
