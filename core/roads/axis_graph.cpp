@@ -69,6 +69,45 @@ std::vector<std::uint32_t> merged_vertices(const std::vector<VoronoiVertex>& ver
   return into;
 }
 
+// The diagram between merged vertices. Spurs that meet in one node leave it together, as from one
+// fork: those of a disc would all go otherwise, and leave it without an axis.
+VoronoiDiagram joined(const VoronoiDiagram& diagram, const std::vector<std::uint32_t>& merged) {
+  VoronoiDiagram result{{}, diagram.vertices, diagram.edges};
+  for (VoronoiEdge& edge : result.edges) {
+    if (edge.from != VoronoiEdge::kInfinity) edge.from = merged[edge.from];
+  }
+  for (std::uint32_t i = 0; i < result.edges.size(); ++i) {
+    if (result.edges[i].from == result.to(i)) result.edges[i].primary = false;
+  }
+  return result;
+}
+
+struct AxisHalves {
+  std::vector<std::uint32_t> all;     // one of each edge's
+  std::vector<std::uint8_t> central;  // by half
+};
+
+AxisHalves ridge_of(const VoronoiDiagram& diagram, double open_height, const Beading& beading) {
+  Ridge ridge(diagram, open_height);
+  AxisHalves halves{ridge.edges(), std::vector<std::uint8_t>(diagram.edges.size(), 0)};
+  ridge.drop_spurs(
+      {kCornerReach, beading.radius_of(beading.room_min()), kFlatMax * beading.spacing()});
+  for (const std::uint32_t edge : ridge.edges()) halves.central[edge] = 1;
+  return halves;
+}
+
+// Where a spur is lower than every bead no line meets it, and one edge is enough.
+void drop_low_stops(const AxisCurve& curve, double depth_min, std::vector<double>& stops) {
+  const auto low = [&](std::size_t i) { return curve.at(stops[i]).radius < depth_min; };
+  std::size_t kept = 1;
+  for (std::size_t i = 1; i + 1 < stops.size(); ++i) {
+    if (low(i - 1) && low(i) && low(i + 1)) continue;
+    stops[kept++] = stops[i];
+  }
+  stops[kept++] = stops.back();
+  stops.resize(kept);
+}
+
 }  // namespace
 
 std::optional<AxisGraph> AxisGraph::make(const std::vector<Ring>& rings, const Beading& beading) {
@@ -102,18 +141,16 @@ std::uint32_t AxisGraph::split(std::uint32_t edge, double share) {
 }
 
 bool AxisGraph::add_edges(const VoronoiDiagram& diagram, double clearance, const Beading& beading) {
+  const std::vector<std::uint32_t> merged = merged_vertices(diagram.vertices);
+  const auto [all, central] = ridge_of(joined(diagram, merged), clearance - kOpenSlack, beading);
+  const std::size_t stops_expected = all.size() / 2;
+  edges_.reserve(all.size() + stops_expected);
+  nodes_.reserve(diagram.vertices.size() + stops_expected);
   for (const VoronoiVertex& vertex : diagram.vertices) {
     nodes_.push_back({{vertex.x, vertex.y},
                       std::max(0.0, vertex.height),
                       vertex.height >= clearance - kOpenSlack});
   }
-  Ridge ridge(diagram, clearance - kOpenSlack);
-  const std::vector<std::uint32_t> all = ridge.edges();
-  ridge.drop_spurs(
-      {kCornerReach, beading.radius_of(beading.room_min()), kFlatMax * beading.spacing()});
-  std::vector<std::uint8_t> central(diagram.edges.size(), 0);
-  for (const std::uint32_t edge : ridge.edges()) central[edge] = 1;
-  const std::vector<std::uint32_t> merged = merged_vertices(diagram.vertices);
   std::vector<double> stops;
   for (const std::uint32_t half : all) {
     const VoronoiSite& left = diagram.site_of(half);
@@ -124,6 +161,7 @@ bool AxisGraph::add_edges(const VoronoiDiagram& diagram, double clearance, const
     if (edge.left == ContourSites::kNone || edge.right == ContourSites::kNone) return false;
     const AxisCurve curve(diagram, half);
     curve.find_stops(0, 0, stops);
+    if (!edge.central) drop_low_stops(curve, beading.depth_min(), stops);
     const std::uint32_t last = edge.to;
     for (std::size_t i = 1; i < stops.size(); ++i) {
       edge.to = last;

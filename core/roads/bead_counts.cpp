@@ -155,8 +155,8 @@ class Counts {
 void set_states(AxisGraph& graph) {
   for (AxisEdge& edge : graph.edges()) {
     if (!edge.central) continue;
-    edge.states[0] = {edge.count, graph.nodes()[edge.from].radius};
-    edge.states[1] = {edge.count, graph.nodes()[edge.to].radius};
+    edge.states[0] = {edge.count, 0, graph.nodes()[edge.from].radius};
+    edge.states[1] = {edge.count, 0, graph.nodes()[edge.to].radius};
   }
 }
 
@@ -226,8 +226,8 @@ class Transitions {
   [[nodiscard]] bool moves(std::uint32_t node, int from, int to) const {
     const double radius = graph_.nodes()[node].radius;
     for (int level = 1; level <= std::min(beading_.levels(from), beading_.levels(to)); ++level) {
-      const double a = beading_.bead(level, {from, radius}).depth;
-      const double b = beading_.bead(level, {to, radius}).depth;
+      const double a = beading_.bead(level, {from, 0, radius}).depth;
+      const double b = beading_.bead(level, {to, 0, radius}).depth;
       if (std::abs(a - b) > 1) return true;
     }
     return false;
@@ -265,7 +265,7 @@ class Transitions {
     const std::uint32_t node = graph_.split(step.edge, at);
     const auto rest = static_cast<std::uint32_t>(graph_.edges().size()) - 1;
     rests_[step.edge] = rest;
-    const BeadState state{graph_.edges()[step.edge].count, graph_.nodes()[node].radius};
+    const BeadState state{graph_.edges()[step.edge].count, 0, graph_.nodes()[node].radius};
     graph_.edges()[step.edge].states[1] = graph_.edges()[rest].states[0] = state;
     set({forward ? step.edge : rest, step.node}, count, 1 - done / length, 0);
   }
@@ -284,7 +284,7 @@ void inherit_states(const Beading& beading, AxisGraph& graph) {
   std::vector<std::uint32_t> queue;
   for (std::uint32_t node = 0; node < graph.nodes().size(); ++node) {
     BeadState& state = states[node];
-    if (graph.nodes()[node].open) state = {beading.wide(), graph.nodes()[node].radius};
+    if (graph.nodes()[node].open) state = {beading.wide(), 0, graph.nodes()[node].radius};
     for (const std::uint32_t* i = at.begin(node); i != at.end(node); ++i) {
       const AxisEdge& edge = graph.edges()[*i];
       if (edge.central) state = edge.states[edge.from == node ? 0 : 1];

@@ -138,7 +138,7 @@ class Walk {
   // At a wide place's depth, from site to site.
   void add_open(const BeadSpan& span) {
     const ContourSites& sites = graph_.sites();
-    const Bead bead = beading_.bead(level_, {beading_.wide(), 0});
+    const Bead bead = beading_.bead(level_, {beading_.wide(), 0, 0});
     const std::uint32_t ring_start = sites.starts()[ring_], ring_end = sites.starts()[ring_ + 1];
     const bool whole = span.from == BeadSpan::kOpen;
     bool first = true, going_round = span.round;

@@ -39,12 +39,12 @@ struct BeadSpan {
   static constexpr std::uint32_t kOpen = UINT32_MAX;
 
   std::uint32_t edge = kOpen;
-  bool forward = true;     // as the edge goes
   std::uint32_t site = 0;  // contour sites from this one
   std::uint32_t last = 0;  // to this one
   std::uint32_t from = 0;  // nodes at the ends; kOpen: the span is a whole ring
   std::uint32_t to = 0;
-  bool round = false;  // all round, back to the site where it starts
+  bool forward = true;  // as the edge goes
+  bool round = false;   // all round, back to the site where it starts
 };
 
 class BeadSpans {

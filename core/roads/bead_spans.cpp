@@ -11,8 +11,8 @@ constexpr double kCornerRadius = 8;
 
 // A side of an edge, and how far along its site the edge is touched from there.
 struct Side {
-  std::uint32_t site = 0;
   double along = 0;
+  std::uint32_t site = 0;
   std::uint32_t edge = 0;
   bool forward = true;
 };
@@ -24,8 +24,8 @@ std::vector<Side> sides_in_order(const AxisGraph& graph) {
     const AxisEdge& edge = graph.edges()[i];
     const Vector middle = (graph.nodes()[edge.from].at + graph.nodes()[edge.to].at) * 0.5;
     // A cell lies on the left of its border, and the contour goes the other way.
-    sides.push_back({edge.left, graph.sites().parameter(edge.left, middle), i, false});
-    sides.push_back({edge.right, graph.sites().parameter(edge.right, middle), i, true});
+    sides.push_back({graph.sites().parameter(edge.left, middle), edge.left, i, false});
+    sides.push_back({graph.sites().parameter(edge.right, middle), edge.right, i, true});
   }
   std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
     return std::tie(a.site, a.along, a.edge, a.forward) <
@@ -39,14 +39,15 @@ std::vector<Side> sides_in_order(const AxisGraph& graph) {
 BeadSpans::BeadSpans(const AxisGraph& graph) {
   const std::vector<std::uint32_t>& rings = graph.sites().starts();
   const std::vector<Side> sides = sides_in_order(graph);
+  spans_.reserve(sides.size() + rings.size());
   auto side = sides.begin();
   for (std::size_t ring = 0; ring + 1 < rings.size(); ++ring) {
     starts_.push_back(spans_.size());
     for (; side != sides.end() && side->site < rings[ring + 1]; ++side) {
       const AxisEdge& edge = graph.edges()[side->edge];
       add(graph,
-          {side->edge, side->forward, side->site, side->site, side->forward ? edge.from : edge.to,
-           side->forward ? edge.to : edge.from},
+          {side->edge, side->site, side->site, side->forward ? edge.from : edge.to,
+           side->forward ? edge.to : edge.from, side->forward},
           ring);
     }
     close(graph, ring);
@@ -65,7 +66,7 @@ void BeadSpans::join(const AxisGraph& graph, BeadSpan before, BeadSpan span) {
   const AxisNode& start = graph.nodes()[span.from];
   if (before.to == span.from) return;
   if (end.open && start.open) {
-    spans_.push_back({BeadSpan::kOpen, true, before.last, span.site, before.to, span.from});
+    spans_.push_back({BeadSpan::kOpen, before.last, span.site, before.to, span.from});
   } else if (end.radius > kCornerRadius || start.radius > kCornerRadius) {
     sound_ = false;
   }
@@ -73,7 +74,7 @@ void BeadSpans::join(const AxisGraph& graph, BeadSpan before, BeadSpan span) {
 
 void BeadSpans::close(const AxisGraph& graph, std::size_t ring) {
   if (spans_.size() == starts_[ring]) {
-    spans_.push_back({BeadSpan::kOpen, true, graph.sites().starts()[ring],
+    spans_.push_back({BeadSpan::kOpen, graph.sites().starts()[ring],
                       graph.sites().starts()[ring + 1] - 1, BeadSpan::kOpen, BeadSpan::kOpen});
     return;
   }

@@ -20,6 +20,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 
 #include "core/settings.h"  // Settings
 #include "core/units.h"     // Length
@@ -45,10 +46,10 @@ inline constexpr double kTransitionLength = 1;
 
 // What decides the beading at one point of the axis. Units.
 struct BeadState {
-  int count = 0;
-  double radius = 0;  // where the beads' shares are taken: on the axis, its own
-  int toward = 0;     // the count that the beads are on the way to
-  double share = 0;   // how far they are: 0 … 1
+  std::int32_t count = 0;
+  std::int32_t toward = 0;  // the count that the beads are on the way to
+  double radius = 0;        // where the beads' shares are taken: on the axis, its own
+  double share = 0;         // how far they are: 0 … 1
 };
 
 // A bead's centre line below the contour, and its share of the room. Units.
@@ -84,6 +85,8 @@ class Beading {
   // Pairs of lines along the contours. A wide place has one more: the interior's edge.
   [[nodiscard]] int levels(int count) const;
   [[nodiscard]] Bead bead(int level, const BeadState& state) const;
+  // No pair's bead lies nearer to the contour.
+  [[nodiscard]] double depth_min() const { return rim_ / 2 + spacing_ * 3 / 8; }
   // Whether there is a bead along the axis.
   [[nodiscard]] bool has_centre(int count) const { return count < wide() && count % 2 == 1; }
   // The room between the pairs of an odd count, at least room_min().

@@ -103,6 +103,8 @@ Perimeters perimeters(IslandOffsets island, Length height, const Settings& setti
   std::optional<BeadSpans> spans;
   if (graph) spans.emplace(*graph);
   if (!graph || !spans->sound()) {
+    spans.reset();
+    graph.reset();
     const Region parted =
         flatten(PolygonOffsetter().offset(island.region, kPartTouching), settings.arc_tolerance);
     graph = beaded_axis(parted, beading);

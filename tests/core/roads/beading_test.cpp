@@ -24,7 +24,7 @@ Beading beading_of(int perimeters) {
 std::vector<Bead> beads_at(const Beading& beading, int count, double radius) {
   std::vector<Bead> beads;
   for (int level = 1; level <= count / 2; ++level) {
-    beads.push_back(beading.bead(level, {count, radius}));
+    beads.push_back(beading.bead(level, {count, 0, radius}));
   }
   if (beading.has_centre(count)) beads.push_back({radius, beading.centre_room(count, radius)});
   return beads;
@@ -70,8 +70,9 @@ TEST_CASE("a count's limits are where it begins") {
 TEST_CASE("a transition goes from one beading to the other") {
   const Beading beading = beading_of(2);
   const double radius = beading.radius_of(2.5 * beading.spacing());
-  const double two = beading.bead(1, {2, radius}).depth, three = beading.bead(1, {3, radius}).depth;
+  const double two = beading.bead(1, {2, 0, radius}).depth,
+               three = beading.bead(1, {3, 0, radius}).depth;
   CHECK_GT(two, three);
-  CHECK_EQ(beading.bead(1, {2, radius, 3, 1}).depth, doctest::Approx(three));
-  CHECK_EQ(beading.bead(1, {2, radius, 3, 0.5}).depth, doctest::Approx((two + three) / 2));
+  CHECK_EQ(beading.bead(1, {2, 3, radius, 1}).depth, doctest::Approx(three));
+  CHECK_EQ(beading.bead(1, {2, 3, radius, 0.5}).depth, doctest::Approx((two + three) / 2));
 }

@@ -157,6 +157,20 @@ TEST_CASE("rings of any width hold what is laid, by closed roads alone") {
   }
 }
 
+TEST_CASE("discs of any size are filled") {
+  for (const int corners : {24, 48, 96}) {
+    for (double radius = 0.35; radius < 1.6; radius += 0.05) {
+      CAPTURE(corners);
+      CAPTURE(radius);
+      const Region region = Region::from_clean_rings({circle(radius, corners, false)});
+      const Perimeters planned = plan(region);
+      CHECK_LT(cover_of(region, planned, 0.02).open, 0.15);
+      CHECK_LT(ratio(region, planned), 1.25);
+      CHECK_LT(test::sticks_out_mm(region, planned.roads), 0.003);
+    }
+  }
+}
+
 TEST_CASE("places that narrow, meet and end are filled once") {
   const char* shapes[] = {
       "0:0 30:0 30:3",                                            // a wedge
