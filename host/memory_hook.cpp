@@ -1,6 +1,4 @@
 // The program's own operator new and delete, which count memory (memory_budget.h).
-#include <malloc.h>
-
 #include <cstdlib>
 #include <new>
 
@@ -9,7 +7,7 @@
 void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept {
   if (!host::memory_allowed(bytes)) return nullptr;
   void* memory = std::malloc(bytes > 0 ? bytes : 1);
-  if (memory != nullptr) host::memory_taken(malloc_usable_size(memory));
+  if (memory != nullptr) host::memory_taken(memory);
   return memory;
 }
 
@@ -22,7 +20,7 @@ void* operator new[](std::size_t bytes) { return operator new(bytes); }
 
 void operator delete(void* memory) noexcept {
   if (memory == nullptr) return;
-  host::memory_given_back(malloc_usable_size(memory));
+  host::memory_given_back(memory);
   std::free(memory);
 }
 

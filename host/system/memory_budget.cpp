@@ -40,6 +40,10 @@ void settle(std::int64_t bytes) noexcept {
   t_unsettled = 0;
 }
 
+bool has_limit() { return g_limit.load(std::memory_order_relaxed) != 0; }
+
+std::int64_t size_of(void* memory) { return static_cast<std::int64_t>(malloc_usable_size(memory)); }
+
 double megabytes(std::int64_t bytes) { return static_cast<double>(bytes) * 1e-6; }
 
 }  // namespace
@@ -69,14 +73,16 @@ bool memory_allowed(std::size_t bytes) noexcept {
   return false;
 }
 
-void memory_taken(std::size_t bytes) noexcept {
+void memory_taken(void* memory) noexcept {
   ++t_allocations;
-  settle(static_cast<std::int64_t>(bytes));
+  if (has_limit()) settle(size_of(memory));
 }
 
 std::int64_t thread_allocations() noexcept { return t_allocations; }
 
-void memory_given_back(std::size_t bytes) noexcept { settle(-static_cast<std::int64_t>(bytes)); }
+void memory_given_back(void* memory) noexcept {
+  if (has_limit()) settle(-size_of(memory));
+}
 
 std::string memory_refusal() {
   const std::int64_t limit = g_limit.exchange(0), refused = g_refused.load();
