@@ -81,6 +81,7 @@ class Order {
     std::size_t best_last = 0;
     for (std::size_t last = first; last < std::min(stops_.size(), first + kOrderReach); ++last) {
       const double now = to_first + way(stops_[last].end, last + 1);
+      if (now <= best) continue;
       const double turned = cost_mm(before, stops_[last].end) + way(stops_[first].begin, last + 1);
       if (now - turned <= best) continue;
       best = now - turned;
@@ -106,8 +107,10 @@ class Order {
       if (at >= first && at <= after) continue;
       const Point left = stops_[at - 1].end;
       const double gain = freed + way(left, at);
-      const double straight = gain - cost_mm(left, begin) - way(end, at);
-      const double turned = gain - cost_mm(left, end) - way(begin, at);
+      if (gain <= best) continue;
+      const double to_begin = gain - cost_mm(left, begin), to_end = gain - cost_mm(left, end);
+      if (std::max(to_begin, to_end) <= best) continue;
+      const double straight = to_begin - way(end, at), turned = to_end - way(begin, at);
       if (std::max(straight, turned) <= best) continue;
       best = std::max(straight, turned);
       best_at = at;

@@ -17,6 +17,12 @@ namespace {
 // Contours farther away don't matter, in widths of a road.
 constexpr double kSightWidths = 2;
 
+// A place and its depth, in units.
+struct SeenFrom {
+  Point point;
+  double depth = 0;
+};
+
 // A contour seen from a place: how far, and on which side. Nothing where none is within sight.
 class DepthBelow {
  public:
@@ -24,11 +30,11 @@ class DepthBelow {
       : below_(below),
         sight_(static_cast<double>(sight.units())),
         edges_(edges_of(below.rings())),
-        grid_(sight, edges_) {}
+        grid_(Length::from_units(1 + sight.units() / kCellsInSight), edges_) {}
 
-  // In units; positive inside. `before`: the depth of a place nearer than sight, if there is one.
-  [[nodiscard]] double at(Point point, std::optional<double> before) {
-    const auto reach = static_cast<std::int32_t>(sight_);
+  // In units; positive inside. `before`: a place nearer than sight, if there is one.
+  [[nodiscard]] double at(Point point, std::optional<SeenFrom> before) {
+    const auto reach = static_cast<std::int32_t>(reach_from(point, before));
     near_.clear();
     grid_.collect({{point.x - reach, point.y - reach}, {point.x + reach, point.y + reach}}, near_);
     const Vector p = to_vector(point);
@@ -55,11 +61,48 @@ class DepthBelow {
     return dot(p - nearest, inwards) >= 0 ? away : -away;
   }
 
+  // Whether all contours are surely farther than `reach` from all of the line.
+  [[nodiscard]] bool clear_of(const Segment& line, double reach) {
+    const auto r = static_cast<std::int32_t>(reach) + 1;
+    Box box = box_of(line);
+    box.min = {box.min.x - r, box.min.y - r};
+    box.max = {box.max.x + r, box.max.y + r};
+    near_.clear();
+    grid_.collect(box, near_);
+    return std::all_of(near_.begin(), near_.end(), [&](std::uint32_t number) {
+      const Segment& edge = edges_[number];
+      return farther(line.from, edge, reach) && farther(line.to, edge, reach) &&
+             farther(edge.from, line, reach) && farther(edge.to, line, reach) && !cross(line, edge);
+    });
+  }
+
  private:
   static constexpr double kSame = 1e-3;  // square units
+  static constexpr std::int64_t kCellsInSight = 4;
 
-  [[nodiscard]] bool inside(Point point, std::optional<double> before) const {
-    return before ? *before >= 0 : below_.contains(point);
+  [[nodiscard]] bool inside(Point point, const std::optional<SeenFrom>& before) const {
+    return before ? before->depth >= 0 : below_.contains(point);
+  }
+
+  // How far the nearest contour can be: no farther than it was, and the way from there.
+  [[nodiscard]] double reach_from(Point point, const std::optional<SeenFrom>& before) const {
+    if (!before || std::abs(before->depth) >= sight_) return sight_;
+    return std::min(sight_, std::abs(before->depth) + distance_units(before->point, point) + 1);
+  }
+
+  static bool farther(Point point, const Segment& line, double reach) {
+    const Vector away = to_vector(point) - to_vector(line.from);
+    const Vector along = to_vector(line.to) - to_vector(line.from);
+    const Vector off = away - along * share_along(away, along);
+    return dot(off, off) > reach * reach;
+  }
+
+  // For lines whose ends lie on neither.
+  static bool cross(const Segment& a, const Segment& b) {
+    const auto left = [](const Segment& line, Point point) {
+      return core::cross(line.from, line.to, point) > 0;
+    };
+    return left(a, b.from) != left(a, b.to) && left(b, a.from) != left(b, a.to);
   }
 
   const Region& below_;
@@ -89,7 +132,7 @@ double slack(double depth, double width) {
 std::vector<Place> places_of(const Road& road, DepthBelow& below) {
   const auto step = static_cast<double>(kHoldStep.units());
   std::vector<Place> places;
-  std::optional<double> depth;
+  std::optional<SeenFrom> seen;
   const std::size_t count = road.points.size();
   for (std::size_t i = 0; i < (road.closed ? count : count - 1); ++i) {
     const std::size_t j = (i + 1) % count;
@@ -101,9 +144,10 @@ std::vector<Place> places_of(const Road& road, DepthBelow& below) {
       const Point point = way == 0 ? from : between(from, to, t);
       const Length width = Length::from_mm(a + (b - a) * t);
       const auto w = static_cast<double>(width.units());
-      depth = below.at(point, depth);
-      places.push_back({point, width, hold_of(0.5 + *depth / w), way == 0});
-      way += std::max(step, slack(*depth, w));
+      const double depth = below.at(point, seen);
+      seen = {point, depth};
+      places.push_back({point, width, hold_of(0.5 + depth / w), way == 0});
+      way += std::max(step, slack(depth, w));
     }
   }
   if (!road.closed) places.push_back({road.points.back(), width_at(road, count - 1), {}, true});
@@ -156,7 +200,21 @@ void smooth(std::vector<Place>& places, bool closed, double shortest_mm) {
   }
 }
 
+// Most roads are: this is told piece by piece instead of place by place.
+bool surely_whole(const Road& road, DepthBelow& below) {
+  const auto widest_units = static_cast<double>(widest(road).units());
+  // Places lie on the grid.
+  const double reach = (kWhollyHeldShare - 0.5) * widest_units + 2;
+  if (below.at(road.points.front(), std::nullopt) <= reach) return false;
+  const std::size_t count = road.points.size();
+  for (std::size_t i = 0; i < (road.closed ? count : count - 1); ++i) {
+    if (!below.clear_of({road.points[i], road.points[(i + 1) % count]}, reach)) return false;
+  }
+  return true;
+}
+
 void mark(DepthBelow& below, Road& road) {
+  if (surely_whole(road, below)) return;
   std::vector<Place> places = places_of(road, below);
   smooth(places, road.closed, road.width.mm());
   const std::size_t stretches = road.closed ? places.size() : places.size() - 1;

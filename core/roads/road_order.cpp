@@ -143,7 +143,9 @@ std::vector<Road> printing_order(LayerRoads layer) {
     return ordered;
   }
   std::vector<NearestPoint::Entry> entries;
+  std::size_t roads = ordered.size();
   for (std::size_t island = 0; island < layer.islands.size(); ++island) {
+    roads += layer.islands[island].size();
     for (const Road& road : layer.islands[island]) {
       for (std::size_t i = 0; i < road.points.size(); ++i) {
         entries.push_back({road.points[i], island, i});
@@ -151,6 +153,7 @@ std::vector<Road> printing_order(LayerRoads layer) {
     }
   }
   NearestPoint islands_left(std::move(entries));
+  ordered.reserve(roads);
   while (const auto next = islands_left.nearest(at)) {
     islands_left.remove_owner(next->owner);
     append_in_stages(std::move(layer.islands[next->owner]), layer.outer_first, at, ordered);

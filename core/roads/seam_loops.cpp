@@ -173,6 +173,8 @@ LayerSeams seam_loops(const SplitLayer& layer, const LayerRoads& roads) {
     }
   }
   add_followers(roads, seams);
+  seams.loops.shrink_to_fit();
+  seams.followers.shrink_to_fit();
   return seams;
 }
 

@@ -38,17 +38,27 @@ Region without_small_islands(const Region& region, double area_min_mm2) {
   return Region::from_clean_rings(std::move(kept));
 }
 
+// Adds those of one island. What holds no disc is one as a whole.
+void add_tongues(const Region& island, Length radius, Length arc_tolerance,
+                 std::vector<Ring>& tongues) {
+  const Region core = offset(island, radius, arc_tolerance);
+  if (core.empty()) {
+    tongues.insert(tongues.end(), island.rings().begin(), island.rings().end());
+    return;
+  }
+  const Length reach = Length::from_mm(kCornerReach * radius.mm());
+  if (stays_near(island, core, reach, Length::from_mm(kSampleShare * reach.mm()))) return;
+  for (Island& lost : islands(subtract(island, offset(core, -radius, arc_tolerance)))) {
+    if (is_corner_bit(lost, radius)) continue;
+    append_rings(std::move(lost), tongues);
+  }
+}
+
 Region without_tongues(const Region& loose, Length width_min, Length arc_tolerance) {
   const Length radius = Length::from_units(width_min.units() / 2);
-  const Region core = offset(loose, radius, arc_tolerance);
-  if (core.empty()) return {};
-  const Length reach = Length::from_mm(kCornerReach * radius.mm());
-  if (stays_near(loose, core, reach, Length::from_mm(kSampleShare * reach.mm()))) return loose;
-  const Region lost = subtract(loose, offset(core, -radius, arc_tolerance));
   std::vector<Ring> tongues;
-  for (Island& island : islands(lost)) {
-    if (is_corner_bit(island, radius)) continue;
-    append_rings(std::move(island), tongues);
+  for (Island& island : islands(loose)) {
+    add_tongues(region_of(std::move(island)), radius, arc_tolerance, tongues);
   }
   return subtract(loose, Region::from_clean_rings(std::move(tongues)));
 }

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <cstdint>
+#include <string>
 
 #include "core/booleans/boolean.h"
 #include "core/regions/region.h"
@@ -40,6 +41,16 @@ TEST_CASE("crumbs become solid") {
            2);
   CHECK(core::regularise_loose(test::region_from_text("0:0 5:0 5:0.8 0:0.8"), kOptions).empty());
   CHECK(core::regularise_loose(Region(), kOptions).empty());
+}
+
+TEST_CASE("each island is looked at by itself") {
+  const char* const tongue = "0:0 5:0 5:2 9:2 9:2.5 5:2.5 5:5 0:5";
+  const char* const others = "20:0 25:0 25:5 20:5, 30:0 30.95:0 30.95:0.95 30:0.95";
+  const Region alone = core::regularise_loose(test::region_from_text(tongue), kOptions);
+  const Region square = test::region_from_text("20:0 25:0 25:5 20:5");
+  const Region all =
+      core::regularise_loose(test::region_from_text(std::string(tongue) + ", " + others), kOptions);
+  CHECK_EQ(all, core::unite(alone, square));
 }
 
 TEST_CASE("zeros leave everything as it is") {
