@@ -50,6 +50,9 @@ enum class FuzzySkin { kNone, kOuter, kAll };
 // Whose commands a file has for what firmwares spell in different ways.
 enum class GcodeFlavor { kMarlin, kKlipper, kRepRapFirmware };
 
+// What supports may stand on.
+enum class SupportPlace { kOff, kBed, kEverywhere };
+
 // Which contours of the first layer get a brim.
 enum class BrimPlace { kOuter, kBoth, kInner };
 
@@ -113,10 +116,27 @@ struct Settings {
   int raft_layers = 0;                                       // 0: none
   Length raft_expansion = Length::from_units(15'000);        // beyond the first slice
   Length raft_contact_distance = Length::from_units(1'000);  // between the raft and the part
-  double raft_first_layer_density = 0.9;                     // share of its area
+  double raft_first_layer_density = 0.9;                     // share of its area; of supports', too
+
+  // Supports, torn off later (supports/support_fold.h).
+  SupportPlace supports = SupportPlace::kOff;
+  int support_top_gap_layers = 1;     // between a support and what it holds
+  int support_bottom_gap_layers = 1;  // between a support and what it stands on
+  Length support_xy_distance = Length::from_units(4'000);
+  int support_interface_layers = 2;         // the topmost layers are dense
+  int support_bottom_interface_layers = 2;  // over the part, the lowest ones
+  Length support_spacing = Length::from_units(25'000);           // between two roads
+  Length support_interface_spacing = Length::from_units(2'000);  // likewise, where it is dense
+  double support_angle_degrees = 45;  // of its roads; of dense layers across them
+  Length support_width;               // of its roads; 0: road_width
+  double support_flow = 1;
+  double support_interface_flow = 1;
+  Length support_base_expansion = Length::from_units(10'000);  // on the bed
+  double support_area_min_mm2 = 0.5;  // of what hangs; smaller pieces are left alone
+  Length support_section_min = Length::from_units(20'000);  // under an island
 
   // Bridges and overhangs.
-  double overhang_angle_degrees = 45;               // from the vertical; steeper is told
+  double overhang_angle_degrees = 45;               // from the vertical; steeper is told, or held
   Length bridge_max = Length::from_units(100'000);  // longer spans are told
   double bridge_flow = 1;
   double internal_bridge_flow = 1;
@@ -150,6 +170,8 @@ struct Settings {
   double rest_speed_mm_s = 40;
   double top_speed_mm_s = 40;
   double ironing_speed_mm_s = 15;
+  double support_speed_mm_s = 60;
+  double support_interface_speed_mm_s = 45;
   double bridge_speed_mm_s = 30;
   double internal_bridge_speed_mm_s = 40;
   std::array<double, kOverhangSteps> overhang_speed_mm_s{60, 45, 30, 20};  // 0: no difference
@@ -215,6 +237,7 @@ struct Settings {
   bool cool_short_layers = true;
   double fan_share = 1;
   double bridge_fan_share = 1;
+  double support_interface_fan_share = 0;  // 0: no difference
   std::array<double, kOverhangSteps> overhang_fan_share{1, 1, 1, 1};
   double fan_share_min = 1;
   bool fan_always_on = true;

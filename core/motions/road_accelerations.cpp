@@ -42,6 +42,8 @@ double own_acceleration(const Settings& s, RoadKind kind) {
     case RoadKind::kBrim:
     case RoadKind::kGapFill:
     case RoadKind::kRaft:
+    case RoadKind::kSupport:
+    case RoadKind::kSupportInterface:
       break;
   }
   return 0;

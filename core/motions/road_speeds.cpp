@@ -29,6 +29,10 @@ double speed_of_kind(const Settings& settings, RoadKind kind) {
       return settings.top_speed_mm_s;
     case RoadKind::kIroning:
       return settings.ironing_speed_mm_s;
+    case RoadKind::kSupport:
+      return settings.support_speed_mm_s;
+    case RoadKind::kSupportInterface:
+      return settings.support_interface_speed_mm_s;
     case RoadKind::kSolid:
     case RoadKind::kBottomSolid:
     case RoadKind::kRaft:
@@ -74,6 +78,7 @@ double fan_share_least(const Settings& settings, RoadKind kind, Hold hold) {
   if (kind == RoadKind::kBridge || kind == RoadKind::kInternalBridge) {
     return settings.bridge_fan_share;
   }
+  if (kind == RoadKind::kSupportInterface) return settings.support_interface_fan_share;
   return hold == Hold::kWhole ? 0 : settings.overhang_fan_share[step_of(hold)];
 }
 

@@ -29,6 +29,23 @@ Region grown(const Region& region, Length by, const Settings& settings) {
   return offset(region, -by, settings.arc_tolerance * 2);
 }
 
+// Holes of the slice whose contour hangs in the air, with the perimeters round them.
+Region holes_in_air(const BridgeSite& site, const Region& around, const Settings& settings) {
+  std::vector<Ring> holes;
+  const Box box = around.box();
+  const PointLocation below(site.below);
+  for (const Ring& ring : site.slice.rings()) {
+    if (doubled_area_units(ring) > 0 || !box.overlaps(box_of(ring))) continue;
+    const bool held =
+        std::any_of(ring.begin(), ring.end(), [&](Point p) { return below.contains(p); });
+    if (held) continue;
+    holes.emplace_back(ring.rbegin(), ring.rend());
+  }
+  if (holes.empty()) return {};
+  const Length band = perimeter_depth(settings, site.height, settings.perimeters) + settings.road_width;
+  return grown(clean(holes, FillRule::kNonZero), band, settings);
+}
+
 class BridgePlanner {
  public:
   BridgePlanner(const BridgeSite& site, Region wall, const Settings& settings)
@@ -47,27 +64,9 @@ class BridgePlanner {
 
  private:
   void over_air() {
-    const Length reach = scaled(width_, kBridgeReachWidths);
-    const Region air = intersect(unheld(site_.slice, site_.below, reach), result_.rest);
-    if (air.empty()) return;
-    const Length half = scaled(width_, 0.5);
-    const Region core = offset(air, half, settings_.arc_tolerance);
-    if (core.empty()) return;
-    const Length diameter = bridge_width(settings_, site_.height);
-    const Region region = intersect(grown(core, half + reach + anchor_, settings_), result_.rest);
-    const Region around = grown(core, half + reach + anchor_ * 2 + width_, settings_);
-    const Region room = intersect(site_.room, around), held = intersect(site_.below, around);
-    const Region holes = holes_in_air(around);
     std::vector<Ring> covered;
-    for (Island& island : islands(region)) {
-      const Region piece = region_of(std::move(island));
-      const Box box = piece.box();
-      const BridgeArea area{piece, rings_near(room, box), rings_near(held, box),
-                            rings_near(holes, box), width_};
-      const BridgeRows rows =
-          bridge_rows(area, best_direction(area, diameter, kBridgeTrials), diameter);
-      if (rows.laid_spans_mm <= rows.cut_spans_mm) continue;
-      lay(rows, area, RoadKind::kBridge, diameter, covered);
+    for (const AirBridge& bridge : air_bridges(site_, result_.rest, settings_)) {
+      if (bridge.holds()) lay(bridge.rows, bridge.area, RoadKind::kBridge, air_width(), covered);
     }
     take(std::move(covered));
   }
@@ -118,22 +117,7 @@ class BridgePlanner {
     return walls_hold && mean_mm < distance.mm() / density ? shortest : across;
   }
 
-  // Holes of the slice whose contour hangs in the air, with the perimeters round them.
-  [[nodiscard]] Region holes_in_air(const Region& around) const {
-    std::vector<Ring> holes;
-    const Box box = around.box();
-    const PointLocation below(site_.below);
-    for (const Ring& ring : site_.slice.rings()) {
-      if (doubled_area_units(ring) > 0 || !box.overlaps(box_of(ring))) continue;
-      const bool held =
-          std::any_of(ring.begin(), ring.end(), [&](Point p) { return below.contains(p); });
-      if (held) continue;
-      holes.emplace_back(ring.rbegin(), ring.rend());
-    }
-    if (holes.empty()) return {};
-    const Length band = perimeter_depth(settings_, site_.height, settings_.perimeters) + width_;
-    return grown(clean(holes, FillRule::kNonZero), band, settings_);
-  }
+  [[nodiscard]] Length air_width() const { return bridge_width(settings_, site_.height); }
 
   // A flat road of the flow that the user wants.
   [[nodiscard]] Length flat_width() const {
@@ -185,6 +169,32 @@ class BridgePlanner {
 Length bridge_width(const Settings& settings, Length height) {
   const double area = settings.bridge_flow * bead_area_mm2(settings.road_width, height);
   return Length::from_mm(std::sqrt(4 * area / std::numbers::pi));
+}
+
+std::vector<AirBridge> air_bridges(const BridgeSite& site, const Region& wall,
+                                   const Settings& settings) {
+  std::vector<AirBridge> found;
+  const Length width = settings.road_width, anchor = scaled(width, kBridgeAnchorWidths);
+  const Length reach = scaled(width, kBridgeReachWidths);
+  const Region air = intersect(unheld(site.slice, site.below, reach), wall);
+  if (air.empty()) return found;
+  const Length half = scaled(width, 0.5);
+  const Region core = offset(air, half, settings.arc_tolerance);
+  if (core.empty()) return found;
+  const Length diameter = bridge_width(settings, site.height);
+  const Region region = intersect(grown(core, half + reach + anchor, settings), wall);
+  const Region around = grown(core, half + reach + anchor * 2 + width, settings);
+  const Region room = intersect(site.room, around), held = intersect(site.below, around);
+  const Region holes = holes_in_air(site, around, settings);
+  for (Island& island : islands(region)) {
+    const Region piece = region_of(std::move(island));
+    const Box box = piece.box();
+    BridgeArea area{piece, rings_near(room, box), rings_near(held, box), rings_near(holes, box),
+                    width};
+    BridgeRows rows = bridge_rows(area, best_direction(area, diameter, kBridgeTrials), diameter);
+    found.push_back({std::move(area), std::move(rows)});
+  }
+  return found;
 }
 
 Bridges bridges(const BridgeSite& site, Region wall, const Settings& settings) {

@@ -51,6 +51,20 @@ struct BridgeSite {
   Length height;
 };
 
+// A piece of the wall over air, and the rows that bridge it.
+struct AirBridge {
+  BridgeArea area;
+  BridgeRows rows;
+
+  // Whether it is bridged: more of its rows' length in the air is held at both ends than not.
+  [[nodiscard]] bool holds() const { return rows.laid_spans_mm > rows.cut_spans_mm; }
+};
+
+// All pieces that are wide enough for a road, also those that no bridge holds.
+// COSTS: as bridges().
+[[nodiscard]] std::vector<AirBridge> air_bridges(const BridgeSite& site, const Region& wall,
+                                                 const Settings& settings);
+
 // The bridges in the wall that is to be filled.
 // COSTS: a walk along both slices where they nearly agree; else an offset of the one below, some
 // booleans, and for each area O(points + rows) for each direction that is tried.

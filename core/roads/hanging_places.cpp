@@ -1,7 +1,6 @@
 #include "core/roads/hanging_places.h"
 
 #include <algorithm>
-#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -11,20 +10,14 @@
 #include "core/regions/segment_grid.h"      // SegmentGrid
 #include "core/roads/bridge_direction.h"    // best_direction
 #include "core/roads/bridge_rows.h"         // BridgeArea, bridge_rows
+#include "core/roads/overhang_reach.h"      // overhang_reach
 #include "core/roads/unheld.h"              // unheld
-#include "core/trigonometry.h"              // cosine, sine
 
 namespace core {
 namespace {
 
-// Slopes as steep as the angle are not steeper: what rounding may add.
-constexpr Length kAngleSlack = Length::from_units(100);
-
 // Hairs narrower than this are rounding.
 constexpr double kHairMm = 0.02;
-
-// Angles beyond this are taken to be this one: nothing is steeper than flat.
-constexpr double kAngleMaxDegrees = 89;
 
 constexpr DirectionTrials kTrials{2, 4};
 
@@ -46,17 +39,20 @@ bool is_hair(const Region& piece) { return 2 * piece.area_mm2() < kHairMm * piec
 class HangingSearch {
  public:
   HangingSearch(const SplitLayer& layer, const Settings& settings)
-      : slice_(layer.slice.region), below_(*layer.below), settings_(settings) {
-    const double planes_mm = (layer.slice.height.mm() + layer.below_height.mm()) / 2;
-    const double degrees = std::min(settings.overhang_angle_degrees, kAngleMaxDegrees);
-    const double angle = degrees * std::numbers::pi / 180;
-    reach_ = Length::from_mm(planes_mm * sine(angle) / cosine(angle)) + kAngleSlack;
+      : slice_(layer.slice.region),
+        below_(*layer.below),
+        supports_(layer.support_below.get()),
+        settings_(settings) {
+    const Length planes = Length::from_units((layer.slice.height + layer.below_height).units() / 2);
+    reach_ = overhang_reach(planes, settings);
   }
 
   [[nodiscard]] HangingPlaces search() {
     Region air = unheld(slice_, below_, reach_);
     if (air.empty()) return {};
-    find_islands(air);
+    const Region held = over_supports();
+    find_islands(held, air);
+    if (!held.empty()) air = subtract(air, held);
     std::vector<Ring> pieces;
     for (Island& island : islands(air)) {
       const Region piece = region_of(std::move(island));
@@ -95,14 +91,22 @@ class HangingSearch {
     return open >= kLedgeOpenShareMin * perimeter;
   }
 
-  // Islands over nothing; what is over nothing anyway is no overhang as well.
-  void find_islands(Region& air) {
+  // What supports hold: they keep off the part, and what lies half over one is held.
+  [[nodiscard]] Region over_supports() const {
+    if (supports_ == nullptr || supports_->empty()) return {};
+    const Length beyond = settings_.support_xy_distance + settings_.road_width;
+    return offset(*supports_, -beyond, settings_.arc_tolerance * 2);
+  }
+
+  // Islands over nothing, and over no support; what is over nothing anyway is no overhang as well.
+  void find_islands(const Region& held, Region& air) {
     std::vector<Ring> begun;
     for (Island& island : islands(slice_)) {
       const Region whole = region_of(std::move(island));
       if (!intersect(whole, rings_near(below_, whole.box())).empty()) continue;
-      found_.push_back({HangingKind::kIsland, middle_of(whole.box()), whole.area_mm2()});
       begun.insert(begun.end(), whole.rings().begin(), whole.rings().end());
+      if (2 * intersect(whole, held).area_mm2() > whole.area_mm2()) continue;
+      found_.push_back({HangingKind::kIsland, middle_of(whole.box()), whole.area_mm2()});
     }
     if (!begun.empty()) air = subtract(air, Region::from_clean_rings(std::move(begun)));
   }
@@ -134,6 +138,7 @@ class HangingSearch {
 
   const Region& slice_;
   const Region& below_;
+  const Region* supports_;
   const Settings& settings_;
   Length reach_;
   std::optional<SegmentGrid> contour_;  // of the slice, once asked for

@@ -24,7 +24,8 @@ bool alike(const SplitLayer& a, const SplitLayer& b) {
   return a.slice.index != 0 && a.slice.height == b.slice.height && a.loose == b.loose &&
          a.slice.region == b.slice.region && alike(a.below, b.below) && alike(a.above, b.above) &&
          alike(a.below_loose, b.below_loose) && a.below_height == b.below_height &&
-         a.corners_above == b.corners_above && alike(a.block, b.block);
+         a.corners_above == b.corners_above && alike(a.support_below, b.support_below) &&
+         alike(a.block, b.block);
 }
 
 // Above the floor of a vase or not, likewise.

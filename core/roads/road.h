@@ -28,9 +28,11 @@ enum class RoadKind {
   kInternalBridge,     // the same over the loose inside
   kIroning,            // smooths a top
   kRaft,               // under the part (raft.h)
+  kSupport,            // holds what hangs (supports/support_roads.h)
+  kSupportInterface,   // its dense layers
 };
 
-inline constexpr int kRoadKindCount = 14;
+inline constexpr int kRoadKindCount = 16;
 
 // How far the layer below holds a stretch of a road: the share of its width that lies over the
 // slice below (overhangs.h). From kQuarter on, its centre line is in the air.

@@ -54,6 +54,8 @@ int stage(const Road& road, bool outer_first) {
     case RoadKind::kGapFill:
     case RoadKind::kLoose:
     case RoadKind::kRaft:
+    case RoadKind::kSupport:
+    case RoadKind::kSupportInterface:
       return 4;
     case RoadKind::kTopSolid:
       return 6;

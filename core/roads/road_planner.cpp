@@ -4,7 +4,7 @@
 #include <iterator>
 #include <utility>
 
-#include "core/booleans/boolean.h"          // clean, intersect, subtract
+#include "core/booleans/boolean.h"          // intersect, subtract, unite
 #include "core/booleans/simplified.h"       // simplified
 #include "core/offsets/offset_contours.h"   // flatten
 #include "core/offsets/voronoi_mountain.h"  // offset
@@ -189,8 +189,9 @@ LayerRoads RoadPlanner::plan(const SplitLayer& layer) const {
   if (planned.islands.empty()) return planned;
   planned.from = slice.region.box().min;
   if (slice.index == 0) {
-    planned.first = skirt_roads(slice.region, slice.height, settings);
-    append(brim_roads(slice.region, slice.height, settings), planned.first);
+    const Region foot = layer.support ? unite(slice.region, *layer.support) : slice.region;
+    planned.first = skirt_roads(foot, slice.height, settings);
+    append(brim_roads(foot, slice.height, settings), planned.first);
   }
   planned.outer_first = settings.outer_perimeter_first;
   return planned;

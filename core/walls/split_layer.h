@@ -28,6 +28,9 @@ struct SplitLayer : Layer {
   std::shared_ptr<const Region> below_loose{};  // what the window says is loose in the layer below
   Length below_height{};                        // of that layer
 
+  // Supports in it, and those under its gap; null: none.
+  std::shared_ptr<const Region> support{}, support_below{};
+
   LooseBlock block{};
 
   // Of the slices above it, from the next one on: as many as CornersAhead knows. Null: none.

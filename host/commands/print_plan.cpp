@@ -47,6 +47,10 @@ core::Result<PrintPlan> open_print_plan(const Options& options, Reporter& report
     of_part.raft_layers = 0;
     reporter.note("raft", "the raft is left out here: the layers are the part's alone");
   }
+  if (settings.value().supports != core::SupportPlace::kOff && !has_raft(options)) {
+    settings.value().supports = core::SupportPlace::kOff;
+    reporter.note("supports", "supports are left out here: the layers are the part's alone");
+  }
   const bool prints =
       options.subcommand == Subcommand::kPrint || options.subcommand == Subcommand::kResume;
   const bool sliced = options.subcommand == Subcommand::kSlice;
@@ -56,8 +60,9 @@ core::Result<PrintPlan> open_print_plan(const Options& options, Reporter& report
     const std::size_t quarter = std::max(kSortBytesMin, options.memory_limit_bytes / 4);
     open.sort_bytes = std::min(open.sort_bytes, quarter);
   }
-  open.stream_pipes = options.part.sorted == PipeSorted::kYes ||
-                      (options.part.sorted == PipeSorted::kAuto && sliced);
+  const bool supported = settings.value().supports != core::SupportPlace::kOff;
+  open.stream_pipes = !supported && (options.part.sorted == PipeSorted::kYes ||
+                      (options.part.sorted == PipeSorted::kAuto && sliced));
   open.order_is_sure = options.part.sorted == PipeSorted::kYes;
   // The height was confirmed when the print was started.
   open.tall = options.part.tall || options.subcommand == Subcommand::kResume;
@@ -74,7 +79,8 @@ core::Result<PrintPlan> open_print_plan(const Options& options, Reporter& report
   for (const std::string& warning : summary.warnings) reporter.note("warning", warning);
   return PrintPlan{std::move(settings).value(),   std::move(part).value(),
                    part_title(options.part.path), on_bad_layer,
-                   options.part.on_floating,      options.threads};
+                   options.part.on_floating,      options.part.spool,
+                   options.threads};
 }
 
 void report_warnings(PipelineSignals& signals, Reporter& reporter) {

@@ -1,6 +1,8 @@
 #include "host/files/spill_file.h"
 
 #include <fcntl.h>
+#include <linux/magic.h>
+#include <sys/vfs.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -19,17 +21,18 @@ std::string temporary_folder() {
 
 }  // namespace
 
-core::Result<SpillFile> SpillFile::create(const std::string& folder) {
+core::Result<SpillFile> SpillFile::create(const std::string& folder, SpillUse use) {
   const std::string place = folder.empty() ? temporary_folder() : folder;
-  std::string path = place + "/rind-sort-XXXXXX";
+  std::string path = place + "/rind-XXXXXX";
   const int descriptor = ::mkostemp(path.data(), O_CLOEXEC);
   if (descriptor < 0) {
     return core::Error{core::ErrorCode::kUnreadable,
-                       place + ": no temporary file for sorting can be made here: " +
-                           std::strerror(errno) + "; set TMPDIR, or more memory with --memory"};
+                       place + ": no temporary file for " + std::string(use.purpose) +
+                           " can be made here: " + std::strerror(errno) + "; " +
+                           std::string(use.remedy)};
   }
   ::unlink(path.c_str());
-  return SpillFile(place, descriptor);
+  return SpillFile(place, use, descriptor);
 }
 
 SpillFile::~SpillFile() {
@@ -38,11 +41,13 @@ SpillFile::~SpillFile() {
 
 SpillFile::SpillFile(SpillFile&& other) noexcept
     : folder_(std::move(other.folder_)),
+      use_(other.use_),
       descriptor_(std::exchange(other.descriptor_, -1)),
       size_(other.size_) {}
 
 SpillFile& SpillFile::operator=(SpillFile&& other) noexcept {
   std::swap(folder_, other.folder_);
+  std::swap(use_, other.use_);
   std::swap(descriptor_, other.descriptor_);
   std::swap(size_, other.size_);
   return *this;
@@ -50,9 +55,15 @@ SpillFile& SpillFile::operator=(SpillFile&& other) noexcept {
 
 core::Error SpillFile::failed(const char* what, int cause) const {
   return {core::ErrorCode::kUnreadable,
-          folder_ + ": " + what + " the temporary file for sorting failed after " +
+          folder_ + ": " + what + " the temporary file for " + std::string(use_.purpose) +
+              " failed after " +
               std::to_string(size_) + " bytes: " + std::strerror(cause) +
               "; make room there, or set TMPDIR to another folder"};
+}
+
+bool SpillFile::in_memory() const {
+  struct statfs system{};
+  return ::fstatfs(descriptor_, &system) == 0 && system.f_type == TMPFS_MAGIC;
 }
 
 core::Status SpillFile::append(std::string_view bytes) {

@@ -13,11 +13,17 @@
 
 namespace host {
 
+// What a file is for, in messages.
+struct SpillUse {
+  std::string_view purpose;  // "sorting"
+  std::string_view remedy;   // "set TMPDIR, or more memory with --memory"
+};
+
 class SpillFile {
  public:
   // `folder` empty: $TMPDIR, or /tmp. Errors (kUnreadable): no such folder, no permission to write
   // there; the message names the folder, the cause and what to do.
-  static core::Result<SpillFile> create(const std::string& folder);
+  static core::Result<SpillFile> create(const std::string& folder, SpillUse use);
 
   ~SpillFile();
   SpillFile(SpillFile&& other) noexcept;
@@ -31,12 +37,17 @@ class SpillFile {
 
   [[nodiscard]] std::int64_t size() const { return size_; }
 
+  // Whether the folder is kept in memory (tmpfs): then so is the file.
+  [[nodiscard]] bool in_memory() const;
+  [[nodiscard]] const std::string& folder() const { return folder_; }
+
  private:
-  SpillFile(std::string folder, int descriptor)
-      : folder_(std::move(folder)), descriptor_(descriptor) {}
+  SpillFile(std::string folder, SpillUse use, int descriptor)
+      : folder_(std::move(folder)), use_(use), descriptor_(descriptor) {}
   [[nodiscard]] core::Error failed(const char* what, int cause) const;
 
   std::string folder_;
+  SpillUse use_;
   int descriptor_ = -1;
   std::int64_t size_ = 0;
 };

@@ -37,7 +37,10 @@ const char* prusa_type_name(core::RoadKind kind) {
     case core::RoadKind::kIroning:
       return "Ironing";
     case core::RoadKind::kRaft:
+    case core::RoadKind::kSupport:
       return "Support material";
+    case core::RoadKind::kSupportInterface:
+      return "Support material interface";
   }
   return "Custom";
 }

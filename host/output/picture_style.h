@@ -50,6 +50,8 @@ inline constexpr std::array<KindStyle, core::kRoadKindCount> kKindStyles = {{
     {core::RoadKind::kLoose, "loose fill", {"#2c5d72", "#5f9bb3"}},
     {core::RoadKind::kIroning, "ironing", {"#6d5a6d", "#b79fb7"}},
     {core::RoadKind::kRaft, "raft", {"#4f6b3a", "#8fb072"}},
+    {core::RoadKind::kSupport, "support", {"#3d5a2a", "#7fa35f"}},
+    {core::RoadKind::kSupportInterface, "support interface", {"#27421f", "#5f8a4a"}},
     {core::RoadKind::kBrim, "brim", {"#77776a", "#aeae9d"}},
     {core::RoadKind::kSkirt, "skirt", {"#8d8d8d", "#bdbdbd"}},
 }};

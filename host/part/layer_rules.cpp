@@ -10,6 +10,32 @@
 #include "core/units.h"            // Length
 
 namespace host {
+namespace {
+
+struct LeavingRoad {
+  const char* name;
+  const char* remedy;
+};
+
+LeavingRoad leaving_road(core::RoadKind kind) {
+  switch (kind) {
+    case core::RoadKind::kSkirt:
+      return {"the skirt",
+              "set skirt_loops=0, or a smaller skirt_distance, skirt_length_min, brim_width or "
+              "raft_expansion"};
+    case core::RoadKind::kBrim:
+      return {"the brim", "set a smaller brim_width"};
+    case core::RoadKind::kRaft:
+      return {"the raft", "set a smaller raft_expansion"};
+    case core::RoadKind::kSupport:
+    case core::RoadKind::kSupportInterface:
+      return {"a support", "set a smaller support_base_expansion, or move the part"};
+    default:
+      return {"a road", "move the part or set bed_x and bed_y"};
+  }
+}
+
+}  // namespace
 
 core::Status check_layer_height(const std::string& part, const core::Slice& slice,
                                 const core::Settings& settings) {
@@ -45,25 +71,14 @@ core::Status check_on_bed(const std::string& part, const core::Slice& slice,
       const bool inside = point.x >= reach && point.x + reach <= settings.bed_x.units() &&
                           point.y >= reach && point.y + reach <= settings.bed_y.units();
       if (inside) continue;
-      const bool skirt = road.kind == core::RoadKind::kSkirt;
-      const bool brim = road.kind == core::RoadKind::kBrim;
-      const bool raft = road.kind == core::RoadKind::kRaft;
+      const LeavingRoad leaving = leaving_road(road.kind);
       return core::Error{
           core::ErrorCode::kOutOfBounds,
           fmt::format(
               "{}, layer {}: {} at ({:.2f}, {:.2f}) mm leaves the bed of {:g} x {:g} mm; {}", part,
-              slice.index + 1,
-              skirt  ? "the skirt"
-              : brim ? "the brim"
-              : raft ? "the raft"
-                     : "a road",
-              core::Length::from_units(point.x).mm(), core::Length::from_units(point.y).mm(),
-              settings.bed_x.mm(), settings.bed_y.mm(),
-              skirt  ? "set skirt_loops=0, or a smaller skirt_distance, "
-                       "skirt_length_min, brim_width or raft_expansion"
-              : brim ? "set a smaller brim_width"
-              : raft ? "set a smaller raft_expansion"
-                     : "move the part or set bed_x and bed_y")};
+              slice.index + 1, leaving.name, core::Length::from_units(point.x).mm(),
+              core::Length::from_units(point.y).mm(), settings.bed_x.mm(), settings.bed_y.mm(),
+              leaving.remedy)};
     }
   }
   return {};

@@ -11,6 +11,8 @@
 namespace host {
 namespace {
 
+constexpr SpillUse kForSorting{"sorting", "set TMPDIR, or more memory with --memory"};
+
 // Buffer of a run that is read or written: a size that suits a disk, less with a small budget.
 constexpr std::size_t kBufferBytesMin = std::size_t{4} << 10;
 constexpr std::size_t kBufferBytesMax = std::size_t{64} << 10;
@@ -57,7 +59,7 @@ core::Status MeshSorter::add(const core::Triangle& triangle) {
 core::Status MeshSorter::spill() {
   std::sort(run_.begin(), run_.end(), lower);
   if (!runs_) {
-    core::Result<SpillFile> file = SpillFile::create(options_.folder);
+    core::Result<SpillFile> file = SpillFile::create(options_.folder, kForSorting);
     if (!file.ok()) return file.error();
     runs_ = std::make_unique<TriangleRuns>(std::move(file).value(),
                                            buffer_bytes(options_.memory_bytes));
@@ -88,7 +90,7 @@ core::Status MeshSorter::merge_until_few() {
   const std::size_t buffer = buffer_bytes(options_.memory_bytes);
   const std::size_t at_once = fan_in(options_.memory_bytes);
   while (runs_->runs().size() > at_once) {
-    core::Result<SpillFile> file = SpillFile::create(options_.folder);
+    core::Result<SpillFile> file = SpillFile::create(options_.folder, kForSorting);
     if (!file.ok()) return file.error();
     auto longer = std::make_unique<TriangleRuns>(std::move(file).value(), buffer);
     const std::size_t count = runs_->runs().size();

@@ -12,6 +12,7 @@
 #include "core/roads/layer_planner.h"    // LayerPlanner
 #include "core/roads/seams.h"            // SeamMemory
 #include "core/slices/slice.h"           // Slice
+#include "core/supports/support_roads.h"  // SupportPlanner
 #include "core/units.h"                  // LayerIndex, Length
 #include "host/pipeline/stage_meter.h"   // StageUse
 
@@ -24,6 +25,7 @@ struct SettledLayer {
   std::shared_ptr<const core::SeamMemory> seams_before;  // of the layers below
   core::LayerPlanner::Ordering ordering;
   std::optional<std::string> pause;  // why to pause before it
+  core::SupportPlanner::Reservation support;
 };
 
 struct LayerBatch {

@@ -8,7 +8,6 @@
 #include <new>
 #include <utility>
 
-#include "core/offsets/compensation.h"
 #include "core/offsets/slice_offsets.h"
 #include "core/raft_heights.h"
 #include "core/roads/layer_planner.h"
@@ -25,6 +24,8 @@
 #include "host/pipeline/layer_watch.h"
 #include "host/pipeline/ordered_stages.h"
 #include "host/pipeline/raft_stage.h"
+#include "host/pipeline/slice_intake.h"
+#include "host/pipeline/support_stage.h"
 #include "host/system/memory_budget.h"
 
 namespace host {
@@ -40,13 +41,15 @@ class Pipeline {
         signals_(signals),
         statistics_(statistics),
         raft_(print_plan.settings, print_plan.start),
-        bad_layers_(print_plan.on_bad_layer, print_plan.part_path, signals.warnings),
+        intake_(plan_.part, plan_.part_path, settings_, print_plan.on_bad_layer, signals.warnings),
+        supports_(settings_, print_plan.spool_folder),
         watch_(signals.on_slow_layer, signals.slow_layer_s),
         cutter_(settings_),
         splitter_(settings_),
         ahead_(core::seam_layers_ahead(settings_)),
         blocks_(settings_),
         planner_(settings_),
+        support_planner_(settings_),
         floating_(print_plan.on_floating, print_plan.part_path, signals.warnings),
         commands_(core::with_style(whole(print_plan)), print_plan.command_form, outputs, refused_) {
     plan_.part.layers =
@@ -86,8 +89,9 @@ class Pipeline {
   }
 
   core::Status read_rest() {
+    const bool waits = plan_.part.read_rest || supports_.wanted();
+    if (waits && outputs_.on_motion && !plan_.start) commands_.preheat();
     if (plan_.part.read_rest) {
-      if (outputs_.on_motion && !plan_.start) commands_.preheat();
       core::Result<PartSummary> summary = plan_.part.read_rest();
       if (!summary.ok()) return summary.error();
       plan_.part.summary = std::move(summary).value();
@@ -95,7 +99,9 @@ class Pipeline {
       for (const std::string& warning : plan_.part.summary.warnings) signals_.warnings.put(warning);
     }
     signals_.layers.store(plan_.part.summary.layers);
-    return {};
+    if (!supports_.wanted()) return {};
+    const CpuTimer timer(support_s_);
+    return supports_.prepare(intake_, [this] { return stopped(); }, signals_.warnings);
   }
 
   // Called in order. After the last slice it gives empty batches until the window is empty.
@@ -110,21 +116,15 @@ class Pipeline {
   }
 
   core::Status take_slice(LayerBatch& batch) {
-    std::optional<core::Slice> found;
+    TakenSlice taken;
     do {
-      core::Result<std::optional<core::Slice>> next = plan_.part.layers->next();
+      core::Result<TakenSlice> next = supports_.wanted() ? supports_.next_slice() : intake_.next();
       if (!next.ok()) return next.error();
-      found = std::move(next).value();
-      if (!found || stopped()) return {};
-      core::Status fine = check_layer_height(plan_.part_path, *found, settings_);
-      if (!fine.ok()) return fine;
-      const core::LayerIndex layers = plan_.part.summary.layers;
-      auto pause = bad_layers_.check(*found, layers > 0 ? layers - raft_.layers() : 0);
-      if (!pause.ok()) return pause.error();
-      batch.pause = std::move(pause).value();
-    } while (plan_.start && is_far_below(*found, *raft_.start_in_part(), settings_));
-    core::Slice& slice = *found;
-    if (core::compensates(settings_)) slice.region = core::compensated(slice, settings_);
+      taken = std::move(next).value();
+      if (!taken.slice || stopped()) return {};
+    } while (plan_.start && is_far_below(*taken.slice, *raft_.start_in_part(), settings_));
+    batch.pause = std::move(taken.pause);
+    core::Slice& slice = *taken.slice;
     signals_.slices_cut.fetch_add(1);
     ++statistics_.layers;
     statistics_.defects.add(slice);
@@ -178,9 +178,28 @@ class Pipeline {
       if (below_start(*layer)) continue;
       const core::LayerIndex index = layer->slice.index;
       const core::Length bottom = layer->slice.bottom;
-      batch.settled.push_back(
-          {index, bottom, planner_.reserve(*std::move(layer)), {}, {}, pause_before(index)});
+      core::SupportPlanner::Reservation support;
+      if (supports_.wanted()) {
+        core::Result<core::SupportPlanner::Reservation> found = support_of(*layer);
+        if (!found.ok()) return void(batch.error = found.error());
+        support = std::move(found).value();
+      }
+      batch.settled.push_back({index,
+                               bottom,
+                               planner_.reserve(*std::move(layer)),
+                               {},
+                               {},
+                               pause_before(index),
+                               std::move(support)});
     }
+  }
+
+  core::Result<core::SupportPlanner::Reservation> support_of(core::SplitLayer& layer) {
+    core::Result<LayerSupport> found = supports_.at(layer.slice.index);
+    if (!found.ok()) return found.error();
+    layer.support = found.value().here.region;
+    layer.support_below = std::move(found.value().below);
+    return support_planner_.reserve(found.value().here, layer.slice.height);
   }
 
   std::optional<std::string> pause_before(core::LayerIndex index) {
@@ -200,9 +219,9 @@ class Pipeline {
   void plan(LayerBatch& batch) {
     const StageMeter meter(Stage::kRoads, batch.use);
     for (SettledLayer& settled : batch.settled) {
-      if (!settled.reserved.to_fill) continue;
       const LayerWatch::Look look = watched(settled, batch);
-      planner_.fill(*settled.reserved.plan, wants_roads());
+      if (settled.support.to_fill) support_planner_.fill(*settled.support.plan);
+      if (settled.reserved.to_fill) planner_.fill(*settled.reserved.plan, wants_roads());
     }
   }
 
@@ -265,33 +284,22 @@ class Pipeline {
     statistics_.hanging.add(slice.index, slice.bottom, plan.hanging);
     keep(outputs_.on_layer ? outputs_.on_layer(layer) : true);
     if (!wants_roads()) return {};
-    counts_.part_roads += settled.ordering.roads->size();
-    return lay(layer, *settled.ordering.roads, *settled.seams_before, plan.travel_space.get());
+    const std::vector<core::Road>& roads = *settled.ordering.roads;
+    counts_.part_roads += roads.size();
+    const core::TravelSpace* space = plan.travel_space.get();
+    if (!settled.support.plan) return lay(layer, roads, *settled.seams_before, space);
+    return lay(layer, core::with_supports(settled.support.plan->roads, roads),
+               *settled.seams_before, space);
   }
 
   core::Status give_raft(const SettledLayer& settled) {
-    if (raft_.first() == raft_.layers()) return {};
-    const core::Slice& part = settled.reserved.plan->layer.slice;
-    const core::Result<core::Raft> raft = raft_.under(part, plan_.part_path);
-    if (!raft.ok()) return raft.error();
-    for (core::LayerIndex index = raft_.first(); index < raft_.layers() && !stopped(); ++index) {
-      const core::RaftLayer laid = plan_raft(raft.value(), index, part);
-      if (core::Status lies = raft_.check(laid, plan_.part_path); !lies.ok()) return lies;
+    const auto give = [&](const core::RaftLayer& laid) -> core::Status {
+      if (stopped()) return {};
       ++counts_.raft_layers;
       keep(outputs_.on_layer ? outputs_.on_layer(laid.layer) : true);
-      core::Status fits = lay(laid.layer, laid.roads, *settled.seams_before, nullptr);
-      if (!fits.ok()) return fits;
-    }
-    return {};
-  }
-
-  // Watched without its motions, which wait for the printer.
-  core::RaftLayer plan_raft(const core::Raft& raft, core::LayerIndex index,
-                            const core::Slice& part) {
-    double watched_s = 0;
-    const core::Length top = raft_.top(index);
-    const LayerWatch::Look look(watch_, index, top, &part.region, watched_s);
-    return raft.layer(index);
+      return lay(laid.layer, laid.roads, *settled.seams_before, nullptr);
+    };
+    return raft_.lay(settled.reserved.plan->layer, plan_.part_path, watch_, give);
   }
 
   core::Status lay(const core::SplitLayer& layer, const std::vector<core::Road>& roads,
@@ -326,9 +334,10 @@ class Pipeline {
     clock.set_seconds(Stage::kSort, used.sort_cpu_s);
     clock.set_seconds(Stage::kSlice, used.slice_cpu_s);
     statistics_.peak_held.triangles = used.peak_triangles_held;
-    statistics_.spilled_bytes = used.spilled_bytes;
+    statistics_.spilled_bytes = used.spilled_bytes + supports_.spooled_bytes();
+    clock.set_seconds(Stage::kSupport, support_s_);
     statistics_.layers += counts_.raft_layers;
-    statistics_.bad_layers = bad_layers_.count();
+    statistics_.bad_layers = intake_.bad_layers();
     statistics_.slow_layers = watch_.slow_layers();
     if (statistics_.slow_layers.count > static_cast<std::int64_t>(kSlowLayersTold)) {
       const SlowLayer& slowest = statistics_.slow_layers.slowest;
@@ -365,7 +374,8 @@ class Pipeline {
   RaftStage raft_;
 
   // Of take().
-  BadLayers bad_layers_;
+  SliceIntake intake_;
+  SupportStage supports_;      // split() uses what of it take() does not
   LayerWatch watch_;           // of all stages
   core::OffsetCutter cutter_;  // cut() only reads its settings
   bool source_ended_ = false;
@@ -376,6 +386,8 @@ class Pipeline {
   core::CornersAhead ahead_;
   core::LooseBlocks blocks_;
   core::LayerPlanner planner_;  // plan() only reads its settings
+  core::SupportPlanner support_planner_;  // likewise
+  double support_s_ = 0;
   std::atomic<bool> window_emptied_ = false;
   std::deque<std::pair<core::LayerIndex, std::string>> pauses_;  // of layers in the window
 

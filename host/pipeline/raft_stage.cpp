@@ -4,7 +4,8 @@
 
 #include <algorithm>
 
-#include "core/raft_heights.h"  // raft_layer_bottom, raft_lift
+#include "core/booleans/boolean.h"  // unite
+#include "core/raft_heights.h"      // raft_layer_bottom, raft_lift
 
 namespace host {
 
@@ -16,14 +17,28 @@ RaftStage::RaftStage(const core::Settings& settings, const std::optional<Checkpo
   start_in_part_->bottom = std::max(start_in_part_->bottom - lift_, core::Length());
 }
 
-core::Result<core::Raft> RaftStage::under(const core::Slice& slice, const std::string& part) const {
-  if (slice.region.empty()) {
+core::Status RaftStage::lay(const core::SplitLayer& first, const std::string& part,
+                            LayerWatch& watch, const Give& give) const {
+  if (first_ == layers()) return {};
+  const core::Region& slice = first.slice.region;
+  if (slice.empty()) {
     return core::Error{core::ErrorCode::kBadPart,
                        part +
                            ", layer 1: it is empty, so that no raft can be laid under it; set "
                            "raft_layers=0, or let the part begin on the bed"};
   }
-  return core::Raft(slice.region, settings_);
+  const core::Raft raft(first.support ? core::unite(slice, *first.support) : slice, settings_);
+  for (core::LayerIndex index = first_; index < layers(); ++index) {
+    // Watched without its motions, which wait for the printer.
+    core::RaftLayer laid = [&] {
+      double watched_s = 0;
+      const LayerWatch::Look look(watch, index, top(index), &slice, watched_s);
+      return raft.layer(index);
+    }();
+    if (core::Status lies = check(laid, part); !lies.ok()) return lies;
+    if (core::Status given = give(laid); !given.ok()) return given;
+  }
+  return {};
 }
 
 core::Status RaftStage::check(const core::RaftLayer& layer, const std::string& part) const {

@@ -9,6 +9,7 @@
 // Without a raft, both are the same.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -17,7 +18,9 @@
 #include "core/settings.h"             // Settings
 #include "core/slices/slice.h"         // Slice
 #include "core/units.h"                // LayerIndex, Length
+#include "core/walls/split_layer.h"  // SplitLayer
 #include "host/pipeline/checkpoint.h"  // Checkpoint
+#include "host/pipeline/layer_watch.h"  // LayerWatch
 
 namespace host {
 
@@ -33,19 +36,19 @@ class RaftStage {
   // The start in the part's own count: its layer 0 for all of the raft.
   [[nodiscard]] const std::optional<Checkpoint>& start_in_part() const { return start_in_part_; }
 
-  // The raft under this first slice. Error if there is nothing in it; `part` is for the message.
-  [[nodiscard]] core::Result<core::Raft> under(const core::Slice& slice,
-                                               const std::string& part) const;
-
-  // Error if no road fits into it; `part` is for the message.
-  [[nodiscard]] core::Status check(const core::RaftLayer& layer, const std::string& part) const;
-
-  // Above the bed. REQUIRES: index < layers().
-  [[nodiscard]] core::Length top(core::LayerIndex index) const;
+  // Gives the raft's layers that are still to be laid, one after another, under the part's first
+  // layer and its supports. Ends when `give` returns an error. Errors of its own, in which `part` is
+  // named: the first slice is empty; no road fits into the raft.
+  using Give = std::function<core::Status(const core::RaftLayer&)>;
+  [[nodiscard]] core::Status lay(const core::SplitLayer& first, const std::string& part,
+                                 LayerWatch& watch, const Give& give) const;
 
   [[nodiscard]] core::Slice lifted(core::Slice slice) const;
 
  private:
+  [[nodiscard]] core::Status check(const core::RaftLayer& layer, const std::string& part) const;
+  [[nodiscard]] core::Length top(core::LayerIndex index) const;
+
   const core::Settings& settings_;
   const core::Length lift_;
   std::optional<Checkpoint> start_in_part_;

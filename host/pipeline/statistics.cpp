@@ -139,6 +139,10 @@ std::string road_kind_name(core::RoadKind kind) {
       return "ironing";
     case core::RoadKind::kRaft:
       return "raft";
+    case core::RoadKind::kSupport:
+      return "support";
+    case core::RoadKind::kSupportInterface:
+      return "support_interface";
   }
   return "unknown";
 }

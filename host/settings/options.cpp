@@ -56,6 +56,10 @@ void add_memory(CLI::App& command, Options& options) {
       ->transform(CLI::AsSizeValue(false).description(""))
       ->check(CLI::Range(kSortBytesMin, std::size_t{1} << 40).description(""));
   command
+      .add_option("--spool", options.part.spool,
+                  "folder for the slices that supports need, otherwise in $TMPDIR or /tmp")
+      ->type_name("DIR");
+  command
       .add_option("--threads,--jobs", options.threads,
                   "number of processors to slice with; each needs the memory of one more layer")
       ->type_name("N")

@@ -39,6 +39,7 @@ struct PartOptions {
   std::string path;  // "-": standard input
   std::size_t sort_bytes = kSortBytesDefault;
   PipeSorted sorted = PipeSorted::kAuto;
+  std::string spool;  // a folder for temporary files of supports; empty: $TMPDIR, or /tmp
   bool tall = false;  // OpenOptions::tall
   OnBadLayer on_bad_layer = OnBadLayer::kRepair;
   OnFloating on_floating = OnFloating::kWarn;

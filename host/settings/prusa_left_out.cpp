@@ -20,6 +20,7 @@ enum class When {
   kUnlike,    // another value than that of `other`
   kUnlikeOn,  // likewise, except 0, which is automatic
   kWith,      // as kOn, where `other` is on, too
+  kWord,      // the word `other`
 };
 
 struct LeftOut {
@@ -34,8 +35,10 @@ constexpr std::string_view kOneWidth =
 constexpr std::string_view kNotSent = "it is not sent";
 
 constexpr std::array kLeftOut = {
-    LeftOut{"support_material", When::kOn, "no supports are laid"},
-    LeftOut{"support_material_enforce_layers", When::kOn, "no supports are laid"},
+    LeftOut{"support_material_style", When::kWord, "supports are straight columns", "tree"},
+    LeftOut{"support_material_style", When::kWord, "supports are straight columns", "organic"},
+    LeftOut{"support_material_enforce_layers", When::kOn,
+            "no layer has supports that supports = off leaves out"},
     LeftOut{"raft_first_layer_expansion", When::kWith, "the raft is as wide in all its layers",
             "raft_layers"},
     LeftOut{"first_layer_speed_over_raft", When::kWith,
@@ -111,6 +114,8 @@ bool asks(const LeftOut& row, std::string_view value, const ProfileValues& profi
       return unlike && first != "100%";
     case When::kUnlikeOn:
       return !off && unlike;
+    case When::kWord:
+      return first == row.other;
     case When::kWith:
       return !off && other != profile.end() && !is_off(first_value(other->second));
   }

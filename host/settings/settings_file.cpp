@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "host/settings/own_accelerations.h"
+#include "host/settings/prusa_supports.h"
 #include "host/settings/settings_prusa.h"
 #include "host/settings/settings_table.h"
 #include "host/settings/settings_text.h"
@@ -201,6 +202,7 @@ core::Status end_prusa(const std::string& name, LoadedSettings& loaded) {
     for (const auto& [key, own] : kOwnAccelerations) loaded.settings.*own = 0;
   }
   if (value("brim_type") == "no_brim") loaded.settings.brim_width = core::Length();
+  take_prusa_supports(loaded.values, loaded.settings);
   // The smaller of the print's and the filament's; 0 is none.
   double slowest = 0;
   for (const char* key : {"max_volumetric_speed", "filament_max_volumetric_speed"}) {

@@ -32,6 +32,9 @@ enum class Kind {
   kCooling,
   kAllContours,  // the same for outer contours and holes
   kBrim,         // which contours have one
+  kSupports,     // whether there are any
+  kThreshold,    // an angle from the horizontal; 0 is automatic
+  kNotNegative,  // a number; a negative one means as for another setting
   kPattern,      // of the inside; one that has no counterpart is left out
   kTopPattern,
   kSeam,
@@ -91,6 +94,18 @@ constexpr std::array kAliases = {
     Alias{"raft_expansion", "raft_expansion"},
     Alias{"raft_contact_distance", "raft_contact_distance"},
     Alias{"raft_first_layer_density", "raft_first_layer_density", Kind::kShare},
+    Alias{"support_material", "supports", Kind::kSupports},
+    Alias{"support_material_threshold", "overhang_angle_degrees", Kind::kThreshold},
+    Alias{"support_material_xy_spacing", "support_xy_distance"},
+    Alias{"support_material_spacing", "support_spacing"},
+    Alias{"support_material_interface_spacing", "support_interface_spacing"},
+    Alias{"support_material_interface_layers", "support_interface_layers"},
+    Alias{"support_material_bottom_interface_layers", "support_bottom_interface_layers",
+          Kind::kNotNegative},
+    Alias{"support_material_angle", "support_angle_degrees"},
+    Alias{"support_material_extrusion_width", "support_width", Kind::kWidth},
+    Alias{"support_material_speed", "support_speed_mm_s", Kind::kSpeed},
+    Alias{"support_material_interface_speed", "support_interface_speed_mm_s", Kind::kSpeed},
     Alias{"min_skirt_length", "skirt_length_min"},
     Alias{"seam_position", "seam", Kind::kSeam},
     Alias{"skirts", "skirt_loops"},
@@ -269,6 +284,14 @@ Translated translate(const Alias& alias, std::string_view text) {
     }
     case Kind::kPercent:
       return {{ours, write_number(number.value() / 100)}};
+    case Kind::kSupports:
+      return {{ours, number.value() == 0 ? "off" : "everywhere"}};
+    case Kind::kThreshold:
+      if (number.value() == 0) return {};
+      return {{ours, write_number(90 - number.value())}};
+    case Kind::kNotNegative:
+      if (number.value() < 0) return {};
+      break;
     case Kind::kAllContours:
       return {{ours, std::string(first)}, {"hole_compensation", std::string(first)}};
     case Kind::kLayersAfter:

@@ -97,6 +97,11 @@ Status vase_has_a_thin_wall(const PrintSettings& settings) {
   return bad("spiral_vase needs style = thin-wall: a vase has no inside to build another way");
 }
 
+Status vase_has_no_supports(const PrintSettings& settings) {
+  if (!settings.spiral_vase || settings.supports == core::SupportPlace::kOff) return {};
+  return bad("spiral_vase needs supports = off: a vase is laid in one go, without travel");
+}
+
 // A height that layers may have besides layer_height, under the name of what says so.
 Status height_fits(const PrintSettings& settings, const std::string& name, core::Length height) {
   Status fits = road_fits_nozzle(settings, name, height, "road_width", settings.road_width);
@@ -220,7 +225,7 @@ Status actions_are_known(const PrintSettings& settings) {
 
 Status validate_settings(const PrintSettings& settings) {
   for (const auto rule : {every_value_in_range, wall_fits_window, roads_fit_nozzle,
-                          other_heights_fit, vase_has_a_thin_wall, accelerations_have_a_default,
+                          other_heights_fit, vase_has_a_thin_wall, vase_has_no_supports, accelerations_have_a_default,
                           heights_of_slowdown_fit, part_has_a_place, actions_are_known}) {
     Status status = rule(settings);
     if (!status.ok()) return status;

@@ -48,6 +48,9 @@ inline constexpr int kBatchesAhead = 1;
 // Bytes gathered before a write() to an output file.
 inline constexpr std::size_t kFileBufferBytes = std::size_t{64} * 1'024;
 
+// Bytes of a spool that are read or written at once (record_spool.h).
+inline constexpr std::size_t kSpoolBufferBytes = std::size_t{64} * 1'024;
+
 // Temporary names of outputs at a time: the output, its statistics, and some to spare.
 inline constexpr std::size_t kUnfinishedFilesMax = 8;
 

@@ -29,6 +29,8 @@ std::string_view stage_name(Stage stage) {
       return "sort";
     case Stage::kSlice:
       return "slice";
+    case Stage::kSupport:
+      return "support";
     case Stage::kOffset:
       return "offset";
     case Stage::kWindow:

@@ -13,8 +13,8 @@
 
 namespace host {
 
-enum class Stage { kNone, kRead, kSort, kSlice, kOffset, kWindow, kRoads, kEncode, kSend };
-inline constexpr std::size_t kStageCount = 9;
+enum class Stage { kNone, kRead, kSort, kSlice, kSupport, kOffset, kWindow, kRoads, kEncode, kSend };
+inline constexpr std::size_t kStageCount = 10;
 
 // As in the statistics file (--stats).
 [[nodiscard]] std::string_view stage_name(Stage stage);

@@ -91,8 +91,9 @@ bool arrow_exists(const std::string& path, std::string_view included) {
 
 // The folders of each library from the ground up: a folder may include those before it and itself.
 // "" is the library's own folder.
-constexpr std::array<std::string_view, 9> kCoreFloors = {
-    "", "regions", "booleans", "slices", "offsets", "walls", "roads", "motions", "sections"};
+constexpr std::array<std::string_view, 10> kCoreFloors = {
+    "",      "regions", "booleans", "slices",  "offsets",
+    "walls", "roads",   "supports", "motions", "sections"};
 constexpr std::array<std::string_view, 5> kFirmwareLinkFloors = {"wire", "dialects", "ports",
                                                                  "session", "virtual"};
 constexpr std::array<std::string_view, 10> kHostFloors = {

@@ -1,0 +1,243 @@
+#include "core/supports/support_fold.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/booleans/boolean.h"             // intersect, subtract, unite
+#include "core/booleans/simplified.h"          // simplified
+#include "core/check.h"                        // RIND_CHECK
+#include "core/offsets/voronoi_mountain.h"     // offset
+#include "core/supports/hanging_regions.h"     // hanging_regions
+
+namespace core {
+namespace {
+
+// What is laid is simplified and offset this exactly.
+constexpr Length kSupportTolerance = Length::from_units(200);
+
+// Demand narrower than this share of the narrowest road is opened away.
+constexpr double kOpeningWidths = 1;
+
+// Right under what hangs, supports come this much nearer to the part, as a share of the distance.
+constexpr double kNearShare = 0.5;
+
+// Pieces narrower than a road grow by this share of one, if they are as long. Corners of wide ones
+// are not such pieces.
+constexpr double kNarrowGrowth = 0.3;
+constexpr Length kNarrowSlack = Length::from_units(500);
+constexpr double kNarrowLength_mm = 0.8;
+
+SharedRegion shared(Region region) { return std::make_shared<const Region>(std::move(region)); }
+
+Length scaled(Length length, double factor) { return Length::from_mm(length.mm() * factor); }
+
+Region grown(const Region& region, Length by) {
+  if (region.empty() || by <= Length()) return region;
+  return offset(region, -by, kSupportTolerance);
+}
+
+Region opened(const Region& region, Length by) {
+  if (region.empty()) return region;
+  return intersect(grown(offset(region, by, kSupportTolerance), by), region);
+}
+
+// Islands, each grown until it is about as wide as asked for.
+Region widened(const Region& region, Length width) {
+  Region all;
+  for (Island& island : islands(region)) {
+    const Region whole = region_of(std::move(island));
+    const double breadth_mm = 2 * whole.area_mm2() / whole.perimeter_mm();
+    all = unite(all, grown(whole, scaled(width - Length::from_mm(breadth_mm), 0.5)));
+  }
+  return all;
+}
+
+// What of a region is narrower than a road, but long enough to be held.
+Region narrow_pieces(const Region& region, Length width) {
+  const Length half = scaled(width, 0.5);
+  const Region wide = grown(offset(region, half, kSupportTolerance), half + kNarrowSlack);
+  std::vector<Ring> pieces;
+  for (Island& island : islands(subtract(region, wide))) {
+    const Region whole = region_of(std::move(island));
+    if (whole.perimeter_mm() < 2 * kNarrowLength_mm) continue;
+    pieces.insert(pieces.end(), whole.rings().begin(), whole.rings().end());
+  }
+  return Region::from_clean_rings(std::move(pieces));
+}
+
+Region without_small(const Region& region, double area_min_mm2, const Region& but) {
+  if (area_min_mm2 <= 0) return region;
+  std::vector<Ring> kept;
+  for (Island& island : islands(region)) {
+    const Region whole = region_of(std::move(island));
+    if (whole.area_mm2() < area_min_mm2 && intersect(whole, but).empty()) continue;
+    kept.insert(kept.end(), whole.rings().begin(), whole.rings().end());
+  }
+  return Region::from_clean_rings(std::move(kept));
+}
+
+}  // namespace
+
+SupportFold::SupportFold(const Settings& settings) : settings_(settings), none_(shared({})) {}
+
+const SupportFold::Level* SupportFold::level(LayerIndex index) const {
+  if (levels_.empty() || index > levels_.front().slice.index) return nullptr;
+  const auto place = static_cast<std::size_t>(levels_.front().slice.index - index);
+  return place < levels_.size() ? &levels_[place] : nullptr;
+}
+
+void SupportFold::push(FoldSlice slice) {
+  Level added{std::move(slice), none_, none_, none_};
+  if (levels_.empty()) {
+    next_ = added.slice.index;
+    levels_.push_back(std::move(added));
+    return;
+  }
+  const Level& above = levels_.back();
+  RIND_CHECK(added.slice.index == above.slice.index - 1);
+  added.overhangs = above.overhangs;
+  added.islands = above.islands;
+  const bool same = added.slice.region == above.slice.region;
+  if (!same) {
+    const Region& own = *added.slice.region;
+    const Length planes = Length::from_units((added.slice.height + above.slice.height).units() / 2);
+    const HangingRegions hanging = hanging_regions(*above.slice.region, own, planes, settings_);
+    const Region islands = widened(hanging.islands, settings_.support_section_min);
+    if (!hanging.empty()) added.born = shared(unite(hanging.overhangs, islands));
+    added.overhangs = shared(subtract(unite(*above.overhangs, hanging.overhangs), own));
+    added.islands = shared(subtract(unite(*above.islands, islands), own));
+    if (*added.overhangs == *above.overhangs) added.overhangs = above.overhangs;
+    if (*added.islands == *above.islands) added.islands = above.islands;
+  }
+  levels_.push_back(std::move(added));
+}
+
+std::optional<SupportLayer> SupportFold::next() {
+  if (next_ < 0) return {};
+  const LayerIndex below =
+      settings_.support_bottom_gap_layers + settings_.support_bottom_interface_layers;
+  if (!ended_ && levels_.back().slice.index > next_ - below) return {};
+  SupportLayer layer = decide(*level(next_));
+  --next_;
+  const LayerIndex above = settings_.support_top_gap_layers + settings_.support_interface_layers;
+  while (levels_.front().slice.index > next_ + above) levels_.pop_front();
+  return layer;
+}
+
+// All that the support of a layer depends on, besides how high it is.
+std::vector<SharedRegion> SupportFold::inputs_of(LayerIndex index) const {
+  const LayerIndex above = settings_.support_top_gap_layers + settings_.support_interface_layers;
+  const LayerIndex below =
+      settings_.support_bottom_gap_layers + settings_.support_bottom_interface_layers;
+  std::vector<SharedRegion> inputs;
+  for (LayerIndex i = index + above; i >= index - below; --i) {
+    const Level* at = level(i);
+    inputs.push_back(at != nullptr ? at->slice.region : nullptr);
+    if (i == index + settings_.support_top_gap_layers) {
+      inputs.push_back(at != nullptr ? at->overhangs : nullptr);
+      inputs.push_back(at != nullptr ? at->islands : nullptr);
+    }
+    if (i >= index + settings_.support_top_gap_layers) {
+      inputs.push_back(at != nullptr ? at->born : nullptr);
+    }
+  }
+  return inputs;
+}
+
+Region SupportFold::united(LayerIndex from, LayerIndex to, SharedRegion Level::*what) const {
+  Region all;
+  for (LayerIndex i = from; i <= to; ++i) {
+    if (const Level* at = level(i)) all = unite(all, *(at->*what));
+  }
+  return all;
+}
+
+Region SupportFold::slices_between(LayerIndex from, LayerIndex to) const {
+  Region all;
+  const Region* last = nullptr;
+  for (LayerIndex i = from; i <= to; ++i) {
+    const Level* at = level(i);
+    if (at == nullptr || at->slice.region.get() == last) continue;
+    last = at->slice.region.get();
+    all = unite(all, *last);
+  }
+  return all;
+}
+
+// Demand that is wide enough to be held.
+Region SupportFold::held_by(const Level& source) const {
+  const Length by = scaled(settings_.road_width_min, kOpeningWidths / 2);
+  const Region overhangs = simplified(*source.overhangs, kSupportTolerance);
+  return unite(without_small(opened(overhangs, by), settings_.support_area_min_mm2,
+                             *source.islands),
+               *source.islands);
+}
+
+Region SupportFold::laid(const Level& at, const Region& held, Length base) const {
+  const LayerIndex index = at.slice.index, top_gap = settings_.support_top_gap_layers;
+  const Length distance = settings_.support_xy_distance;
+  const Region slice = simplified(*at.slice.region, kSupportTolerance);
+  const Region far = grown(slice, distance), near = grown(slice, scaled(distance, kNearShare));
+  Region region = subtract(held, far);
+  const Region recent = united(index + top_gap,
+                               index + top_gap + settings_.support_interface_layers, &Level::born);
+  if (!recent.empty()) {
+    const Region under = intersect(held, recent);
+    region = unite(region, subtract(under, near));
+  }
+  const Region narrow = narrow_pieces(region, settings_.road_width);
+  if (!narrow.empty()) {
+    const Length by = scaled(settings_.road_width, kNarrowGrowth);
+    region = unite(region, subtract(grown(narrow, by), near));
+  }
+  if (base > Length()) region = subtract(grown(region, base), far);
+  region = subtract(region, slices_between(index + 1, index + top_gap));
+  region = subtract(region, slices_between(index - settings_.support_bottom_gap_layers, index - 1));
+  return simplified(region, kSupportTolerance);
+}
+
+Region SupportFold::interface_of(const Level& at, const Region& region) const {
+  const LayerIndex index = at.slice.index, top = index + settings_.support_top_gap_layers;
+  const LayerIndex bottom = index - settings_.support_bottom_gap_layers - 1;
+  Region near = united(top, top + settings_.support_interface_layers - 1, &Level::born);
+  near = unite(near,
+               slices_between(bottom - settings_.support_bottom_interface_layers + 1, bottom));
+  return near.empty() ? near : intersect(region, near);
+}
+
+SupportLayer SupportFold::decide(const Level& at) {
+  const LayerIndex index = at.slice.index;
+  const Level* source = level(index + settings_.support_top_gap_layers);
+  if (source == nullptr || (source->overhangs->empty() && source->islands->empty())) {
+    return {index, none_, none_};
+  }
+  const Length base =
+      std::max(settings_.support_base_expansion - at.slice.bottom, Length());
+  Made made{inputs_of(index), base, {index, none_, none_}};
+  if (made_ && made_->base == base && made_->of == made.of) {
+    made_->layer.index = index;
+    return made_->layer;
+  }
+  Region region = laid(at, held_by(*source), base);
+  Region interface = interface_of(at, region);
+  made.layer = {index, shared(std::move(region)), shared(std::move(interface))};
+  made_ = std::move(made);
+  return made_->layer;
+}
+
+SupportLayer BedColumns::standing(const SupportLayer& layer) {
+  SupportLayer result = layer;
+  if (last_ && last_->region == layer.region && last_->interface == layer.interface) {
+    result = *last_standing_;
+    result.index = layer.index;
+  } else if (below_) {
+    result.region = shared(intersect(*layer.region, *below_));
+    result.interface = shared(intersect(*layer.interface, *below_));
+  }
+  below_ = result.region;
+  last_ = layer;
+  last_standing_ = result;
+  return result;
+}
+
+}  // namespace core

@@ -1,0 +1,123 @@
+// Where supports stand: one pass over the slices from the top down, in memory that does not grow
+// with the part's height.
+//
+//     slice n+1    ░░░░████████        what hangs of it (hanging_regions.h) is demand in layer n
+//     slice n          ████████
+//
+//     demand(n) = (demand(n+1) ∪ hanging(n+1)) − slice(n)
+//
+// Demand is carried down and never widened, simplified or offset: on one grid, union and difference
+// are idempotent, so that any number of equal layers leaves it as it is. What is laid in layer n
+// follows from it anew in each layer:
+//
+//     ░░░░░░░░░░░░░  part          opened demand of layer n + top gap,
+//                    top gap       less the slice, support_xy_distance around it; half of that
+//     ▓▓▓▓▓▓▓▓▓▓▓▓▓  interface     right under what hangs, so that it is held to its edge,
+//     │  │  │  │  │  support       less the slices of the gaps above and below;
+//     ▓▓▓▓▓▓▓▓▓▓▓▓▓  interface     wider towards the bed (support_base_expansion)
+//                    bottom gap
+//     ░░░░░░░░░░░░░  part, or the bed
+//
+// Under an island the whole island is demand, at least support_section_min wide; no opening or
+// least area applies to it.
+//
+// SOURCE: the downward projection is that of all slicers. What is new is that nothing of the part
+// is held but the slices of the gaps and interfaces around one layer.
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/regions/region.h"  // Region
+#include "core/settings.h"        // Settings
+#include "core/units.h"           // LayerIndex, Length
+
+namespace core {
+
+using SharedRegion = std::shared_ptr<const Region>;
+
+// A slice as the fold needs it. Equal slices that follow one another may share their region: what
+// follows from them is then not computed again.
+struct FoldSlice {
+  LayerIndex index = 0;
+  Length bottom;
+  Length height;
+  SharedRegion region;  // not null
+};
+
+struct SupportLayer {
+  LayerIndex index = 0;
+  SharedRegion region;     // all of it; not null
+  SharedRegion interface;  // the part of it that is dense; not null
+
+  [[nodiscard]] bool empty() const { return region->empty(); }
+};
+
+class SupportFold {
+ public:
+  // REQUIRES: settings in their ranges.
+  explicit SupportFold(const Settings& settings);
+
+  // The next slice down; the first one is the part's highest. After each, take what next() has.
+  // COSTS: hanging_regions(), two booleans; and for the layer that is decided some offsets and
+  // booleans, none where nothing has changed. Holds the slices of the gaps and interfaces, at most
+  // support_top_gap_layers + support_interface_layers above a layer, and
+  // support_bottom_gap_layers + support_bottom_interface_layers below it.
+  void push(FoldSlice slice);
+
+  // No slice follows: layer 0 was the last.
+  void end() { ended_ = true; }
+
+  // The layers that are decided, from the top down, each once.
+  [[nodiscard]] std::optional<SupportLayer> next();
+
+  // Demand of the lowest layer so far, but for islands'. For tests.
+  [[nodiscard]] const Region& demand() const { return *levels_.back().overhangs; }
+
+ private:
+  // A layer, and what hangs over it.
+  struct Level {
+    FoldSlice slice;
+    SharedRegion born;       // hanging of the layer above, islands widened
+    SharedRegion overhangs;  // demand
+    SharedRegion islands;    // demand
+  };
+  // What a layer's support was made of, by identity: two layers of the same are alike.
+  struct Made {
+    std::vector<SharedRegion> of;
+    Length base;
+    SupportLayer layer;
+  };
+
+  [[nodiscard]] const Level* level(LayerIndex index) const;
+  [[nodiscard]] SupportLayer decide(const Level& at);
+  [[nodiscard]] std::vector<SharedRegion> inputs_of(LayerIndex index) const;
+  [[nodiscard]] Region held_by(const Level& source) const;
+  [[nodiscard]] Region united(LayerIndex from, LayerIndex to, SharedRegion Level::*what) const;
+  [[nodiscard]] Region slices_between(LayerIndex from, LayerIndex to) const;
+  [[nodiscard]] Region laid(const Level& at, const Region& held, Length base) const;
+  [[nodiscard]] Region interface_of(const Level& at, const Region& region) const;
+
+  Settings settings_;
+  SharedRegion none_;
+  std::deque<Level> levels_;  // from the top down
+  LayerIndex next_ = -1;      // to be decided
+  bool ended_ = false;
+  std::optional<Made> made_;
+};
+
+// What of the supports reaches the bed, from layer 0 up: V(n) = U(n) ∩ V(n−1).
+class BedColumns {
+ public:
+  // REQUIRES: layers in order, from 0. COSTS: an intersection, none where nothing has changed.
+  [[nodiscard]] SupportLayer standing(const SupportLayer& layer);
+
+ private:
+  SharedRegion below_;  // null: the bed
+  std::optional<SupportLayer> last_, last_standing_;
+};
+
+}  // namespace core

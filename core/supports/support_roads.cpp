@@ -1,0 +1,146 @@
+#include "core/supports/support_roads.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "core/booleans/boolean.h"         // intersect, subtract
+#include "core/offsets/offset_contours.h"  // flatten
+#include "core/offsets/slice_offsets.h"    // OffsetCutter, perimeter_spacing
+#include "core/regions/point_location.h"   // PointLocation
+#include "core/roads/island_split.h"       // IslandSplit
+#include "core/roads/line_fill.h"          // LineFill
+#include "core/roads/perimeters.h"         // perimeters
+#include "core/roads/road_order.h"         // printing_order
+
+namespace core {
+namespace {
+
+// Rows end this share of their distance inside what the sheath leaves.
+constexpr double kRowEndWidths = 0.05;
+
+class LayerFill {
+ public:
+  LayerFill(const SupportLayer& layer, Length height, const Settings& settings)
+      : layer_(layer), height_(height), settings_(settings_for(layer.index, settings)) {}
+
+  [[nodiscard]] std::vector<Road> plan() {
+    Slice slice;
+    slice.index = 1;  // not a first layer, whose offsets are those of the part's
+    slice.height = height_;
+    slice.region = *layer_.region;
+    const auto offsets = OffsetCutter(settings_).cut(slice);
+    const IslandSplit split(slice.region);
+    LayerRoads planned;
+    planned.from = slice.region.box().min;
+    planned.islands.resize(split.islands().size());
+    const std::vector<Region> cores = split.split(offsets->wide_core);
+    const std::vector<Region> interiors = split.split(offsets->interior);
+    const std::vector<Region> lines =
+        split.split(flatten(offsets->perimeters.front(), settings_.arc_tolerance));
+    const PointLocation dense(*layer_.interface);
+    for (std::size_t i = 0; i < planned.islands.size(); ++i) {
+      Perimeters around = perimeters({split.islands()[i], {lines[i]}, cores[i], interiors[i]},
+                                     height_, settings_);
+      for (Road& road : around.roads) {
+        const bool is_dense = dense.contains(road.points.front());
+        planned.islands[i].push_back(of_kind(std::move(road), is_dense));
+      }
+      fill(around.interior, planned.islands[i]);
+    }
+    std::erase_if(planned.islands, [](const IslandRoads& roads) { return roads.empty(); });
+    return printing_order(std::move(planned));
+  }
+
+ private:
+  // The sheath is one perimeter; on the bed it is as wide as the part's first layer.
+  static Settings settings_for(LayerIndex index, const Settings& settings) {
+    Settings own = settings;
+    if (settings.support_width > Length()) own.road_width = settings.support_width;
+    if (index == 0) own = first_layer_settings(own);
+    own.perimeters = 1;
+    own.wall_shape = WallShape::kCylinder;  // one offset for a wall that is not asked for
+    own.style = BuildStyle::kThinWall;
+    own.seam = SeamPosition::kNearest;
+    return own;
+  }
+
+  // Of the flow that the user wants, by its width.
+  [[nodiscard]] Length laid_width(Length width, bool dense) const {
+    const double flow = dense ? settings_.support_interface_flow : settings_.support_flow;
+    return flow == 1 ? width : bead_width(flow * bead_area_mm2(width, height_), height_);
+  }
+
+  [[nodiscard]] Road of_kind(Road road, bool dense) const {
+    road.kind = dense ? RoadKind::kSupportInterface : RoadKind::kSupport;
+    road.width = laid_width(road.width, dense);
+    for (Length& width : road.widths) width = laid_width(width, dense);
+    road.holds.clear();
+    return road;
+  }
+
+  void fill(const Region& inside, IslandRoads& roads) const {
+    if (inside.empty()) return;
+    if (layer_.index == 0) {
+      const double share = std::max(settings_.raft_first_layer_density, 0.1);
+      const Length spacing = perimeter_spacing(settings_, height_);
+      return add_rows(inside, Length::from_mm(spacing.mm() / share), false, roads);
+    }
+    const Region dense = intersect(inside, *layer_.interface);
+    const Length spacing = perimeter_spacing(settings_, height_);
+    add_rows(subtract(inside, dense), spacing + settings_.support_spacing, false, roads);
+    add_rows(dense, spacing + settings_.support_interface_spacing, true, roads);
+  }
+
+  void add_rows(const Region& region, Length distance, bool dense, IslandRoads& roads) const {
+    if (region.empty()) return;
+    const Length inset = Length::from_mm(perimeter_spacing(settings_, height_).mm() * kRowEndWidths);
+    const RoadKind kind = dense ? RoadKind::kSupportInterface : RoadKind::kSupport;
+    const LineFill rows(settings_.support_angle_degrees);
+    const FillArea area{region,   dense ? 1 : 0, kind, settings_.road_width,
+                        distance, inset,         settings_.arc_tolerance * 2};
+    for (Road& road : rows.fill(area).roads) roads.push_back(of_kind(std::move(road), dense));
+  }
+
+  const SupportLayer& layer_;
+  Length height_;
+  Settings settings_;
+};
+
+}  // namespace
+
+std::vector<Road> support_roads(const SupportLayer& layer, Length height,
+                                const Settings& settings) {
+  if (layer.empty()) return {};
+  return LayerFill(layer, height, settings).plan();
+}
+
+std::vector<Road> with_supports(const std::vector<Road>& supports,
+                                const std::vector<Road>& roads) {
+  const auto around = [](const Road& road) {
+    return road.kind == RoadKind::kSkirt || road.kind == RoadKind::kBrim;
+  };
+  const auto first = std::find_if_not(roads.begin(), roads.end(), around);
+  std::vector<Road> all(roads.begin(), first);
+  all.reserve(roads.size() + supports.size());
+  all.insert(all.end(), supports.begin(), supports.end());
+  all.insert(all.end(), first, roads.end());
+  return all;
+}
+
+SupportPlanner::Reservation SupportPlanner::reserve(const SupportLayer& layer, Length height) {
+  if (layer.empty()) return {};
+  // The first layer has a fill of its own.
+  const bool alike = last_ && last_->layer.index > 0 && last_->height == height &&
+                     last_->layer.region == layer.region &&
+                     last_->layer.interface == layer.interface;
+  if (alike) return {last_, false};
+  last_ = std::make_shared<SupportPlan>(SupportPlan{layer, height, {}});
+  return {last_, true};
+}
+
+void SupportPlanner::fill(SupportPlan& plan) const {
+  plan.roads = support_roads(plan.layer, plan.height, settings_);
+}
+
+}  // namespace core

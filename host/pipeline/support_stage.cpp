@@ -1,0 +1,113 @@
+#include "host/pipeline/support_stage.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "core/check.h"  // RIND_CHECK
+
+namespace host {
+namespace {
+
+constexpr SpillUse kForSupports{"supports", "set TMPDIR, or --spool, to another folder"};
+
+}  // namespace
+
+core::Status SupportStage::prepare(SliceIntake& intake, const Stopped& stopped,
+                                   WarningBox& warnings) {
+  core::Result<LayerSpool> slices = LayerSpool::create(folder_, kForSupports);
+  if (!slices.ok()) return slices.error();
+  core::Result<LayerSpool> supports = LayerSpool::create(folder_, kForSupports);
+  if (!supports.ok()) return supports.error();
+  slices_ = std::move(slices).value();
+  supports_ = std::move(supports).value();
+  if (slices_->file().in_memory()) {
+    warnings.put(
+        fmt::format("supports: {} is kept in memory, and with it the slices that are put there; "
+                    "--spool DIR puts them on a disk",
+                    slices_->file().folder()));
+  }
+  if (core::Status spooled = spool_slices(intake, stopped); !spooled.ok()) return spooled;
+  if (core::Status folded = fold(stopped); !folded.ok()) return folded;
+  slices_->read_forwards();
+  supports_->read_backwards();
+  return {};
+}
+
+core::Status SupportStage::spool_slices(SliceIntake& intake, const Stopped& stopped) {
+  while (!stopped()) {
+    core::Result<TakenSlice> taken = intake.next();
+    if (!taken.ok()) return taken.error();
+    if (!taken.value().slice) break;
+    core::Slice& slice = *taken.value().slice;
+    SpooledLayer layer;
+    layer.index = slice.index;
+    layer.bottom = slice.bottom;
+    layer.height = slice.height;
+    layer.defects = slice.defects;
+    layer.note = std::move(taken.value().pause);
+    layer.regions.front() = std::make_shared<const core::Region>(std::move(slice.region));
+    if (core::Status written = slices_->append(layer); !written.ok()) return written;
+  }
+  return {};
+}
+
+core::Result<TakenSlice> SupportStage::next_slice() {
+  RIND_CHECK(slices_.has_value());
+  core::Result<std::optional<SpooledLayer>> layer = slices_->next();
+  if (!layer.ok()) return layer.error();
+  TakenSlice taken;
+  if (!layer.value()) return taken;
+  SpooledLayer& found = *layer.value();
+  taken.slice = core::Slice{found.index, found.bottom, found.height, *found.regions.front(),
+                            found.defects};
+  taken.pause = std::move(found.note);
+  return taken;
+}
+
+core::Status SupportStage::fold(const Stopped& stopped) {
+  core::SupportFold fold(settings_);
+  slices_->read_backwards();
+  while (!stopped()) {
+    core::Result<std::optional<SpooledLayer>> layer = slices_->previous();
+    if (!layer.ok()) return layer.error();
+    if (!layer.value()) break;
+    const SpooledLayer& found = *layer.value();
+    fold.push({found.index, found.bottom, found.height, found.regions.front()});
+    if (core::Status taken = take_decided(fold); !taken.ok()) return taken;
+  }
+  fold.end();
+  return take_decided(fold);
+}
+
+core::Status SupportStage::take_decided(core::SupportFold& fold) {
+  while (std::optional<core::SupportLayer> decided = fold.next()) {
+    SpooledLayer layer;
+    layer.index = decided->index;
+    layer.regions = {decided->region, decided->interface};
+    if (core::Status written = supports_->append(layer); !written.ok()) return written;
+  }
+  return {};
+}
+
+core::Result<LayerSupport> SupportStage::at(core::LayerIndex index) {
+  RIND_CHECK(supports_.has_value());
+  const auto kept = static_cast<std::size_t>(settings_.support_top_gap_layers) + 2;
+  while (recent_.empty() || recent_.back().index < index) {
+    core::Result<std::optional<SpooledLayer>> next = supports_->previous();
+    if (!next.ok()) return next.error();
+    RIND_CHECK(next.value().has_value());
+    SpooledLayer& found = *next.value();
+    core::SupportLayer layer{found.index, found.regions[0], found.regions[1]};
+    if (settings_.supports == core::SupportPlace::kBed) layer = columns_.standing(layer);
+    recent_.push_back(std::move(layer));
+    if (recent_.size() > kept) recent_.pop_front();
+  }
+  return LayerSupport{recent_.back(), recent_.size() == kept ? recent_.front().region : nullptr};
+}
+
+std::int64_t SupportStage::spooled_bytes() const {
+  return slices_ ? slices_->bytes() + supports_->bytes() : 0;
+}
+
+}  // namespace host

@@ -1,0 +1,72 @@
+// Supports for a print: what hangs is known only from above, so the part is sliced once into a
+// temporary file, looked through from the top down, and then read again from there.
+//
+//     source ──> slices' spool ──(backwards)──> SupportFold ──> supports' spool
+//                     │                                              │ (backwards)
+//                     └──(forwards)──> the pipeline's layers         └──> at(layer), from the bed up
+//
+// Both passes see the same slices, mended and compensated alike, because they are cut only once.
+// Memory: the fold's few layers and the buffers of two spools. The disk holds a slice a layer, and a
+// support; equal neighbours take a few bytes.
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "core/result.h"                 // Result, Status
+#include "core/settings.h"               // Settings
+#include "core/supports/support_fold.h"  // BedColumns, SharedRegion, SupportLayer
+#include "core/units.h"                  // LayerIndex
+#include "host/part/layer_spool.h"       // LayerSpool
+#include "host/pipeline/slice_intake.h"  // SliceIntake, TakenSlice
+#include "host/system/warning_box.h"     // WarningBox
+
+namespace host {
+
+// What a layer has of supports.
+struct LayerSupport {
+  core::SupportLayer here;
+  core::SharedRegion below;  // the region that may hold this layer, below its gap; null: none
+};
+
+class SupportStage {
+ public:
+  using Stopped = std::function<bool()>;
+
+  // `folder`: of the spools; empty: $TMPDIR, or /tmp. REQUIRES: the settings outlive the stage.
+  SupportStage(const core::Settings& settings, std::string folder)
+      : settings_(settings), folder_(std::move(folder)) {}
+
+  [[nodiscard]] bool wanted() const { return settings_.supports != core::SupportPlace::kOff; }
+
+  // Takes all of the part's slices, and finds where supports stand. Returns early when asked to
+  // stop. Errors: of the intake, of the disk.
+  // COSTS: slicing, which then is done, and the fold.
+  // REQUIRES: wanted(); called once, before the first slice was taken.
+  [[nodiscard]] core::Status prepare(SliceIntake& intake, const Stopped& stopped,
+                                     WarningBox& warnings);
+
+  // What the intake gave, from the bed up. REQUIRES: prepared.
+  [[nodiscard]] core::Result<TakenSlice> next_slice();
+
+  // REQUIRES: prepared; indices ascend.
+  [[nodiscard]] core::Result<LayerSupport> at(core::LayerIndex index);
+
+  [[nodiscard]] std::int64_t spooled_bytes() const;
+
+ private:
+  [[nodiscard]] core::Status spool_slices(SliceIntake& intake, const Stopped& stopped);
+  [[nodiscard]] core::Status fold(const Stopped& stopped);
+  [[nodiscard]] core::Status take_decided(core::SupportFold& fold);
+
+  const core::Settings& settings_;
+  std::string folder_;
+  std::optional<LayerSpool> slices_, supports_;
+  core::BedColumns columns_;
+  std::deque<core::SupportLayer> recent_;  // the gap's, the latest last
+};
+
+}  // namespace host
