@@ -42,7 +42,8 @@ Region holes_in_air(const BridgeSite& site, const Region& around, const Settings
     holes.emplace_back(ring.rbegin(), ring.rend());
   }
   if (holes.empty()) return {};
-  const Length band = perimeter_depth(settings, site.height, settings.perimeters) + settings.road_width;
+  const Length band =
+      perimeter_depth(settings, site.height, settings.perimeters) + settings.road_width;
   return grown(clean(holes, FillRule::kNonZero), band, settings);
 }
 

@@ -69,7 +69,8 @@ FilledRows LineFill::fill(const FillArea& area) const {
     }
     lines.resize(kept);
   }
-  const Length longest = Length::from_mm(area.distance.mm() * kJoinMaxDistances);
+  const Length longest =
+      area.joined ? Length::from_mm(area.distance.mm() * kJoinMaxDistances) : Length();
   JoinedLines joined = area.monotonic ? join_monotonic(lines, filled.stretches, clipper, longest)
                                       : join_along_boundary(lines, clipper, longest);
   mark_covered(joined.partners, filled.stretches);

@@ -64,7 +64,7 @@ class Below {
     std::size_t held = 0, whole = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
       const Point next = points[i + 1 < points.size() ? i + 1 : 0];
-      loop.held_points.push_back(inside_.contains(points[i]));
+      loop.held_points.push_back(holds(points[i]));
       loop.held_edges.push_back(loop.held_points[i] && !contours_.crosses({points[i], next}));
       held += loop.held_points[i] ? 1 : 0;
       whole += loop.held_edges[i] ? 1 : 0;
@@ -76,6 +76,11 @@ class Below {
   }
 
  private:
+  // A road that starts just at the edge of what holds it ends there in the air.
+  [[nodiscard]] bool holds(Point at) const {
+    return inside_.contains(at) && !contours_.any_within(at, kHeldMargin);
+  }
+
   // Places of edges that come into the region and leave it, at most kHeldStep apart.
   void mark_between(const std::vector<Point>& points, SeamLoop& loop) const {
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -86,12 +91,13 @@ class Below {
       for (std::size_t step = 1; step < steps; ++step) {
         const double share = static_cast<double>(step) / static_cast<double>(steps);
         const RingPlace place{between(points[i], next, share), i};
-        if (inside_.contains(place.at)) loop.held_between.push_back(place);
+        if (holds(place.at)) loop.held_between.push_back(place);
       }
     }
   }
 
   static constexpr Length kHeldStep = Length::from_units(5'000);
+  static constexpr Length kHeldMargin = Length::from_units(1'000);
 
   PointLocation inside_;
   SegmentGrid contours_;

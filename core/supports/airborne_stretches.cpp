@@ -1,7 +1,7 @@
 #include "core/supports/airborne_stretches.h"
 
-#include <cmath>
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <utility>

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/booleans/boolean.h"             // intersect, subtract, unite
-#include "core/booleans/simplified.h"          // simplified
-#include "core/check.h"                        // RIND_CHECK
-#include "core/offsets/voronoi_mountain.h"     // offset
-#include "core/supports/hanging_regions.h"     // hanging_regions
+#include "core/booleans/boolean.h"          // intersect, subtract, unite
+#include "core/booleans/simplified.h"       // simplified
+#include "core/check.h"                     // RIND_CHECK
+#include "core/offsets/voronoi_mountain.h"  // offset
+#include "core/supports/hanging_regions.h"  // hanging_regions
 
 namespace core {
 namespace {
@@ -168,9 +168,9 @@ Region SupportFold::slices_between(LayerIndex from, LayerIndex to) const {
 Region SupportFold::held_by(const Level& source) const {
   const Length by = scaled(settings_.road_width_min, kOpeningWidths / 2);
   const Region overhangs = simplified(*source.overhangs, kSupportTolerance);
-  return unite(without_small(opened(overhangs, by), settings_.support_area_min_mm2,
-                             *source.islands),
-               *source.islands);
+  return unite(
+      without_small(opened(overhangs, by), settings_.support_area_min_mm2, *source.islands),
+      *source.islands);
 }
 
 Region SupportFold::laid(const Level& at, const Region& held, Length base) const {
@@ -179,8 +179,8 @@ Region SupportFold::laid(const Level& at, const Region& held, Length base) const
   const Region slice = simplified(*at.slice.region, kSupportTolerance);
   const Region far = grown(slice, distance), near = grown(slice, scaled(distance, kNearShare));
   Region region = subtract(held, far);
-  const Region recent = united(index + top_gap,
-                               index + top_gap + settings_.support_interface_layers, &Level::born);
+  const Region recent =
+      united(index + top_gap, index + top_gap + settings_.support_interface_layers, &Level::born);
   if (!recent.empty()) {
     const Region under = intersect(held, recent);
     region = unite(region, subtract(under, near));
@@ -200,8 +200,8 @@ Region SupportFold::interface_of(const Level& at, const Region& region) const {
   const LayerIndex index = at.slice.index, top = index + settings_.support_top_gap_layers;
   const LayerIndex bottom = index - settings_.support_bottom_gap_layers - 1;
   Region near = united(top, top + settings_.support_interface_layers - 1, &Level::born);
-  near = unite(near,
-               slices_between(bottom - settings_.support_bottom_interface_layers + 1, bottom));
+  near =
+      unite(near, slices_between(bottom - settings_.support_bottom_interface_layers + 1, bottom));
   return near.empty() ? near : intersect(region, near);
 }
 
@@ -211,8 +211,7 @@ SupportLayer SupportFold::decide(const Level& at) {
   if (source == nullptr || (source->overhangs->empty() && source->islands->empty())) {
     return {index, none_, none_};
   }
-  const Length base =
-      std::max(settings_.support_base_expansion - at.slice.bottom, Length());
+  const Length base = std::max(settings_.support_base_expansion - at.slice.bottom, Length());
   Made made{inputs_of(index), base, {index, none_, none_}};
   if (made_ && made_->base == base && made_->of == made.of) {
     made_->layer.index = index;

@@ -7,11 +7,11 @@
 #include "core/booleans/boolean.h"         // intersect, subtract
 #include "core/offsets/offset_contours.h"  // flatten
 #include "core/offsets/slice_offsets.h"    // OffsetCutter, perimeter_spacing
-#include "core/regions/point_location.h"   // PointLocation
 #include "core/roads/island_split.h"       // IslandSplit
 #include "core/roads/line_fill.h"          // LineFill
 #include "core/roads/perimeters.h"         // perimeters
 #include "core/roads/road_order.h"         // printing_order
+#include "core/supports/dense_parts.h"     // DenseParts
 
 namespace core {
 namespace {
@@ -38,13 +38,14 @@ class LayerFill {
     const std::vector<Region> interiors = split.split(offsets->interior);
     const std::vector<Region> lines =
         split.split(flatten(offsets->perimeters.front(), settings_.arc_tolerance));
-    const PointLocation dense(*layer_.interface);
+    const DenseParts dense(*layer_.interface);
     for (std::size_t i = 0; i < planned.islands.size(); ++i) {
-      Perimeters around = perimeters({split.islands()[i], {lines[i]}, cores[i], interiors[i]},
-                                     height_, settings_);
+      Perimeters around =
+          perimeters({split.islands()[i], {lines[i]}, cores[i], interiors[i]}, height_, settings_);
       for (Road& road : around.roads) {
-        const bool is_dense = dense.contains(road.points.front());
-        planned.islands[i].push_back(of_kind(std::move(road), is_dense));
+        for (auto& [part, is_dense] : dense.of(std::move(road))) {
+          planned.islands[i].push_back(of_kind(std::move(part), is_dense));
+        }
       }
       fill(around.interior, planned.islands[i]);
     }
@@ -94,11 +95,19 @@ class LayerFill {
 
   void add_rows(const Region& region, Length distance, bool dense, IslandRoads& roads) const {
     if (region.empty()) return;
-    const Length inset = Length::from_mm(perimeter_spacing(settings_, height_).mm() * kRowEndWidths);
+    const Length inset =
+        Length::from_mm(perimeter_spacing(settings_, height_).mm() * kRowEndWidths);
     const RoadKind kind = dense ? RoadKind::kSupportInterface : RoadKind::kSupport;
     const LineFill rows(settings_.support_angle_degrees);
-    const FillArea area{region,   dense ? 1 : 0, kind, settings_.road_width,
-                        distance, inset,         settings_.arc_tolerance * 2};
+    // The sheath joins the rows that are far apart.
+    const FillArea area{region,
+                        dense ? 1 : 0,
+                        kind,
+                        settings_.road_width,
+                        distance,
+                        inset,
+                        settings_.arc_tolerance * 2,
+                        dense};
     for (Road& road : rows.fill(area).roads) roads.push_back(of_kind(std::move(road), dense));
   }
 
@@ -115,8 +124,7 @@ std::vector<Road> support_roads(const SupportLayer& layer, Length height,
   return LayerFill(layer, height, settings).plan();
 }
 
-std::vector<Road> with_supports(const std::vector<Road>& supports,
-                                const std::vector<Road>& roads) {
+std::vector<Road> with_supports(const std::vector<Road>& supports, const std::vector<Road>& roads) {
   const auto around = [](const Road& road) {
     return road.kind == RoadKind::kSkirt || road.kind == RoadKind::kBrim;
   };

@@ -62,7 +62,7 @@ core::Result<PrintPlan> open_print_plan(const Options& options, Reporter& report
   }
   const bool supported = settings.value().supports != core::SupportPlace::kOff;
   open.stream_pipes = !supported && (options.part.sorted == PipeSorted::kYes ||
-                      (options.part.sorted == PipeSorted::kAuto && sliced));
+                                     (options.part.sorted == PipeSorted::kAuto && sliced));
   open.order_is_sure = options.part.sorted == PipeSorted::kYes;
   // The height was confirmed when the print was started.
   open.tall = options.part.tall || options.subcommand == Subcommand::kResume;
@@ -77,9 +77,12 @@ core::Result<PrintPlan> open_print_plan(const Options& options, Reporter& report
   if (!part.ok()) return part.error();
   const PartSummary& summary = part.value().summary;
   for (const std::string& warning : summary.warnings) reporter.note("warning", warning);
-  return PrintPlan{std::move(settings).value(),   std::move(part).value(),
-                   part_title(options.part.path), on_bad_layer,
-                   options.part.on_floating,      options.part.spool,
+  return PrintPlan{std::move(settings).value(),
+                   std::move(part).value(),
+                   part_title(options.part.path),
+                   on_bad_layer,
+                   options.part.on_floating,
+                   options.part.spool,
                    options.threads};
 }
 

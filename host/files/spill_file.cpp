@@ -56,13 +56,12 @@ SpillFile& SpillFile::operator=(SpillFile&& other) noexcept {
 core::Error SpillFile::failed(const char* what, int cause) const {
   return {core::ErrorCode::kUnreadable,
           folder_ + ": " + what + " the temporary file for " + std::string(use_.purpose) +
-              " failed after " +
-              std::to_string(size_) + " bytes: " + std::strerror(cause) +
+              " failed after " + std::to_string(size_) + " bytes: " + std::strerror(cause) +
               "; make room there, or set TMPDIR to another folder"};
 }
 
 bool SpillFile::in_memory() const {
-  struct statfs system{};
+  struct statfs system {};
   return ::fstatfs(descriptor_, &system) == 0 && system.f_type == TMPFS_MAGIC;
 }
 

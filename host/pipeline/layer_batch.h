@@ -7,14 +7,14 @@
 #include <string>
 #include <vector>
 
-#include "core/offsets/slice_offsets.h"  // OffsetCutter
-#include "core/result.h"                 // Error
-#include "core/roads/layer_planner.h"    // LayerPlanner
-#include "core/roads/seams.h"            // SeamMemory
-#include "core/slices/slice.h"           // Slice
+#include "core/offsets/slice_offsets.h"   // OffsetCutter
+#include "core/result.h"                  // Error
+#include "core/roads/layer_planner.h"     // LayerPlanner
+#include "core/roads/seams.h"             // SeamMemory
+#include "core/slices/slice.h"            // Slice
 #include "core/supports/support_roads.h"  // SupportPlanner
-#include "core/units.h"                  // LayerIndex, Length
-#include "host/pipeline/stage_meter.h"   // StageUse
+#include "core/units.h"                   // LayerIndex, Length
+#include "host/pipeline/stage_meter.h"    // StageUse
 
 namespace host {
 

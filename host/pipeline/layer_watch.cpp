@@ -17,6 +17,13 @@ constexpr double kStoppedAfter_s = 2;
 
 }  // namespace
 
+std::optional<std::string> slow_layers_text(const SlowLayers& slow, double limit_s) {
+  if (slow.count <= static_cast<std::int64_t>(kSlowLayersTold)) return {};
+  return fmt::format(
+      "{} layers took more than {:g} s each to compute; the slowest, layer {}, took {:.1f} s",
+      slow.count, limit_s, slow.slowest.layer + 1, slow.slowest.seconds);
+}
+
 LayerSize size_of(const core::Region& region) {
   LayerSize size;
   for (const core::Ring& ring : region.rings()) {

@@ -17,6 +17,7 @@
 #include <deque>
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,6 +54,9 @@ struct SlowLayers {
   std::vector<SlowLayer> first;  // the first kSlowLayersTold, with their whole time
   SlowLayer slowest;
 };
+
+// "20 layers took more than 60 s each …"; nothing where each was told.
+[[nodiscard]] std::optional<std::string> slow_layers_text(const SlowLayers& slow, double limit_s);
 
 class LayerWatch {
  public:

@@ -49,7 +49,6 @@ class Pipeline {
         ahead_(core::seam_layers_ahead(settings_)),
         blocks_(settings_),
         planner_(settings_),
-        support_planner_(settings_),
         floating_(print_plan.on_floating, print_plan.part_path, signals.warnings),
         commands_(core::with_style(whole(print_plan)), print_plan.command_form, outputs, refused_) {
     plan_.part.layers =
@@ -100,8 +99,8 @@ class Pipeline {
     }
     signals_.layers.store(plan_.part.summary.layers);
     if (!supports_.wanted()) return {};
-    const CpuTimer timer(support_s_);
-    return supports_.prepare(intake_, [this] { return stopped(); }, signals_.warnings);
+    return supports_.prepare(
+        intake_, [this] { return stopped(); }, signals_.warnings);
   }
 
   // Called in order. After the last slice it gives empty batches until the window is empty.
@@ -180,7 +179,7 @@ class Pipeline {
       const core::Length bottom = layer->slice.bottom;
       core::SupportPlanner::Reservation support;
       if (supports_.wanted()) {
-        core::Result<core::SupportPlanner::Reservation> found = support_of(*layer);
+        core::Result<core::SupportPlanner::Reservation> found = supports_.reserve(*layer);
         if (!found.ok()) return void(batch.error = found.error());
         support = std::move(found).value();
       }
@@ -192,14 +191,6 @@ class Pipeline {
                                pause_before(index),
                                std::move(support)});
     }
-  }
-
-  core::Result<core::SupportPlanner::Reservation> support_of(core::SplitLayer& layer) {
-    core::Result<LayerSupport> found = supports_.at(layer.slice.index);
-    if (!found.ok()) return found.error();
-    layer.support = found.value().here.region;
-    layer.support_below = std::move(found.value().below);
-    return support_planner_.reserve(found.value().here, layer.slice.height);
   }
 
   std::optional<std::string> pause_before(core::LayerIndex index) {
@@ -220,7 +211,7 @@ class Pipeline {
     const StageMeter meter(Stage::kRoads, batch.use);
     for (SettledLayer& settled : batch.settled) {
       const LayerWatch::Look look = watched(settled, batch);
-      if (settled.support.to_fill) support_planner_.fill(*settled.support.plan);
+      if (settled.support.to_fill) supports_.fill(*settled.support.plan);
       if (settled.reserved.to_fill) planner_.fill(*settled.reserved.plan, wants_roads());
     }
   }
@@ -335,16 +326,12 @@ class Pipeline {
     clock.set_seconds(Stage::kSlice, used.slice_cpu_s);
     statistics_.peak_held.triangles = used.peak_triangles_held;
     statistics_.spilled_bytes = used.spilled_bytes + supports_.spooled_bytes();
-    clock.set_seconds(Stage::kSupport, support_s_);
+    clock.set_seconds(Stage::kSupport, supports_.seconds());
     statistics_.layers += counts_.raft_layers;
     statistics_.bad_layers = intake_.bad_layers();
     statistics_.slow_layers = watch_.slow_layers();
-    if (statistics_.slow_layers.count > static_cast<std::int64_t>(kSlowLayersTold)) {
-      const SlowLayer& slowest = statistics_.slow_layers.slowest;
-      signals_.warnings.put(fmt::format(
-          "{} layers took more than {:g} s each to compute; the slowest, layer {}, took {:.1f} s",
-          statistics_.slow_layers.count, signals_.slow_layer_s, slowest.layer + 1,
-          slowest.seconds));
+    if (const auto told = slow_layers_text(statistics_.slow_layers, signals_.slow_layer_s)) {
+      signals_.warnings.put(*told);
     }
     const core::WallSplitter::Usage window = splitter_.usage();
     statistics_.peak_held.layers = static_cast<std::int64_t>(window.layers_held_peak);
@@ -386,8 +373,6 @@ class Pipeline {
   core::CornersAhead ahead_;
   core::LooseBlocks blocks_;
   core::LayerPlanner planner_;  // plan() only reads its settings
-  core::SupportPlanner support_planner_;  // likewise
-  double support_s_ = 0;
   std::atomic<bool> window_emptied_ = false;
   std::deque<std::pair<core::LayerIndex, std::string>> pauses_;  // of layers in the window
 

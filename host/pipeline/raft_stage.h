@@ -13,13 +13,13 @@
 #include <optional>
 #include <string>
 
-#include "core/result.h"               // Result
-#include "core/roads/raft.h"           // Raft
-#include "core/settings.h"             // Settings
-#include "core/slices/slice.h"         // Slice
-#include "core/units.h"                // LayerIndex, Length
-#include "core/walls/split_layer.h"  // SplitLayer
-#include "host/pipeline/checkpoint.h"  // Checkpoint
+#include "core/result.h"                // Result
+#include "core/roads/raft.h"            // Raft
+#include "core/settings.h"              // Settings
+#include "core/slices/slice.h"          // Slice
+#include "core/units.h"                 // LayerIndex, Length
+#include "core/walls/split_layer.h"     // SplitLayer
+#include "host/pipeline/checkpoint.h"   // Checkpoint
 #include "host/pipeline/layer_watch.h"  // LayerWatch
 
 namespace host {

@@ -4,7 +4,8 @@
 
 #include <utility>
 
-#include "core/check.h"  // RIND_CHECK
+#include "core/check.h"               // RIND_CHECK
+#include "host/system/stage_clock.h"  // CpuTimer
 
 namespace host {
 namespace {
@@ -59,13 +60,14 @@ core::Result<TakenSlice> SupportStage::next_slice() {
   TakenSlice taken;
   if (!layer.value()) return taken;
   SpooledLayer& found = *layer.value();
-  taken.slice = core::Slice{found.index, found.bottom, found.height, *found.regions.front(),
-                            found.defects};
+  taken.slice =
+      core::Slice{found.index, found.bottom, found.height, *found.regions.front(), found.defects};
   taken.pause = std::move(found.note);
   return taken;
 }
 
 core::Status SupportStage::fold(const Stopped& stopped) {
+  const CpuTimer timer(seconds_);
   core::SupportFold fold(settings_);
   slices_->read_backwards();
   while (!stopped()) {
@@ -90,20 +92,22 @@ core::Status SupportStage::take_decided(core::SupportFold& fold) {
   return {};
 }
 
-core::Result<LayerSupport> SupportStage::at(core::LayerIndex index) {
+core::Result<core::SupportPlanner::Reservation> SupportStage::reserve(core::SplitLayer& layer) {
   RIND_CHECK(supports_.has_value());
   const auto kept = static_cast<std::size_t>(settings_.support_top_gap_layers) + 2;
-  while (recent_.empty() || recent_.back().index < index) {
+  while (recent_.empty() || recent_.back().index < layer.slice.index) {
     core::Result<std::optional<SpooledLayer>> next = supports_->previous();
     if (!next.ok()) return next.error();
     RIND_CHECK(next.value().has_value());
     SpooledLayer& found = *next.value();
-    core::SupportLayer layer{found.index, found.regions[0], found.regions[1]};
-    if (settings_.supports == core::SupportPlace::kBed) layer = columns_.standing(layer);
-    recent_.push_back(std::move(layer));
+    core::SupportLayer support{found.index, found.regions[0], found.regions[1]};
+    if (settings_.supports == core::SupportPlace::kBed) support = columns_.standing(support);
+    recent_.push_back(std::move(support));
     if (recent_.size() > kept) recent_.pop_front();
   }
-  return LayerSupport{recent_.back(), recent_.size() == kept ? recent_.front().region : nullptr};
+  layer.support = recent_.back().region;
+  if (recent_.size() == kept) layer.support_below = recent_.front().region;
+  return planner_.reserve(recent_.back(), layer.slice.height);
 }
 
 std::int64_t SupportStage::spooled_bytes() const {

@@ -16,21 +16,16 @@
 #include <string>
 #include <utility>
 
-#include "core/result.h"                 // Result, Status
-#include "core/settings.h"               // Settings
-#include "core/supports/support_fold.h"  // BedColumns, SharedRegion, SupportLayer
-#include "core/units.h"                  // LayerIndex
-#include "host/part/layer_spool.h"       // LayerSpool
-#include "host/pipeline/slice_intake.h"  // SliceIntake, TakenSlice
-#include "host/system/warning_box.h"     // WarningBox
+#include "core/result.h"                  // Result, Status
+#include "core/settings.h"                // Settings
+#include "core/supports/support_fold.h"   // BedColumns, SupportFold, SupportLayer
+#include "core/supports/support_roads.h"  // SupportPlanner
+#include "core/walls/split_layer.h"       // SplitLayer
+#include "host/part/layer_spool.h"        // LayerSpool
+#include "host/pipeline/slice_intake.h"   // SliceIntake, TakenSlice
+#include "host/system/warning_box.h"      // WarningBox
 
 namespace host {
-
-// What a layer has of supports.
-struct LayerSupport {
-  core::SupportLayer here;
-  core::SharedRegion below;  // the region that may hold this layer, below its gap; null: none
-};
 
 class SupportStage {
  public:
@@ -38,7 +33,7 @@ class SupportStage {
 
   // `folder`: of the spools; empty: $TMPDIR, or /tmp. REQUIRES: the settings outlive the stage.
   SupportStage(const core::Settings& settings, std::string folder)
-      : settings_(settings), folder_(std::move(folder)) {}
+      : settings_(settings), folder_(std::move(folder)), planner_(settings) {}
 
   [[nodiscard]] bool wanted() const { return settings_.supports != core::SupportPlace::kOff; }
 
@@ -52,10 +47,14 @@ class SupportStage {
   // What the intake gave, from the bed up. REQUIRES: prepared.
   [[nodiscard]] core::Result<TakenSlice> next_slice();
 
-  // REQUIRES: prepared; indices ascend.
-  [[nodiscard]] core::Result<LayerSupport> at(core::LayerIndex index);
+  // Gives the layer its supports, and those that hold it; returns the plan of their roads.
+  // Errors: of the disk. REQUIRES: prepared; indices ascend.
+  [[nodiscard]] core::Result<core::SupportPlanner::Reservation> reserve(core::SplitLayer& layer);
+  void fill(core::SupportPlan& plan) const { planner_.fill(plan); }
 
   [[nodiscard]] std::int64_t spooled_bytes() const;
+  // Processor time of the fold.
+  [[nodiscard]] double seconds() const { return seconds_; }
 
  private:
   [[nodiscard]] core::Status spool_slices(SliceIntake& intake, const Stopped& stopped);
@@ -67,6 +66,8 @@ class SupportStage {
   std::optional<LayerSpool> slices_, supports_;
   core::BedColumns columns_;
   std::deque<core::SupportLayer> recent_;  // the gap's, the latest last
+  core::SupportPlanner planner_;
+  double seconds_ = 0;
 };
 
 }  // namespace host

@@ -162,8 +162,9 @@ inline constexpr std::array kPartRows = {
             "least area that is held, but for islands that begin in the air"},
     Setting{"support_section_min", &PrintSettings::support_section_min, "mm", 0, 20,
             "least breadth of the support under an island that begins in the air"},
-    Setting{"overhang_angle_degrees", &PrintSettings::overhang_angle_degrees, "°", 0, 90,
-            "angle from the vertical; overhangs that are steeper are reported, or held by supports"},
+    Setting{
+        "overhang_angle_degrees", &PrintSettings::overhang_angle_degrees, "°", 0, 90,
+        "angle from the vertical; overhangs that are steeper are reported, or held by supports"},
     Setting{"bridge_max", &PrintSettings::bridge_max, "mm", 0, 1'000,
             "length of the longest bridge that is neither reported nor held by supports"},
     Setting{"bridge_flow", &PrintSettings::bridge_flow, "×", 0.1, 3,

@@ -224,9 +224,10 @@ Status actions_are_known(const PrintSettings& settings) {
 }  // namespace
 
 Status validate_settings(const PrintSettings& settings) {
-  for (const auto rule : {every_value_in_range, wall_fits_window, roads_fit_nozzle,
-                          other_heights_fit, vase_has_a_thin_wall, vase_has_no_supports, accelerations_have_a_default,
-                          heights_of_slowdown_fit, part_has_a_place, actions_are_known}) {
+  for (const auto rule :
+       {every_value_in_range, wall_fits_window, roads_fit_nozzle, other_heights_fit,
+        vase_has_a_thin_wall, vase_has_no_supports, accelerations_have_a_default,
+        heights_of_slowdown_fit, part_has_a_place, actions_are_known}) {
     Status status = rule(settings);
     if (!status.ok()) return status;
   }

@@ -13,7 +13,18 @@
 
 namespace host {
 
-enum class Stage { kNone, kRead, kSort, kSlice, kSupport, kOffset, kWindow, kRoads, kEncode, kSend };
+enum class Stage {
+  kNone,
+  kRead,
+  kSort,
+  kSlice,
+  kSupport,
+  kOffset,
+  kWindow,
+  kRoads,
+  kEncode,
+  kSend
+};
 inline constexpr std::size_t kStageCount = 10;
 
 // As in the statistics file (--stats).
