@@ -6,7 +6,7 @@
 //     overhang     held on one side at most, and steeper than asked: farther beyond the
 //                  slice below than  h · tan(angle),  h: the distance of the two planes
 //
-// A span up to bridge_max is a bridge, which is fine: it is not told. Neither is what supports hold.
+// A span up to bridge_max is a bridge, which is fine: it is not told. Nor is what supports hold.
 #pragma once
 
 #include <array>

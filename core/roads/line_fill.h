@@ -28,8 +28,8 @@ struct FillArea {
   Length distance;         // of neighbouring centre lines
   Length inset;            // how deep inside the region centre lines run
   Length tolerance;        // of the inset's round corners
-  bool joined = true;      // along the edge
   bool monotonic = false;  // monotonic_joins.h; roads are then in the order to lay them in
+  bool joined = true;      // rows at their ends, along the edge
 };
 
 struct FilledRows {

@@ -1,5 +1,5 @@
-// Tells the stretches of a road apart that run in a layer's dense part: where its centre line enters
-// and leaves it.
+// Tells the stretches of a road apart that run in a layer's dense part: where its centre line
+// enters and leaves it.
 #pragma once
 
 #include <utility>

@@ -1,9 +1,9 @@
 // What of a layer needs a support: the whole of what hangs, not only what is too far out.
 //
-//      ░░░░░░▓▓▓▓▓▓▓▓▓▓  slice      beyond h · tan(angle) it hangs; its strip from there back to the
-//      ░░░░░░┆     ┆                slice below is held with it, so that the strips of all layers of
-//      ██████████──┘                a slope touch one another
-//      slice below
+//     ░░░░░░▓▓▓▓▓▓▓▓▓▓  slice     beyond h · tan(angle) it hangs; its strip from there back to
+//     ░░░░░░┆     ┆               the slice below is held with it, so that the strips of all
+//     ██████████──┘               layers of a slope touch one another
+//     slice below
 //
 //     island      over no part of the slice below: it is held all over
 //     overhang    held on one side at most, or by sides farther apart than bridge_max

@@ -120,7 +120,7 @@ std::optional<SupportLayer> SupportFold::next() {
   SupportLayer layer = decide(*level(next_));
   --next_;
   const LayerIndex above = settings_.support_top_gap_layers + settings_.support_interface_layers;
-  while (levels_.front().slice.index > next_ + above) levels_.pop_front();
+  while (levels_.size() > 1 && levels_.front().slice.index > next_ + above) levels_.pop_front();
   return layer;
 }
 

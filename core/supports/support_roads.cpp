@@ -107,6 +107,7 @@ class LayerFill {
                         distance,
                         inset,
                         settings_.arc_tolerance * 2,
+                        false,
                         dense};
     for (Road& road : rows.fill(area).roads) roads.push_back(of_kind(std::move(road), dense));
   }

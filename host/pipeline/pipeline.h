@@ -48,7 +48,7 @@ struct PrintPlan {
   std::string part_path;   // for messages
   OnBadLayer on_bad_layer = OnBadLayer::kRepair;
   OnFloating on_floating = OnFloating::kWarn;
-  std::string spool_folder;  // of temporary files for supports; empty: $TMPDIR, or /tmp
+  std::string spool_folder{};  // of temporary files for supports; empty: $TMPDIR, or /tmp
   int threads = 1;           // processors that the geometry may use; REQUIRES: 1 … kThreadsMax
 
   // What the controller understands. Called once, before the motions of the first layer that has

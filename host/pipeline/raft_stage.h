@@ -37,8 +37,8 @@ class RaftStage {
   [[nodiscard]] const std::optional<Checkpoint>& start_in_part() const { return start_in_part_; }
 
   // Gives the raft's layers that are still to be laid, one after another, under the part's first
-  // layer and its supports. Ends when `give` returns an error. Errors of its own, in which `part` is
-  // named: the first slice is empty; no road fits into the raft.
+  // layer and its supports. Ends when `give` returns an error. Errors of its own, in which `part`
+  // is named: the first slice is empty; no road fits into the raft.
   using Give = std::function<core::Status(const core::RaftLayer&)>;
   [[nodiscard]] core::Status lay(const core::SplitLayer& first, const std::string& part,
                                  LayerWatch& watch, const Give& give) const;

@@ -3,11 +3,11 @@
 //
 //     source ──> slices' spool ──(backwards)──> SupportFold ──> supports' spool
 //                     │                                              │ (backwards)
-//                     └──(forwards)──> the pipeline's layers         └──> at(layer), from the bed up
+//                     └──(forwards)──> the pipeline's layers <───────┘
 //
 // Both passes see the same slices, mended and compensated alike, because they are cut only once.
-// Memory: the fold's few layers and the buffers of two spools. The disk holds a slice a layer, and a
-// support; equal neighbours take a few bytes.
+// Memory: the fold's few layers and the buffers of two spools. The disk holds a slice and a support
+// for each layer; equal neighbours take a few bytes.
 #pragma once
 
 #include <deque>

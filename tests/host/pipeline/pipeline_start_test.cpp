@@ -227,3 +227,18 @@ TEST_CASE("on a raft, from any of its layers and of the part's") {
     check_tails(settings, path, whole);
   }
 }
+
+TEST_CASE("supports go on, too: those from the bed depend on all layers below") {
+  const test::PartFolder folder;
+  const parts::Part part =
+      parts::together({parts::box({5, 5, 0}, 4, 12, 6), parts::box({5, 5, 6}, 16, 12, 1),
+                       parts::box({12, 8, 0}, 3, 4, 2)});
+  const std::string path = folder.add("shelf.stl", part);
+  for (const core::SupportPlace place :
+       {core::SupportPlace::kBed, core::SupportPlace::kEverywhere}) {
+    CAPTURE(static_cast<int>(place));
+    core::Settings settings = settings_of(core::WallShape::kBall, core::BuildStyle::kThinWall);
+    settings.supports = place;
+    check_tails(settings, path, compute(settings, path, {}));
+  }
+}

@@ -220,8 +220,9 @@ TEST_CASE("an unknown key names the nearest known one") {
   CHECK(contains(error_of("perimeter", "1"), "\"perimeters\""));
   CHECK(contains(error_of("fil_density", "1"), "\"fill_density\""));
   CHECK(contains(error_of("", "1"), "there is no setting \"\""));
-  CHECK(contains(error_of("suport_material", "1"), "PrusaSlicer's \"support_material\""));
-  CHECK(contains(error_of("support_material", "1"), "that rind does not have"));
+  CHECK(contains(error_of("suport_material", "1"), "\"support_material\""));
+  CHECK(contains(error_of("draft_sheild", "1"), "PrusaSlicer's \"draft_shield\""));
+  CHECK(contains(error_of("draft_shield", "1"), "that rind does not have"));
   CHECK(contains(error_of("walls", "2"), "\"perimeters\""));
   CHECK(contains(error_of("infill", "20%"), "\"loose_density\""));
   // What is near nothing names nothing.

@@ -1,0 +1,245 @@
+// Whole prints with supports: what hangs is held, and nothing else is touched.
+#include "host/pipeline/support_stage.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "core/booleans/boolean.h"
+#include "core/offsets/voronoi_mountain.h"
+#include "core/regions/point_location.h"
+#include "core/regions/polyline.h"
+#include "core/regions/segment_grid.h"
+#include "firmware_link/wire/line_codec.h"
+#include "host/pipeline/pipeline.h"
+#include "tests/host/print_rig.h"
+#include "tests/support/part_folder.h"
+
+using core::Length;
+using core::Point;
+using core::Region;
+using core::Road;
+using core::RoadKind;
+
+namespace {
+
+struct Printed {
+  std::vector<core::SplitLayer> layers;
+  std::vector<std::vector<Road>> roads;
+  std::vector<std::string> texts;
+  host::GeometryStatistics statistics;
+  std::string error;
+};
+
+Printed print(const core::Settings& settings, const std::string& path, int threads = 1,
+              const std::string& spool = "") {
+  host::PrintPlan print_plan = print_test::open(settings, path);
+  print_plan.threads = threads;
+  print_plan.spool_folder = spool;
+  Printed printed;
+  host::PipelineOutputs outputs;
+  outputs.on_roads = [&](const core::SplitLayer& layer, const std::vector<Road>& roads) {
+    printed.layers.push_back(layer);
+    printed.roads.push_back(roads);
+    return true;
+  };
+  outputs.on_motion = [&](const core::Motion&,
+                          const std::optional<firmware_link::Command>& command) {
+    firmware_link::TextBuffer buffer;
+    if (command) printed.texts.emplace_back(firmware_link::encode(*command, buffer));
+    return true;
+  };
+  host::PipelineSignals signals;
+  const auto end = host::run_pipeline(print_plan, outputs, signals, printed.statistics);
+  if (!end.ok()) printed.error = end.error().message;
+  return printed;
+}
+
+core::Settings supported(core::SupportPlace place) {
+  core::Settings settings;
+  settings.bed_x = settings.bed_y = Length::from_mm(80);
+  settings.supports = place;
+  settings.arcs = core::ArcUse::kOff;
+  return settings;
+}
+
+// A shelf on a post over a base, and an island that hangs from the shelf's end.
+parts::Part shelf() {
+  return parts::together({parts::box({2, 2, 0}, 20, 16, 2), parts::box({2, 2, 2}, 6, 16, 10),
+                          parts::box({2, 2, 12}, 34, 16, 2), parts::box({30, 6, 8}, 4, 8, 4)});
+}
+
+// A stem with a ball on it, and a ramp of 60°.
+parts::Part mushroom() {
+  const parts::Part ball =
+      parts::edited(parts::dome(9, 48, 24), [](const parts::Facet& facet, std::int64_t) {
+        parts::Facet down = parts::flipped(facet);
+        for (parts::Corner& corner : down) corner.z = 14 - corner.z;
+        return std::vector<parts::Facet>{down};
+      });
+  return parts::together({ball, parts::box({6, 6, 0}, 6, 6, 8)});
+}
+
+bool is_support(const Road& road) {
+  return road.kind == RoadKind::kSupport || road.kind == RoadKind::kSupportInterface;
+}
+
+double filament(const Printed& printed, RoadKind kind) {
+  return printed.statistics.filament_mm[static_cast<std::size_t>(kind)];
+}
+
+std::vector<core::Segment> segments_of(const std::vector<Road>& roads, bool supports) {
+  std::vector<core::Segment> segments;
+  for (const Road& road : roads) {
+    if (is_support(road) != supports || road.kind == RoadKind::kSkirt) continue;
+    const std::size_t count = road.points.size();
+    for (std::size_t i = 0; i < (road.closed ? count : count - 1); ++i) {
+      segments.push_back({road.points[i], road.points[(i + 1) % count]});
+    }
+  }
+  return segments;
+}
+
+// The longest stretch of a road of the part, in layer `n`, that neither the slice below nor a
+// support under the gap holds, in mm.
+double longest_in_air(const Printed& printed, std::size_t n, int gap) {
+  const Length reach = Length::from_mm(0.8);
+  const core::PointLocation below(printed.layers[n - 1].slice.region);
+  std::vector<core::Segment> supports;
+  for (std::size_t k = n - 1; k + static_cast<std::size_t>(gap) + 1 >= n; --k) {
+    for (const core::Segment& s : segments_of(printed.roads[k], true)) supports.push_back(s);
+    if (k == 0) break;
+  }
+  const core::SegmentGrid grid(Length::from_mm(1), supports);
+  double longest = 0;
+  for (const Road& road : printed.roads[n]) {
+    if (is_support(road)) continue;
+    double air = 0;
+    for (std::size_t i = 1; i < road.points.size(); ++i) {
+      const double mm = core::distance_mm(road.points[i - 1], road.points[i]);
+      const int steps = std::max(1, static_cast<int>(mm / 0.1));
+      for (int step = 0; step < steps; ++step) {
+        const Point at = core::between(road.points[i - 1], road.points[i], (step + 0.5) / steps);
+        const bool held = below.contains(at) || grid.any_within(at, reach);
+        air = held ? 0 : air + mm / steps;
+        longest = std::max(longest, air);
+      }
+    }
+  }
+  return longest;
+}
+
+}  // namespace
+
+TEST_CASE("with supports everywhere, nothing of the part is laid into the air") {
+  const test::PartFolder folder;
+  core::Settings settings = supported(core::SupportPlace::kEverywhere);
+  for (const auto& [name, part] : {std::pair("shelf.stl", shelf()), {"mushroom.stl", mushroom()}}) {
+    CAPTURE(std::string(name));
+    const std::string path = folder.add(name, part);
+    const Printed printed = print(settings, path);
+    REQUIRE(printed.error.empty());
+    CHECK_GT(filament(printed, RoadKind::kSupport), 50);
+    CHECK_GT(filament(printed, RoadKind::kSupportInterface), 5);
+    for (std::size_t n = 1; n < printed.roads.size(); ++n) {
+      CAPTURE(n);
+      CHECK_LT(longest_in_air(printed, n, settings.support_top_gap_layers), 0.8);
+    }
+    for (std::size_t kind = 0; kind < core::kHangingKinds; ++kind) {
+      CHECK_EQ(printed.statistics.hanging.of(static_cast<core::HangingKind>(kind)).count, 0);
+    }
+    settings.supports = core::SupportPlace::kOff;
+    const Printed without = print(settings, path);
+    settings.supports = core::SupportPlace::kEverywhere;
+    bool any = false;
+    for (std::size_t n = 1; n < without.roads.size(); ++n) any |= longest_in_air(without, n, 1) > 2;
+    CHECK(any);
+  }
+}
+
+TEST_CASE("supports keep their gaps and their distance, and the part's roads are the same") {
+  const test::PartFolder folder;
+  core::Settings settings = supported(core::SupportPlace::kEverywhere);
+  settings.support_top_gap_layers = 2;
+  settings.support_bottom_gap_layers = 1;
+  const std::string path = folder.add("shelf.stl", shelf());
+  const Printed printed = print(settings, path);
+  settings.supports = core::SupportPlace::kOff;
+  const Printed without = print(settings, path);
+  REQUIRE_EQ(printed.roads.size(), without.roads.size());
+  for (std::size_t n = 0; n < printed.roads.size(); ++n) {
+    CAPTURE(n);
+    std::vector<Road> own;
+    for (const Road& road : printed.roads[n]) {
+      if (!is_support(road)) own.push_back(road);
+    }
+    // The first layer's skirt goes around the supports.
+    if (n > 0) {
+      REQUIRE_EQ(own.size(), without.roads[n].size());
+      for (std::size_t i = 0; i < own.size(); ++i)
+        CHECK(own[i].points == without.roads[n][i].points);
+    }
+    const Region near = core::offset(printed.layers[n].slice.region, Length::from_mm(-0.19),
+                                     Length::from_units(100));
+    Region others;
+    for (const int up : {-1, 1, 2}) {
+      const auto m = static_cast<std::ptrdiff_t>(n) + up;
+      if (m < 0 || m >= static_cast<std::ptrdiff_t>(printed.layers.size())) continue;
+      others = core::unite(others, printed.layers[static_cast<std::size_t>(m)].slice.region);
+    }
+    for (const Road& road : printed.roads[n]) {
+      if (!is_support(road)) continue;
+      for (std::size_t i = 0; i < road.points.size(); ++i) {
+        const Point at = road.points[i];
+        CHECK_FALSE(near.contains(at));
+        CHECK_FALSE(others.contains(at));
+      }
+    }
+  }
+}
+
+TEST_CASE("from the bed only: nothing stands on the part, and what is not held is told") {
+  const test::PartFolder folder;
+  const std::string path = folder.add("shelf.stl", shelf());
+  const Printed printed = print(supported(core::SupportPlace::kBed), path);
+  REQUIRE(printed.error.empty());
+  CHECK_GT(filament(printed, RoadKind::kSupport), 50);
+  const Region base = printed.layers[2].slice.region;
+  for (const auto& roads : printed.roads) {
+    for (const Road& road : roads) {
+      if (!is_support(road)) continue;
+      for (const Point at : road.points) CHECK_FALSE(base.contains(at));
+    }
+  }
+  CHECK_EQ(printed.statistics.hanging.of(core::HangingKind::kIsland).count, 0);
+  const Printed everywhere = print(supported(core::SupportPlace::kEverywhere), path);
+  CHECK_LT(filament(printed, RoadKind::kSupport), filament(everywhere, RoadKind::kSupport));
+}
+
+TEST_CASE("supports are the same for any number of threads, and stand on a raft") {
+  const test::PartFolder folder;
+  const std::string path = folder.add("mushroom.stl", mushroom());
+  core::Settings settings = supported(core::SupportPlace::kEverywhere);
+  settings.raft_layers = 2;
+  const Printed one = print(settings, path);
+  REQUIRE(one.error.empty());
+  CHECK(one.texts == print(settings, path, 3).texts);
+  const Region raft = one.layers.front().slice.region;
+  for (const Road& road : one.roads[2]) {
+    for (const Point at : road.points) CHECK(raft.contains(at));
+  }
+  CHECK(std::any_of(one.roads[2].begin(), one.roads[2].end(), is_support));
+}
+
+TEST_CASE("a spool that can't be made ends the print with its folder and a remedy") {
+  const test::PartFolder folder;
+  const std::string path = folder.add("shelf.stl", shelf());
+  const Printed printed =
+      print(supported(core::SupportPlace::kEverywhere), path, 1, "/no/such/folder");
+  CHECK_NE(printed.error.find("/no/such/folder"), std::string::npos);
+  CHECK_NE(printed.error.find("--spool"), std::string::npos);
+  CHECK(printed.roads.empty());
+}
