@@ -261,6 +261,22 @@ TEST_CASE("where only a stretch between two points is held, the seam is there") 
   }
 }
 
+TEST_CASE("a place at the very edge of what holds is not held") {
+  for (const double margin_mm : {0.05, 0.15}) {
+    CAPTURE(margin_mm);
+    SplitLayer layer;
+    layer.slice.region = test::rectangle_region(0, 0, 20, 10);
+    // The road's left corners lie this far inside.
+    layer.below =
+        std::make_shared<const Region>(test::rectangle_region(0, 0, 0.225 + margin_mm, 10));
+    const LayerRoads roads = outer_roads(layer.slice.region);
+    const LayerSeams seams = seam_loops(layer, roads);
+    const SeamLoop& loop = seams.loops.front();
+    CHECK_EQ(std::count(loop.held_points.begin(), loop.held_points.end(), true),
+             margin_mm > 0.1 ? 2 : 0);
+  }
+}
+
 TEST_CASE("inner perimeters start beside their outer one's seam") {
   const Stack stack([](int) { return test::region_from_text(kL); }, 1);
   LayerRoads roads = stack.roads(0);

@@ -85,6 +85,17 @@ TEST_CASE("of a bridge, perimeters that bend in the air are held") {
   CHECK(around.overhangs.contains({57'000, 100'000}));
 }
 
+TEST_CASE("fill in the air that is laid as no bridge is held, too") {
+  const Region plate = rectangle_region(0, 0, 30, 30);
+  for (const double breadth : {0.5, 0.8, 2.0}) {
+    CAPTURE(breadth);
+    const HangingRegions found =
+        hanging(plate, subtract(plate, rectangle_region(14, 10, breadth, 12)));
+    // Narrow ones are crossed by rows that lie on both sides; wide ones are bridged.
+    CHECK_EQ(found.overhangs.empty(), breadth != 0.8);
+  }
+}
+
 TEST_CASE("what hangs lies in the slice and outside the one below, whatever the part") {
   for (int turn = 0; turn < 12; ++turn) {
     CAPTURE(turn);

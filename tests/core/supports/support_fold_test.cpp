@@ -209,6 +209,23 @@ TEST_CASE("a fold that keeps a few layers finds what one that keeps all would fi
   }
 }
 
+TEST_CASE("what stands on the part ends there, also where the part needs no support itself") {
+  Settings settings = bare();
+  settings.bridge_max = Length::from_mm(10);
+  const Region posts =
+      unite(test::rectangle_region(0, 0, 5, 10), test::rectangle_region(13, 0, 5, 10));
+  const Region deck = test::rectangle_region(0, 0, 18, 10);
+  std::vector<Region> slices(10, posts);
+  slices.push_back(deck);
+  slices.insert(slices.end(), 10, test::rectangle_region(0, 0, 5, 10));
+  slices.push_back(test::rectangle_region(0, 0, 12, 10));
+  const std::vector<SupportLayer> found = fold(slices, settings);
+  for (std::size_t n = 0; n < slices.size(); ++n) {
+    CAPTURE(n);
+    CHECK_EQ(found[n].empty(), n <= 10 || n == 21);
+  }
+}
+
 TEST_CASE("the base is wider towards the bed, and keeps its distance from the part") {
   Settings settings = bare();
   settings.support_base_expansion = Length::from_mm(1);

@@ -56,6 +56,18 @@ TEST_CASE("the dense part is as full as its spacing says, the rest is a sheath w
     CHECK(std::all_of(roads.begin(), roads.end(), [&](const Road& r) { return r.kind == kind; }));
     // A bead fills its spacing; of the rest, rows cover their share.
     const double gap = dense ? 0.2 : 2.5;
+    // Rows are the longest straight stretches but for the sheath's: at 45°, or across.
+    double longest = 0, rise = 0;
+    for (const Road& road : roads) {
+      for (std::size_t i = 1; !road.closed && i < road.points.size(); ++i) {
+        const double dx = road.points[i].x - road.points[i - 1].x;
+        const double dy = road.points[i].y - road.points[i - 1].y;
+        if (std::hypot(dx, dy) < longest) continue;
+        longest = std::hypot(dx, dy);
+        rise = dy / dx;
+      }
+    }
+    CHECK_EQ(rise, doctest::Approx(dense ? -1 : 1).epsilon(0.01));
     const double inner = (40 - 2 * spacing) * (30 - 2 * spacing);
     const double asked = 0.2 * (1200 - inner + inner * spacing / (spacing + gap));
     CHECK_EQ(volume_mm3(roads, kHeight, kind), doctest::Approx(asked).epsilon(0.06));
