@@ -25,7 +25,8 @@ constexpr std::array<const char*, core::kRoadKindCount> kRoadLabels{
     "brim",      "overhang perimeter",
     "top solid", "bottom solid",
     "bridge",    "bridge over loose",
-    "ironing",   "raft"};
+    "ironing",   "raft",
+    "support",   "support interface"};
 
 int direction_of(const Ring& ring) { return core::doubled_area_units(ring) > 0 ? 1 : 0; }
 
