@@ -18,7 +18,7 @@ using namespace core;
 
 namespace {
 
-constexpr int kCells = 6;  // a side; 2 mm each
+constexpr std::size_t kCells = 6;  // a side; 2 mm each
 constexpr double kCell_mm = 2;
 
 // What opening rounds off corners, in units.
@@ -46,10 +46,11 @@ using Cells = std::vector<bool>;
 
 Region region_of_cells(const Cells& cells) {
   std::vector<Ring> rings;
-  for (int y = 0; y < kCells; ++y) {
-    for (int x = 0; x < kCells; ++x) {
-      if (!cells[static_cast<std::size_t>(y * kCells + x)]) continue;
-      const Region cell = test::rectangle_region(x * kCell_mm, y * kCell_mm, kCell_mm, kCell_mm);
+  for (std::size_t y = 0; y < kCells; ++y) {
+    for (std::size_t x = 0; x < kCells; ++x) {
+      if (!cells[y * kCells + x]) continue;
+      const Region cell = test::rectangle_region(
+          static_cast<double>(x) * kCell_mm, static_cast<double>(y) * kCell_mm, kCell_mm, kCell_mm);
       rings.push_back(cell.rings().front());
     }
   }

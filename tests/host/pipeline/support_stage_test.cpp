@@ -137,9 +137,11 @@ double longest_in_air(const Printed& printed, std::size_t n, int gap) {
 TEST_CASE("with supports everywhere, nothing of the part is laid into the air") {
   const test::PartFolder folder;
   core::Settings settings = supported(core::SupportPlace::kEverywhere);
-  for (const auto& [name, part] : {std::pair("shelf.stl", shelf()), {"mushroom.stl", mushroom()}}) {
-    CAPTURE(std::string(name));
-    const std::string path = folder.add(name, part);
+  const std::vector<std::pair<std::string, parts::Part>> all = {{"shelf.stl", shelf()},
+                                                                {"mushroom.stl", mushroom()}};
+  for (const auto& each : all) {
+    CAPTURE(each.first);
+    const std::string path = folder.add(each.first, each.second);
     const Printed printed = print(settings, path);
     REQUIRE(printed.error.empty());
     CHECK_GT(filament(printed, RoadKind::kSupport), 50);
