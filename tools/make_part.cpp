@@ -46,7 +46,7 @@ int main(int argc, char** argv) {
   bool ascii = false, list_only = false;
   app.add_option("part", name, "one of those that --list names");
   app.add_option("-o,--output", path, "file to write, - for standard output");
-  app.add_option("--layers", sizes.tower.layers, "the tower's height in layers of 0.2 mm")
+  app.add_option("--layers", sizes.tower.layers, "height of tower and shelves in layers of 0.2 mm")
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{100'000'000}));
   app.add_option("--corners", sizes.tower.corners, "of the tower's outer contour, and of its bore")
       ->check(CLI::Range(3, 100'000));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <utility>
 
 #include "core/regions/polyline.h"  // between, distance_mm, length_mm
@@ -13,6 +14,9 @@ namespace {
 
 // Places that are looked at are at most this far apart.
 constexpr double kStep_mm = 0.2;
+
+// Octagons of a strip are so far apart, as a share of their radius.
+constexpr double kStripStep = 0.6;
 
 // Steps of a ring, each with whether it is held.
 struct Steps {
@@ -80,10 +84,15 @@ std::vector<std::vector<Point>> airborne_stretches(const Ring& ring, const Point
 
 void add_strips(const std::vector<std::vector<Point>>& lines, Length reach,
                 std::vector<Ring>& strips) {
+  const auto radius = static_cast<double>(reach.units());
   for (const std::vector<Point>& line : lines) {
+    std::optional<Point> last;
     for (const Point point : line) {
-      strips.push_back(octagon(point, static_cast<double>(reach.units())));
+      if (last && distance_units(*last, point) < kStripStep * radius) continue;
+      strips.push_back(octagon(point, radius));
+      last = point;
     }
+    strips.push_back(octagon(line.back(), radius));
   }
 }
 

@@ -1,6 +1,7 @@
 #include "core/supports/hanging_regions.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -56,14 +57,15 @@ class BridgeSearch {
   }
 
   [[nodiscard]] Region search() {
-    Region left = without_spans();
-    left = unite(left, unbridged_fill());
+    std::optional<Region> not_spanned = without_spans();
+    if (!not_spanned) return std::move(air_);
+    const Region left = unite(*not_spanned, unbridged_fill());
     return unite(left, intersect(perimeters_in_air(), subtract(local_, held_)));
   }
 
  private:
-  // What no rows span, were all of it bridged, perimeters and fill alike.
-  [[nodiscard]] Region without_spans() const {
+  // What no rows span, were all of it bridged, perimeters and fill alike. Nothing where none do.
+  [[nodiscard]] std::optional<Region> without_spans() const {
     const Length width = settings_.road_width;
     const Length beyond = Length::from_mm(width.mm() * (kBridgeAnchorWidths + kBridgeReachWidths));
     const Region around = intersect(offset(air_, -beyond, kBackTolerance), local_);
@@ -76,7 +78,8 @@ class BridgeSearch {
           rows.laid_spans_mm > rows.cut_spans_mm && rows.longest_mm <= settings_.bridge_max.mm();
       if (bridged) append(rows.cut.empty() ? region : covered_by(rows, area), spanned);
     }
-    return spanned.empty() ? air_ : subtract(air_, Region::from_clean_rings(std::move(spanned)));
+    if (spanned.empty()) return {};
+    return subtract(air_, Region::from_clean_rings(std::move(spanned)));
   }
 
   // What bridges leave of the fill, as they will be laid.

@@ -165,19 +165,28 @@ Region SupportFold::slices_between(LayerIndex from, LayerIndex to) const {
 }
 
 // Demand that is wide enough to be held.
-Region SupportFold::held_by(const Level& source) const {
+const Region& SupportFold::held_by(const Level& source) {
+  if (held_.overhangs == source.overhangs && held_.islands == source.islands) return held_.region;
   const Length by = scaled(settings_.road_width_min, kOpeningWidths / 2);
   const Region overhangs = simplified(*source.overhangs, kSupportTolerance);
-  return unite(
-      without_small(opened(overhangs, by), settings_.support_area_min_mm2, *source.islands),
-      *source.islands);
+  held_ = {
+      source.overhangs, source.islands,
+      unite(without_small(opened(overhangs, by), settings_.support_area_min_mm2, *source.islands),
+            *source.islands)};
+  return held_.region;
 }
 
-Region SupportFold::laid(const Level& at, const Region& held, Length base) const {
-  const LayerIndex index = at.slice.index, top_gap = settings_.support_top_gap_layers;
+const SupportFold::GrownSlice& SupportFold::grown_slice(const SharedRegion& slice) {
+  if (grown_.of == slice) return grown_;
   const Length distance = settings_.support_xy_distance;
-  const Region slice = simplified(*at.slice.region, kSupportTolerance);
-  const Region far = grown(slice, distance), near = grown(slice, scaled(distance, kNearShare));
+  const Region simple = simplified(*slice, kSupportTolerance);
+  grown_ = {slice, grown(simple, distance), grown(simple, scaled(distance, kNearShare))};
+  return grown_;
+}
+
+Region SupportFold::laid(const Level& at, const Region& held, Length base) {
+  const LayerIndex index = at.slice.index, top_gap = settings_.support_top_gap_layers;
+  const auto& [of, far, near] = grown_slice(at.slice.region);
   Region region = subtract(held, far);
   const Region recent =
       united(index + top_gap, index + top_gap + settings_.support_interface_layers, &Level::born);

@@ -92,13 +92,24 @@ class SupportFold {
     SupportLayer layer;
   };
 
+  // The latest of what is made from slices and demand alone: it lasts for some layers.
+  struct GrownSlice {
+    SharedRegion of;
+    Region far, near;  // by support_xy_distance, and by what is kept under what hangs
+  };
+  struct Held {
+    SharedRegion overhangs, islands;
+    Region region;
+  };
+
+  [[nodiscard]] const GrownSlice& grown_slice(const SharedRegion& slice);
   [[nodiscard]] const Level* level(LayerIndex index) const;
   [[nodiscard]] SupportLayer decide(const Level& at);
   [[nodiscard]] std::vector<SharedRegion> inputs_of(LayerIndex index) const;
-  [[nodiscard]] Region held_by(const Level& source) const;
+  [[nodiscard]] const Region& held_by(const Level& source);
   [[nodiscard]] Region united(LayerIndex from, LayerIndex to, SharedRegion Level::*what) const;
   [[nodiscard]] Region slices_between(LayerIndex from, LayerIndex to) const;
-  [[nodiscard]] Region laid(const Level& at, const Region& held, Length base) const;
+  [[nodiscard]] Region laid(const Level& at, const Region& held, Length base);
   [[nodiscard]] Region interface_of(const Level& at, const Region& region) const;
 
   Settings settings_;
@@ -107,6 +118,8 @@ class SupportFold {
   LayerIndex next_ = -1;      // to be decided
   bool ended_ = false;
   std::optional<Made> made_;
+  GrownSlice grown_;
+  Held held_;
 };
 
 // What of the supports reaches the bed, from layer 0 up: V(n) = U(n) ∩ V(n−1).

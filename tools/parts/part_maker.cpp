@@ -143,6 +143,8 @@ std::vector<NamedPart> all_parts(const PartSizes& sizes) {
       {"tube", "radii 10 and 6 mm, 20 mm tall", tube(10, 6, 20, 96)},
       {"thin_walls", "a ring 1 mm thick, in it ribs of 0.5, 0.9 and 1.4 mm", thin_walls()},
       {"bridge", "a deck on two posts, 16 mm apart", bridge()},
+      {"shelves", "a shaft with a shelf every 2 mm; see --layers", shelves(sizes.tower.layers)},
+      {"mushroom", "a hemisphere of radius 12 mm on a stem", mushroom()},
   };
   for (NamedPart& part : faulty_parts()) all.push_back(std::move(part));
   return all;

@@ -62,6 +62,13 @@ struct TowerSize {
 // columns × columns square columns on one plate.
 [[nodiscard]] Part lattice(int columns);
 
+// A round shaft with a shelf all round every 10 layers of 0.2 mm: it overhangs all the way up.
+// Facets come in order of height.
+[[nodiscard]] Part shelves(std::int64_t layers);
+
+// A stem 10 mm tall under a cap: a hemisphere whose flat side hangs.
+[[nodiscard]] Part mushroom();
+
 // Hose fitting, 25 mm tall: a hexagon flange, a slope, two barbs that overhang, and a bore.
 [[nodiscard]] Part demo();
 

@@ -1,6 +1,10 @@
 // The sound parts: closed, every facet counter-clockwise seen from outside.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
 
 #include "tools/parts/part_maker.h"
 #include "tools/parts/shapes.h"
@@ -243,6 +247,67 @@ Part tower(const TowerSize& size) {
       low_inner = std::move(high_inner);
     }
     flat_ring(sink, low, low_inner, Looking::kUp);
+  };
+}
+
+// A body of revolution about (c, c), from the profile's radii and heights.
+static void turned(const FacetSink& sink, double c,
+                   const std::vector<std::array<double, 2>>& profile, const CornerRing& start,
+                   CornerRing& last) {
+  constexpr int kCorners = 48;
+  CornerRing low = start;
+  for (const auto& [radius, z] : profile) {
+    CornerRing high = circle(kCorners, radius, {c, c, z});
+    const bool flat = low.front().z == z;
+    const bool wider = radius > low.front().x - c;
+    if (flat && wider) {
+      flat_ring(sink, high, low, Looking::kDown);
+    } else if (flat) {
+      flat_ring(sink, low, high, Looking::kUp);
+    } else {
+      band(sink, low, high, Facing::kOutward);
+    }
+    low = std::move(high);
+  }
+  last = std::move(low);
+}
+
+Part shelves(std::int64_t layers) {
+  return [layers](const FacetSink& sink) {
+    constexpr double kCentre = 9, kShaft = 5, kShelf = 8;
+    constexpr int kPerShelf = 10;
+    const std::int64_t count = std::max<std::int64_t>(1, layers / kPerShelf);
+    CornerRing ring = circle(48, kShaft, {kCentre, kCentre, 0});
+    cap(sink, ring, {kCentre, kCentre, 0}, Looking::kDown);
+    double top = 0;
+    for (std::int64_t i = 0; i < count; ++i) {
+      const double z = static_cast<double>(i) * kPerShelf * kLayerHeight;
+      top = static_cast<double>(i + 1) * kPerShelf * kLayerHeight;
+      turned(sink, kCentre,
+             {{kShaft, z + 1.2},
+              {kShelf, z + 1.2},
+              {kShelf, z + 1.8},
+              {kShaft, z + 1.8},
+              {kShaft, top}},
+             CornerRing(ring), ring);
+    }
+    cap(sink, ring, {kCentre, kCentre, top}, Looking::kUp);
+  };
+}
+
+Part mushroom() {
+  return [](const FacetSink& sink) {
+    constexpr double kCentre = 13, kStem = 4, kCap = 12, kFoot = 10, kSpan = 90;
+    CornerRing ring = circle(48, kStem, {kCentre, kCentre, 0});
+    cap(sink, ring, {kCentre, kCentre, 0}, Looking::kDown);
+    std::vector<std::array<double, 2>> profile = {{kStem, kFoot}};
+    // The cap: flat under its rim, then a hemisphere.
+    for (int degrees = 0; degrees < kSpan; degrees += 3) {
+      const double angle = kPi * degrees / 180;
+      profile.push_back({kCap * std::cos(angle), kFoot + kCap * std::sin(angle)});
+    }
+    turned(sink, kCentre, profile, CornerRing(ring), ring);
+    cap(sink, ring, {kCentre, kCentre, kFoot + kCap}, Looking::kUp);
   };
 }
 

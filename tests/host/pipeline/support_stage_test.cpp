@@ -72,17 +72,6 @@ parts::Part shelf() {
                           parts::box({2, 2, 12}, 34, 16, 2), parts::box({30, 6, 8}, 4, 8, 4)});
 }
 
-// A stem with a ball on it, and a ramp of 60°.
-parts::Part mushroom() {
-  const parts::Part ball =
-      parts::edited(parts::dome(9, 48, 24), [](const parts::Facet& facet, std::int64_t) {
-        parts::Facet down = parts::flipped(facet);
-        for (parts::Corner& corner : down) corner.z = 14 - corner.z;
-        return std::vector<parts::Facet>{down};
-      });
-  return parts::together({ball, parts::box({6, 6, 0}, 6, 6, 8)});
-}
-
 bool is_support(const Road& road) {
   return road.kind == RoadKind::kSupport || road.kind == RoadKind::kSupportInterface;
 }
@@ -137,8 +126,8 @@ double longest_in_air(const Printed& printed, std::size_t n, int gap) {
 TEST_CASE("with supports everywhere, nothing of the part is laid into the air") {
   const test::PartFolder folder;
   core::Settings settings = supported(core::SupportPlace::kEverywhere);
-  const std::vector<std::pair<std::string, parts::Part>> all = {{"shelf.stl", shelf()},
-                                                                {"mushroom.stl", mushroom()}};
+  const std::vector<std::pair<std::string, parts::Part>> all = {
+      {"shelf.stl", shelf()}, {"mushroom.stl", parts::mushroom()}};
   for (const auto& each : all) {
     CAPTURE(each.first);
     const std::string path = folder.add(each.first, each.second);
@@ -223,7 +212,7 @@ TEST_CASE("from the bed only: nothing stands on the part, and what is not held i
 
 TEST_CASE("supports are the same for any number of threads, and stand on a raft") {
   const test::PartFolder folder;
-  const std::string path = folder.add("mushroom.stl", mushroom());
+  const std::string path = folder.add("mushroom.stl", parts::mushroom());
   core::Settings settings = supported(core::SupportPlace::kEverywhere);
   settings.raft_layers = 2;
   const Printed one = print(settings, path);

@@ -103,8 +103,13 @@ class Cable final : public firmware_link::BytePort {
 // One print through all that happens to it.
 class Fate {
  public:
-  Fate(std::uint64_t seed, std::string part, std::string journal, std::size_t whole)
-      : random_(seed), part_(std::move(part)), journal_(std::move(journal)), whole_(whole) {
+  Fate(std::uint64_t seed, const core::Settings& settings, std::string part, std::string journal,
+       std::size_t whole)
+      : random_(seed),
+        settings_(settings),
+        part_(std::move(part)),
+        journal_(std::move(journal)),
+        whole_(whole) {
     firmware_link::VirtualControllerOptions options;
     options.bed_x_mm = options.bed_y_mm = 100;
     printer_ = std::make_unique<MortalPrinter>(options);
@@ -149,7 +154,7 @@ class Fate {
     core::Result<host::Journal> journal =
         left.ok() ? host::Journal::reopen(journal_) : host::Journal::create(journal_, {});
     REQUIRE(journal.ok());
-    host::PrintPlan print_plan = print_test::open(coarse(), part_);
+    host::PrintPlan print_plan = print_test::open(settings_, part_);
     host::PrintOptions options;
     print_test::ScriptedControl control;
     options.banner_wait_s = 0.05;
@@ -240,6 +245,7 @@ class Fate {
   };
 
   std::mt19937_64 random_;
+  core::Settings settings_;
   std::string part_;
   std::string journal_;
   std::size_t whole_;
@@ -306,30 +312,48 @@ int pairs_wanted() {
   return told != nullptr ? std::atoi(told) : 6;
 }
 
-std::string small_part(const test::PartFolder& folder) {
-  return folder.add("part.stl",
-                    parts::together({parts::box({8, 8, 0}, 6, 5, 3), parts::tube(6, 4, 3, 40)}));
+// What is printed in one case.
+struct Case {
+  core::Settings settings;
+  std::string part;
+  std::vector<LaidPiece> whole;
+};
+
+Case plain_case(const test::PartFolder& folder) {
+  const std::string part = folder.add(
+      "part.stl", parts::together({parts::box({8, 8, 0}, 6, 5, 3), parts::tube(6, 4, 3, 40)}));
+  return {coarse(), part, test::laid_by(print_test::sliced_lines(coarse(), part))};
+}
+
+// A shelf, and supports from the bed: a resumed print has to find them again.
+Case supported_case(const test::PartFolder& folder) {
+  core::Settings settings = coarse();
+  settings.supports = core::SupportPlace::kBed;
+  const std::string part = folder.add(
+      "shelf.stl",
+      parts::together({parts::box({8, 8, 0}, 5, 8, 4), parts::box({8, 8, 3}, 14, 8, 1)}));
+  return {settings, part, test::laid_by(print_test::sliced_lines(settings, part))};
 }
 
 }  // namespace
 
 TEST_CASE("any two interruptions leave no road out, and lay few twice") {
   const test::PartFolder parts_folder;
-  const std::string part = small_part(parts_folder);
-  const std::vector<LaidPiece> whole = test::laid_by(print_test::sliced_lines(coarse(), part));
+  const std::vector<Case> cases = {plain_case(parts_folder), supported_case(parts_folder)};
   const char* told = std::getenv("RIND_SEED");
   const std::uint64_t first =
       told != nullptr ? std::strtoull(told, nullptr, 10) : std::random_device()();
   const int pairs = told != nullptr ? 1 : pairs_wanted();
   for (int i = 0; i < pairs; ++i) {
     const std::uint64_t seed = first + static_cast<std::uint64_t>(i);
+    const Case& one = cases[seed % cases.size()];
     CAPTURE(seed);
     const test::TemporaryFolder folder;
-    Fate fate(seed, part, folder.path("print.journal"), whole.size());
+    Fate fate(seed, one.settings, one.part, folder.path("print.journal"), one.whole.size());
     const bool ended = fate.live();
     CAPTURE(fate.story);
     REQUIRE(ended);
     CHECK_FALSE(std::filesystem::exists(folder.path("print.journal")));
-    check_laid(fate.laid(), whole, fate.twice_max());
+    check_laid(fate.laid(), one.whole, fate.twice_max());
   }
 }
