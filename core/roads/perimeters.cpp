@@ -17,6 +17,7 @@
 #include "core/roads/bead_lines.h"           // bead_lines
 #include "core/roads/bead_roads.h"           // add_bead_road
 #include "core/roads/centre_beads.h"         // centre_beads
+#include "core/roads/pin_rings.h"            // pin_rings
 
 namespace core {
 
@@ -95,6 +96,7 @@ Region interior_of(const std::vector<BeadLine>& lines) {
 
 Perimeters perimeters(IslandOffsets island, Length height, const Settings& settings) {
   if (is_crumb(island.region, settings)) return {};
+  if (auto rings = pin_rings(island.region, height, settings)) return {std::move(*rings), {}};
   if (settings.perimeters == 0 || wide_all_over(island, height, settings)) {
     return of_wide_island(std::move(island), settings);
   }

@@ -14,6 +14,8 @@
 //     ═══════════════╝    ╭────────────
 //     ────────────────────╯
 //
+// Pins, islands that are round and small, have rings of one width (pin_rings.h).
+//
 // What the perimeters leave is the interior, for solid and sparse infill.
 #pragma once
 
