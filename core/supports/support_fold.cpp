@@ -124,20 +124,26 @@ std::optional<SupportLayer> SupportFold::next() {
   return layer;
 }
 
+// There is no layer under the first one to leave out.
+LayerIndex SupportFold::top_gap_over(LayerIndex index) const {
+  return index == 0 ? 0 : settings_.support_top_gap_layers;
+}
+
 // All that the support of a layer depends on, besides how high it is.
 std::vector<SharedRegion> SupportFold::inputs_of(LayerIndex index) const {
   const LayerIndex above = settings_.support_top_gap_layers + settings_.support_interface_layers;
   const LayerIndex below =
       settings_.support_bottom_gap_layers + settings_.support_bottom_interface_layers;
+  const LayerIndex top_gap = top_gap_over(index);
   std::vector<SharedRegion> inputs;
   for (LayerIndex i = index + above; i >= index - below; --i) {
     const Level* at = level(i);
     inputs.push_back(at != nullptr ? at->slice.region : nullptr);
-    if (i == index + settings_.support_top_gap_layers) {
+    if (i == index + top_gap) {
       inputs.push_back(at != nullptr ? at->overhangs : nullptr);
       inputs.push_back(at != nullptr ? at->islands : nullptr);
     }
-    if (i >= index + settings_.support_top_gap_layers) {
+    if (i >= index + top_gap) {
       inputs.push_back(at != nullptr ? at->born : nullptr);
     }
   }
@@ -185,7 +191,7 @@ const SupportFold::GrownSlice& SupportFold::grown_slice(const SharedRegion& slic
 }
 
 Region SupportFold::laid(const Level& at, const Region& held, Length base) {
-  const LayerIndex index = at.slice.index, top_gap = settings_.support_top_gap_layers;
+  const LayerIndex index = at.slice.index, top_gap = top_gap_over(index);
   const auto& [of, far, near] = grown_slice(at.slice.region);
   Region region = subtract(held, far);
   const Region recent =
@@ -199,14 +205,14 @@ Region SupportFold::laid(const Level& at, const Region& held, Length base) {
     const Length by = scaled(settings_.road_width, kNarrowGrowth);
     region = unite(region, subtract(grown(narrow, by), near));
   }
-  if (base > Length()) region = subtract(grown(region, base), far);
+  if (base > Length()) region = unite(region, subtract(grown(region, base), far));
   region = subtract(region, slices_between(index + 1, index + top_gap));
   region = subtract(region, slices_between(index - settings_.support_bottom_gap_layers, index - 1));
   return simplified(region, kSupportTolerance);
 }
 
 Region SupportFold::interface_of(const Level& at, const Region& region) const {
-  const LayerIndex index = at.slice.index, top = index + settings_.support_top_gap_layers;
+  const LayerIndex index = at.slice.index, top = index + top_gap_over(index);
   const LayerIndex bottom = index - settings_.support_bottom_gap_layers - 1;
   Region near = united(top, top + settings_.support_interface_layers - 1, &Level::born);
   near =
@@ -216,7 +222,7 @@ Region SupportFold::interface_of(const Level& at, const Region& region) const {
 
 SupportLayer SupportFold::decide(const Level& at) {
   const LayerIndex index = at.slice.index;
-  const Level* source = level(index + settings_.support_top_gap_layers);
+  const Level* source = level(index + top_gap_over(index));
   if (source == nullptr || (source->overhangs->empty() && source->islands->empty())) {
     return {index, none_, none_};
   }

@@ -18,6 +18,9 @@
 //                    bottom gap
 //     ░░░░░░░░░░░░░  part, or the bed
 //
+// What hangs so low that its gap would reach into the bed is held by the first layer, with what gap
+// is left.
+//
 // Under an island the whole island is demand, at least support_section_min wide; no opening or
 // least area applies to it.
 //
@@ -103,6 +106,7 @@ class SupportFold {
   };
 
   [[nodiscard]] const GrownSlice& grown_slice(const SharedRegion& slice);
+  [[nodiscard]] LayerIndex top_gap_over(LayerIndex index) const;
   [[nodiscard]] const Level* level(LayerIndex index) const;
   [[nodiscard]] SupportLayer decide(const Level& at);
   [[nodiscard]] std::vector<SharedRegion> inputs_of(LayerIndex index) const;

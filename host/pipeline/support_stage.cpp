@@ -106,7 +106,7 @@ core::Result<core::SupportPlanner::Reservation> SupportStage::reserve(core::Spli
     if (recent_.size() > kept) recent_.pop_front();
   }
   layer.support = recent_.back().region;
-  if (recent_.size() == kept) layer.support_below = recent_.front().region;
+  if (layer.slice.index > 0) layer.support_below = recent_.front().region;
   return planner_.reserve(recent_.back(), layer.slice.height);
 }
 

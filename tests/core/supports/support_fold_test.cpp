@@ -143,7 +143,10 @@ TEST_CASE("gaps leave out the layers over and under the part; what is near them 
       for (std::size_t i = 0; i < laid.size(); ++i) {
         const bool free = !solid(n, 0, i) && !solid(n, 1, i) && !solid(n, 2, i) && !solid(n, -1, i);
         laid[i] = free && n + 2 < stack.size() && any_above(stack, n + 2, i);
-        dense[i] = laid[i] && (solid(n, 3, i) || solid(n, -2, i) || solid(n, -3, i));
+        // The bed is nearer than the gap.
+        if (n == 0) laid[i] = !solid(0, 0, i) && any_above(stack, 0, i);
+        const int gap = n == 0 ? 0 : 2;
+        dense[i] = laid[i] && (solid(n, gap + 1, i) || solid(n, -2, i) || solid(n, -3, i));
       }
       CHECK_LT(test::widest_difference(*found[n].region, region_of_cells(laid)), kCornerUnits);
       CHECK_LT(test::widest_difference(*found[n].interface, region_of_cells(dense)), kCornerUnits);
@@ -193,7 +196,7 @@ TEST_CASE("a fold that keeps a few layers finds what one that keeps all would fi
       CHECK(*found[n].region == *unshared[n].region);
       // Under each slice above, what hangs of it and lies over none between.
       Region demand;
-      for (std::size_t m = n + 2; m < slices.size(); ++m) {
+      for (std::size_t m = n == 0 ? 1 : n + 2; m < slices.size(); ++m) {
         HangingRegions hanging =
             hanging_regions(slices[m], slices[m - 1], settings.layer_height, settings);
         Region under = unite(hanging.overhangs, hanging.islands);
@@ -247,6 +250,20 @@ TEST_CASE("the base is wider towards the bed, and keeps its distance from the pa
       }
     }
   }
+}
+
+TEST_CASE("what hangs over the first layer is held by it, close to the part and widened") {
+  Settings settings = bare();
+  settings.support_top_gap_layers = 1;
+  settings.support_base_expansion = Length::from_mm(1);
+  settings.support_xy_distance = Length::from_mm(0.4);
+  const Region post = test::rectangle_region(0, 0, 10, 10);
+  const std::vector<SupportLayer> found =
+      fold({post, test::rectangle_region(0, 0, 10.6, 10)}, settings);
+  CHECK(found[0].region->contains({103'000, 50'000}));
+  CHECK(found[0].region->contains({115'000, 50'000}));
+  CHECK_FALSE(found[0].region->contains({101'500, 50'000}));
+  CHECK(found[1].empty());
 }
 
 TEST_CASE("a part without anything that hangs has no supports") {
