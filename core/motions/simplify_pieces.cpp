@@ -52,6 +52,7 @@ std::vector<Kept> simplified(const std::vector<Point>& run, Length tolerance) {
   const auto reach = static_cast<double>(tolerance.units());
   std::vector<Kept> kept;
   const std::vector<std::size_t> indices = kept_points(run, tolerance);
+  kept.reserve(indices.size());
   for (std::size_t i = 0; i < indices.size(); ++i) {
     const std::size_t first = indices[i];
     if (reach > 0 && i > 0 && i + 2 < indices.size()) {
@@ -91,8 +92,16 @@ void simplify_pieces(Point from, std::vector<RoadPiece>& pieces, Length toleranc
       pieces[done++] = pieces[first++];
       continue;
     }
-    run.assign(1, from);
-    std::size_t end = first;
+    std::size_t end = first + 1;
+    if (end == pieces.size() || pieces[end].is_arc) {
+      RoadPiece alone = pieces[first];
+      alone.length_mm = distance_mm(from, alone.to);
+      from = alone.to;
+      pieces[done++] = alone;
+      first = end;
+      continue;
+    }
+    run.assign({from, pieces[first].to});
     for (; end < pieces.size() && !pieces[end].is_arc; ++end) run.push_back(pieces[end].to);
     simpler.clear();
     const std::vector<Kept> kept = simplified(run, tolerance);

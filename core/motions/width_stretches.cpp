@@ -91,13 +91,16 @@ std::size_t pieces_of(double length_mm, double a, double b) {
 
 }  // namespace
 
-std::vector<WidthStretch> width_stretches(const Road& road, Length height) {
+std::vector<WidthStretch> width_stretches(Road road, Length height) {
   const Hold first = hold_from(road, 0);
   const bool alike =
       std::all_of(road.holds.begin(), road.holds.end(), [&](Hold hold) { return hold == first; });
   if (road.widths.empty() && alike) {
     const double area_mm2 = road_area_mm2(road.kind, road.width, height);
-    return {{laid_as(road.kind, first), first, road.width, area_mm2, road.closed, road.points}};
+    std::vector<WidthStretch> whole(1);
+    whole.front() = {laid_as(road.kind, first), first, road.width, area_mm2, road.closed,
+                     std::move(road.points)};
+    return whole;
   }
   Stretches stretches(road, height);
   const std::size_t count = road.points.size();

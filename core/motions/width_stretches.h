@@ -30,6 +30,6 @@ inline constexpr double kWidthChangeShare = 0.05;
 inline constexpr Length kWidthPieceMin = Length::from_units(4'000);
 
 // ENSURES: the stretches' volumes sum up to the road's. COSTS: O(points + pieces).
-[[nodiscard]] std::vector<WidthStretch> width_stretches(const Road& road, Length height);
+[[nodiscard]] std::vector<WidthStretch> width_stretches(Road road, Length height);
 
 }  // namespace core

@@ -1,8 +1,10 @@
 #include "core/regions/contour_proximity.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
+#include <vector>
 
 #include "core/geometry.h"              // Point, Ring
 #include "core/regions/polyline.h"      // between, distance_mm
@@ -99,13 +101,44 @@ bool frechet_within(const Ring& ring, const Ring& other, double reach2) {
   return passed == ring.size();
 }
 
+// Goes through rings of like first points, on both sides of number `ring`, for one that it is near
+// and that is not taken. Their count where there is none.
+std::size_t ring_near(const std::vector<Ring>& rings, std::size_t number,
+                      const std::vector<Ring>& others, const std::vector<bool>& taken,
+                      double reach) {
+  const auto x = static_cast<double>(rings[number].front().x);
+  const auto alike = [&](std::size_t i) { return std::abs(others[i].front().x - x) <= reach; };
+  const auto fits = [&](std::size_t i) {
+    return !taken[i] && frechet_within(rings[number], others[i], reach * reach);
+  };
+  for (std::size_t i = number + 1; i < others.size() && alike(i); ++i) {
+    if (fits(i)) return i;
+  }
+  for (std::size_t i = number; i > 0 && alike(i - 1); --i) {
+    if (fits(i - 1)) return i - 1;
+  }
+  return others.size();
+}
+
 }  // namespace
 
 bool frechet_within(const Region& contours, const Region& others, Length reach) {
-  if (contours.rings().size() != others.rings().size()) return false;
+  const std::vector<Ring>&rings = contours.rings(), &beside = others.rings();
+  if (rings.size() != beside.size()) return false;
   const auto units = static_cast<double>(reach.units());
-  for (std::size_t i = 0; i < contours.rings().size(); ++i) {
-    if (!frechet_within(contours.rings()[i], others.rings()[i], units * units)) return false;
+  std::vector<bool> taken;  // of the others, once a ring is not near that of its number
+  for (std::size_t i = 0; i < rings.size(); ++i) {
+    const bool free = taken.empty() || !taken[i];
+    std::size_t near = i;
+    if (!free || !frechet_within(rings[i], beside[i], units * units)) {
+      if (taken.empty()) {
+        taken.resize(rings.size());
+        std::fill_n(taken.begin(), i, true);
+      }
+      near = ring_near(rings, i, beside, taken, units);
+      if (near == rings.size()) return false;
+    }
+    if (!taken.empty()) taken[near] = true;
   }
   return true;
 }

@@ -14,8 +14,10 @@
 
 namespace core {
 
-// True only when every point of `contours` is within `reach` of a point on the ring of `others`
-// that has the same number. COSTS: O(points), no allocation.
+// True only when every ring of `contours` has one of `others` of its own, and all its points are
+// within `reach` of points on that: the one of the same number, as a rule, or one whose first point
+// is at a like x, as rings are sorted by it. COSTS: O(points), no allocation; where numbers differ,
+// as much for each ring of like x.
 [[nodiscard]] bool frechet_within(const Region& contours, const Region& others, Length reach);
 
 // Whether `contours` stay within `reach` of the others: proven by the walk, or else sampled every

@@ -198,7 +198,9 @@ Ring simplify(const Ring& ring, Length tolerance) {
 
 std::vector<std::size_t> kept_points(const std::vector<Point>& line, Length tolerance) {
   if (line.empty()) return {};
-  std::vector<std::size_t> kept{0};
+  std::vector<std::size_t> kept;
+  kept.reserve(line.size());
+  kept.push_back(0);
   Sleeve sleeve(line.front(), static_cast<double>(tolerance.units()));
   for (std::size_t i = 1; i + 1 < line.size(); ++i) {
     sleeve.take(line[i]);

@@ -9,8 +9,9 @@
 #include "core/limits.h"                  // kSeamCornersMax
 #include "core/regions/corner_index.h"    // CornerIndex
 #include "core/regions/point_location.h"  // PointLocation
-#include "core/regions/polyline.h"        // length_mm
+#include "core/regions/polyline.h"        // between, distance_units, length_mm
 #include "core/regions/segment_grid.h"    // SegmentGrid
+#include "core/vector.h"                  // Vector, share_along, to_vector
 
 namespace core {
 
@@ -129,18 +130,20 @@ void add_followers(const LayerRoads& roads, LayerSeams& seams) {
       // Perimeters are counted, so no inner one is farther than a few roads.
       const Point at = road.points.front();
       std::optional<std::size_t> nearest;
-      double nearest_mm = 0;
+      double nearest_units = 0;
       for (std::int64_t reach = road.width.units() * 2;
            !nearest && reach <= road.width.units() * 64; reach *= 4) {
         const auto r = static_cast<std::int32_t>(reach);
         near.clear();
         grid.collect({{at.x - r, at.y - r}, {at.x + r, at.y + r}}, near);
         for (const std::uint32_t number : near) {
-          const Segment& edge = edges[number];
-          const double mm = distance_mm(at, nearest_place({edge.from, edge.to}, at).at);
-          if (nearest && mm >= nearest_mm) continue;
+          const auto& [from, to] = edges[number];
+          const Vector along = to_vector(to) - to_vector(from);
+          const double share = share_along(to_vector(at) - to_vector(from), along);
+          const double away_units = distance_units(at, between(from, to, share));
+          if (nearest && away_units >= nearest_units) continue;
           nearest = loop_of[number];
-          nearest_mm = mm;
+          nearest_units = away_units;
         }
       }
       if (nearest) seams.followers.push_back({island, i, *nearest});

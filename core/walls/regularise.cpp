@@ -3,7 +3,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/booleans/boolean.h"
+#include "core/booleans/boolean.h"      // subtract
+#include "core/booleans/ring_tracer.h"  // sort_rings
 #include "core/check.h"
 #include "core/offsets/voronoi_mountain.h"
 #include "core/regions/contour_proximity.h"
@@ -38,29 +39,30 @@ Region without_small_islands(const Region& region, double area_min_mm2) {
   return Region::from_clean_rings(std::move(kept));
 }
 
-// Adds those of one island. What holds no disc is one as a whole.
-void add_tongues(const Region& island, Length radius, Length arc_tolerance,
-                 std::vector<Ring>& tongues) {
+// Adds what is left of an island without its tongues. What holds no disc is one as a whole.
+void add_without_tongues(Region island, Length radius, Length arc_tolerance,
+                         std::vector<Ring>& rest) {
   const Region core = offset(island, radius, arc_tolerance);
-  if (core.empty()) {
-    tongues.insert(tongues.end(), island.rings().begin(), island.rings().end());
-    return;
-  }
+  if (core.empty()) return;
   const Length reach = Length::from_mm(kCornerReach * radius.mm());
-  if (stays_near(island, core, reach, Length::from_mm(kSampleShare * reach.mm()))) return;
-  for (Island& lost : islands(subtract(island, offset(core, -radius, arc_tolerance)))) {
-    if (is_corner_bit(lost, radius)) continue;
-    append_rings(std::move(lost), tongues);
+  std::vector<Ring> tongues;
+  if (!stays_near(island, core, reach, Length::from_mm(kSampleShare * reach.mm()))) {
+    for (Island& lost : islands(subtract(island, offset(core, -radius, arc_tolerance)))) {
+      if (!is_corner_bit(lost, radius)) append_rings(std::move(lost), tongues);
+    }
   }
+  if (!tongues.empty()) island = subtract(island, Region::from_clean_rings(std::move(tongues)));
+  rest.insert(rest.end(), island.rings().begin(), island.rings().end());
 }
 
 Region without_tongues(const Region& loose, Length width_min, Length arc_tolerance) {
   const Length radius = Length::from_units(width_min.units() / 2);
-  std::vector<Ring> tongues;
+  std::vector<Ring> rest;
   for (Island& island : islands(loose)) {
-    add_tongues(region_of(std::move(island)), radius, arc_tolerance, tongues);
+    add_without_tongues(region_of(std::move(island)), radius, arc_tolerance, rest);
   }
-  return subtract(loose, Region::from_clean_rings(std::move(tongues)));
+  sort_rings(rest);
+  return Region::from_clean_rings(std::move(rest));
 }
 
 }  // namespace

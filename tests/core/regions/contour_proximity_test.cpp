@@ -62,6 +62,25 @@ TEST_CASE("a tongue that one of them lacks makes the leash taut, and so does a r
   CHECK_FALSE(frechet_within(holed, without, Length::from_mm(20)));
 }
 
+TEST_CASE("rings that come in another order each have one of their own") {
+  // One above another: whichever starts a little further left comes first.
+  const Region low_first = region_from_text("0:0 2:0 2:2 0:2, 0.1:4 2:4 2:6 0.1:6, 9:0 11:0 11:2");
+  const Region high_first = region_from_text("0:4 2:4 2:6 0:6, 0.1:0 2:0 2:2 0.1:2, 9:0 11:0 11:2");
+  CHECK(frechet_within(low_first, high_first, Length::from_mm(0.1)));
+  CHECK(frechet_within(high_first, low_first, Length::from_mm(0.1)));
+  CHECK_FALSE(frechet_within(low_first, high_first, Length::from_mm(0.09)));
+  // Not where two of them are near the same one, or one is near none.
+  const Region twice =
+      region_from_text("0.9:0.4 1.1:0.4 1.1:0.6 0.9:0.6, 0.9:1 1.1:1 1.1:1.2 0.9:1.2");
+  const Region both = region_from_text("0.5:0 1.5:0 1.5:1.5 0.5:1.5, 0.5:9 1.5:9 1.5:10");
+  REQUIRE(frechet_within(core::Region::from_clean_rings({twice.rings()[1]}),
+                         core::Region::from_clean_rings({both.rings()[0]}), Length::from_mm(2)));
+  CHECK_FALSE(frechet_within(twice, both, Length::from_mm(2)));
+  CHECK_FALSE(frechet_within(both, twice, Length::from_mm(2)));
+  const Region moved = region_from_text("0:14 2:14 2:16 0:16, 0.1:0 2:0 2:2 0.1:2, 9:0 11:0 11:2");
+  CHECK_FALSE(frechet_within(low_first, moved, Length::from_mm(1)));
+}
+
 TEST_CASE("what is said to be frechet_within is near, on random regions and their offsets") {
   constexpr std::uint64_t kSeed = 20261126;
   CAPTURE(kSeed);
