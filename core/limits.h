@@ -68,6 +68,10 @@ inline constexpr std::size_t kSeamCornersMax = 32;
 // Layers above a layer whose corners count.
 inline constexpr int kSeamLayersAheadMax = 8;
 
+// Islands of a slice that are followed to see whether the part stands (standing.h): 64 KiB of
+// columns' stretches beside the slice itself.
+inline constexpr std::size_t kStandingIslandsMax = 256;
+
 // Layers for which a seam is remembered when no road passes there, 10 mm of a usual print.
 inline constexpr int kSeamLayersKept = 50;
 

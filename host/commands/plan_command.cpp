@@ -7,8 +7,11 @@
 
 #include "core/motions/motion_clock.h"
 #include "core/raft_heights.h"
+#include "core/roads/brim.h"
+#include "core/slices/standing.h"
 #include "host/commands/commands.h"
 #include "host/pipeline/pipeline.h"
+#include "host/pipeline/standing_text.h"
 #include "host/printing/slow_layer_note.h"
 #include "host/system/exit_codes.h"
 #include "host/system/stop_signals.h"
@@ -96,6 +99,28 @@ std::string table(const Options& options, const PrintPlan& print_plan,
   return text;
 }
 
+// Whether the part stands, and whether this computer keeps up.
+std::string outlook(const GeometryStatistics& statistics) {
+  std::string text;
+  const auto out = std::back_inserter(text);
+  for (const std::string& line : standing_text(*statistics.standing)) {
+    fmt::format_to(out, "stands     {}\n", line);
+  }
+  const std::string pace = pace_text(statistics.pace);
+  if (!pace.empty()) fmt::format_to(out, "computing  {}\n", pace);
+  return text;
+}
+
+// The same for programs that read events.
+void tell_outlook(const GeometryStatistics& statistics, Reporter& reporter) {
+  for (const std::string& line : standing_text(*statistics.standing)) {
+    reporter.note("standing", line);
+  }
+  if (const std::string pace = pace_text(statistics.pace); !pace.empty()) {
+    reporter.note("pace", pace, {{"behind", statistics.pace.behind()}});
+  }
+}
+
 }  // namespace
 
 int plan_command(const Options& options, Reporter& reporter) {
@@ -105,7 +130,9 @@ int plan_command(const Options& options, Reporter& reporter) {
 
   const double started_s = steady_seconds();
   PipelineOutputs outputs;
+  core::Standing standing(core::brim_reach(print_plan.settings).mm());
   outputs.on_layer = [&](const core::SplitLayer& layer) {
+    standing.add(layer.slice);
     const double now = steady_seconds();
     ProgressReport report;
     report.layer = layer.slice.index + 1;
@@ -125,9 +152,12 @@ int plan_command(const Options& options, Reporter& reporter) {
   report_warnings(signals, reporter);
   if (!end.ok()) return fail(end.error(), reporter);
   if (end.value() == PipelineEnd::kStopped) return stopped(options, reporter);
-  const int shown = show_result(
-      options.json ? statistics_json(statistics, nullptr) : table(options, print_plan, statistics),
-      reporter);
+  statistics.standing = standing.report();
+  if (options.json) tell_outlook(statistics, reporter);
+  const int shown =
+      show_result(options.json ? statistics_json(statistics, nullptr)
+                               : table(options, print_plan, statistics) + outlook(statistics),
+                  reporter);
   return save_statistics(options, statistics, nullptr, shown, reporter);
 }
 

@@ -44,6 +44,9 @@ class CommandStage {
   // A warning about the first action that was never due (core/motions/height_actions.h).
   void tell_missed(const std::string& part, WarningBox& warnings) const;
 
+  // Printing time of what was given so far, as it comes to rest. COSTS: O(core::kLookAheadMoves).
+  [[nodiscard]] double seconds() const { return clock_.seconds(); }
+
   // Filament, arcs and time.
   void tell(GeometryStatistics& statistics) const;
 

@@ -246,11 +246,12 @@ class Pipeline {
         if (stopped()) return;
       }
     }
-    statistics_.mountain_retries += batch.offset_retries;
-    statistics_.boolean_retries += batch.use.boolean_retries;
+    statistics_.retries.mountains += batch.offset_retries;
+    statistics_.retries.booleans += batch.use.boolean_retries;
     statistics_.allocations.add(counts_.layers_timed, batch.use.allocations);
-    statistics_.layer_times.add(counts_.layers_timed++,
-                                statistics_.clock.add_layer(batch.use.seconds));
+    const double computing_s = statistics_.clock.add_layer(batch.use.seconds);
+    statistics_.layer_times.add(counts_.layers_timed++, computing_s);
+    statistics_.pace.add(counts_.given, computing_s, commands_.seconds());
   }
 
   void fail(const core::Error& error) {
@@ -270,6 +271,7 @@ class Pipeline {
     slice.index = settled.index;
     slice.bottom = settled.bottom;
     slice = raft_.lifted(std::move(slice));
+    counts_.given = slice.index;
     statistics_.add_volume(layer, plan.regularised_mm3);
     if (core::Status held = floating_.check(slice, plan.hanging); !held.ok()) return held;
     statistics_.hanging.add(slice.index, slice.bottom, plan.hanging);
@@ -336,8 +338,7 @@ class Pipeline {
     const core::WallSplitter::Usage window = splitter_.usage();
     statistics_.peak_held.layers = static_cast<std::int64_t>(window.layers_held_peak);
     statistics_.peak_held.regions = static_cast<std::int64_t>(window.regions_held_peak);
-    statistics_.region_operations = window.operations;
-    statistics_.region_operations_worst = window.operations_worst;
+    statistics_.region_operations = {window.operations, window.operations_worst};
     statistics_.reused = {cutter_.reused(), window.layers_reused, planner_.reused()};
     commands_.tell(statistics_);
   }
@@ -383,6 +384,7 @@ class Pipeline {
     core::LayerIndex layers_timed = 0;
     core::LayerIndex raft_layers = 0;
     std::size_t part_roads = 0;
+    core::LayerIndex given = 0;  // the last one
   } counts_;
   std::optional<core::Error> error_;
 };

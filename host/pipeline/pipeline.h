@@ -49,7 +49,7 @@ struct PrintPlan {
   OnBadLayer on_bad_layer = OnBadLayer::kRepair;
   OnFloating on_floating = OnFloating::kWarn;
   std::string spool_folder{};  // of temporary files for supports; empty: $TMPDIR, or /tmp
-  int threads = 1;           // processors that the geometry may use; REQUIRES: 1 … kThreadsMax
+  int threads = 1;             // processors that the geometry may use; REQUIRES: 1 … kThreadsMax
 
   // What the controller understands. Called once, before the motions of the first layer that has
   // roads, and may block until that is known; not if the print is resumed, whose checkpoint has it.

@@ -14,6 +14,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+template <typename T>
+Json or_null(const std::optional<T>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
 Json stage_seconds(const StageClock& clock) {
   Json json;
   for (std::size_t i = 1; i < kStageCount; ++i) {
@@ -93,6 +98,50 @@ Json slow_layers_json(const SlowLayers& slow) {
           {"first", first}};
 }
 
+Json pace_json(const LayerPace& pace) {
+  const auto one = [](const std::optional<PacedLayer>& layer) {
+    if (!layer) return Json();
+    return Json{{"layer", layer->layer + 1},
+                {"computing_s", layer->computing_s},
+                {"printing_s", layer->printing_s}};
+  };
+  return {{"before_first_layer_s", pace.before_first_layer_s()},
+          {"slowest", one(pace.slowest())},
+          {"behind", pace.behind()},
+          {"furthest_behind", one(pace.furthest_behind())}};
+}
+
+Json body_json(const std::optional<core::StandingBody>& body) {
+  if (!body) return {};
+  return {{"x_mm", core::Length::from_units(body->foot.at.x).mm()},
+          {"y_mm", core::Length::from_units(body->foot.at.y).mm()},
+          {"height_mm", body->height.mm()},
+          {"foot_breadth_mm", body->foot.breadth_mm},
+          {"foot_area_mm2", body->foot.area_mm2},
+          {"slenderness", core::slenderness(body->foot, body->height.mm())},
+          {"brim_mm", or_null(core::brim_that_holds_mm(body->foot, body->height.mm()))}};
+}
+
+Json column_json(const std::optional<core::ThinColumn>& column) {
+  if (!column) return {};
+  return {{"x_mm", core::Length::from_units(column->at.x).mm()},
+          {"y_mm", core::Length::from_units(column->at.y).mm()},
+          {"bottom_mm", column->bottom.mm()},
+          {"top_mm", column->top.mm()},
+          {"thickness_mm", column->thickness_mm},
+          {"slenderness", column->slenderness}};
+}
+
+Json standing_json(const std::optional<core::StandingReport>& standing) {
+  if (!standing) return {};
+  return {{"slenderest", body_json(standing->slenderest)},
+          {"loose_bodies", standing->loose_bodies},
+          {"loosest", body_json(standing->loosest)},
+          {"thin_columns", standing->thin_columns},
+          {"thinnest", column_json(standing->thinnest)},
+          {"islands_not_followed", standing->islands_not_followed}};
+}
+
 Json allocations_json(const AllocationLog& allocations) {
   Json json;
   for (const Stage stage :
@@ -100,11 +149,6 @@ Json allocations_json(const AllocationLog& allocations) {
     json[std::string(stage_name(stage))] = allocations.per_layer(stage);
   }
   return json;
-}
-
-template <typename T>
-Json or_null(const std::optional<T>& value) {
-  return value ? Json(*value) : Json(nullptr);
 }
 
 }  // namespace
@@ -239,10 +283,10 @@ std::string statistics_json(const GeometryStatistics& geometry, const LinkStatis
                {"spilled_bytes", geometry.spilled_bytes},
                {"bad_layers", geometry.bad_layers},
                {"slow_layers", slow_layers_json(geometry.slow_layers)},
-               {"mountain_retries", geometry.mountain_retries},
-               {"boolean_retries", geometry.boolean_retries},
-               {"region_operations", geometry.region_operations},
-               {"region_operations_worst", geometry.region_operations_worst},
+               {"mountain_retries", geometry.retries.mountains},
+               {"boolean_retries", geometry.retries.booleans},
+               {"region_operations", geometry.region_operations.count},
+               {"region_operations_worst", geometry.region_operations.worst},
                {"layers_reused",
                 {{"offsets", geometry.reused.offsets},
                  {"splits", geometry.reused.splits},
@@ -254,6 +298,7 @@ std::string statistics_json(const GeometryStatistics& geometry, const LinkStatis
                 {{"median", geometry.layer_times.median_ms()},
                  {"worst", geometry.layer_times.worst_ms()},
                  {"worst_layer", geometry.layer_times.worst_layer() + 1}}},
+               {"pace", pace_json(geometry.pace)},
                {"allocations_per_layer", allocations_json(geometry.allocations)},
                {"solid_mm3", geometry.solid_mm3},
                {"loose_mm3", geometry.loose_mm3},
@@ -263,7 +308,8 @@ std::string statistics_json(const GeometryStatistics& geometry, const LinkStatis
                {"time_s", geometry.time_s},
                {"geometry_ended", geometry.ended},
                {"defects", defects_json(geometry.defects)},
-               {"hanging", hanging_json(geometry.hanging)}};
+               {"hanging", hanging_json(geometry.hanging)},
+               {"standing", standing_json(geometry.standing)}};
   json["first_road_s"] = or_null(link != nullptr ? link->first_road_s : geometry.first_road_s);
   json["first_road_cpu_s"] =
       or_null(link != nullptr ? link->first_road_cpu_s : geometry.first_road_cpu_s);

@@ -9,9 +9,11 @@
 
 #include "core/roads/road.h"            // RoadKind
 #include "core/slices/slice.h"          // Slice
+#include "core/slices/standing.h"       // StandingReport
 #include "core/units.h"                 // LayerIndex, Length
 #include "core/walls/split_layer.h"     // SplitLayer
 #include "host/pipeline/hanging_log.h"  // HangingLog
+#include "host/pipeline/layer_pace.h"   // LayerPace
 #include "host/pipeline/layer_times.h"  // LayerTimes
 #include "host/pipeline/layer_watch.h"  // SlowLayers
 #include "host/pipeline/stage_meter.h"  // StageCounts
@@ -83,6 +85,17 @@ class AllocationLog {
   StageCounts counts_{};
 };
 
+struct Retries {
+  std::int64_t mountains = 0;  // Voronoi diagrams that failed their check
+  std::int64_t booleans = 0;   // operands that crossed themselves (core/booleans/boolean.h)
+};
+
+// Intersections and subtractions.
+struct RegionOperations {
+  std::int64_t count = 0;
+  int worst = 0;  // most in one layer
+};
+
 // The most in memory at once.
 struct HeldCounts {
   std::int64_t layers = 0;
@@ -97,16 +110,15 @@ struct GeometryStatistics {
   std::int64_t roads = 0;
   std::int64_t arcs = 0;
   HeldCounts peak_held;
-  std::int64_t spilled_bytes = 0;      // to the temporary file for sorting
-  std::int64_t bad_layers = 0;         // bad_layers.h
-  SlowLayers slow_layers;              // layer_watch.h
-  std::int64_t mountain_retries = 0;   // Voronoi diagrams that failed their check
-  std::int64_t boolean_retries = 0;    // operands that crossed themselves (core/booleans/boolean.h)
-  std::int64_t region_operations = 0;  // of the window: intersections and subtractions
-  int region_operations_worst = 0;     // most in one layer
+  std::int64_t spilled_bytes = 0;  // to the temporary file for sorting
+  std::int64_t bad_layers = 0;     // bad_layers.h
+  SlowLayers slow_layers;          // layer_watch.h
+  Retries retries;
+  RegionOperations region_operations;  // of the window
   ReuseCounts reused;
   double regularised_mm3 = 0;  // moved from loose to solid to be printable (regularise.h)
   LayerTimes layer_times;      // processor time
+  LayerPace pace;              // beside printing time
   AllocationLog allocations;   // only in the program: tests have no hook that counts
   double solid_mm3 = 0;        // volume of the wall, and of the inside
   double loose_mm3 = 0;
@@ -115,6 +127,7 @@ struct GeometryStatistics {
   bool ended = true;  // false: abandoned in the middle of a layer; no other value here is known
   DefectLog defects;
   HangingLog hanging;
+  std::optional<core::StandingReport> standing;  // only of `rind plan`
   // When the first road was written to the file. LinkStatistics has those of a print.
   std::optional<double> first_road_s;      // since the program started
   std::optional<double> first_road_cpu_s;  // of the whole program

@@ -77,6 +77,8 @@ TEST_CASE("the statistics file has every key that was promised") {
                           "time_s",
                           "allocations_per_layer",
                           "boolean_retries",
+                          "pace",
+                          "standing",
                           "stalls",
                           "resends",
                           "defects",

@@ -1,0 +1,47 @@
+// What `rind plan` tells before anything is printed.
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/support/part_folder.h"
+#include "tests/support/run_program.h"
+
+using test::content;
+using test::PartFolder;
+using test::ProgramRun;
+using test::rind;
+using test::says;
+
+namespace {
+
+const std::string kCoarse = " --layer-height 0.4 --wall-thickness 0.8";
+
+}  // namespace
+
+TEST_CASE("plan says whether a part stands, and whether this computer keeps up") {
+  const PartFolder folder;
+  const std::string stats = folder.file("stats.json");
+  const std::string pillar = folder.add("pillar.stl", parts::box({1, 1, 0}, 4, 4, 60));
+  const std::string told = "it stands 60 mm high on a foot 4.0 mm broad at (150.0, 150.0) mm";
+  const ProgramRun plan = rind("plan " + pillar + kCoarse + " --stats " + stats);
+  CAPTURE(plan.output);
+  CHECK_EQ(plan.exit_code, 0);
+  CHECK(says(plan, told));
+  CHECK(says(plan, "it may come loose; set brim_width=5"));
+  CHECK(says(plan, "is at most 4.0 mm thick from 0 to 60 mm of height: it may bend"));
+  CHECK(says(plan, "it keeps up"));
+  const auto json = nlohmann::json::parse(content(stats));
+  CHECK_EQ(json["standing"]["loosest"]["brim_mm"], 5);
+  CHECK_EQ(json["standing"]["slenderest"]["slenderness"], 15);
+  CHECK_GT(json["pace"]["slowest"]["printing_s"], 0);
+  CHECK(says(rind("plan " + pillar + kCoarse + " --json"), told));
+
+  CHECK_FALSE(says(rind("plan " + pillar + kCoarse + " --set brim_width=5"), "come loose"));
+  CHECK_FALSE(says(rind("plan " + pillar + kCoarse + " --set raft_layers=3 --set raft_expansion=6"),
+                   "come loose"));
+  const std::string box = folder.add("box.stl", parts::box({1, 1, 0}, 8, 6, 4));
+  const ProgramRun low = rind("plan " + box + kCoarse);
+  CHECK_FALSE(says(low, "stands"));
+  CHECK(says(low, "it keeps up"));
+}
