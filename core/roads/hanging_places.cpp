@@ -56,7 +56,7 @@ class HangingSearch {
     std::vector<Ring> pieces;
     for (Island& island : islands(air)) {
       const Region piece = region_of(std::move(island));
-      if (is_hair(piece)) continue;
+      if (is_hair(piece) || (!held.empty() && is_crumb(piece))) continue;
       if (is_ledge(piece)) {
         found_.push_back({HangingKind::kOverhang, piece.rings().front().front(), piece.area_mm2()});
       } else {
@@ -89,6 +89,11 @@ class HangingSearch {
       if (contour_->any_within(middle, kOnContour)) open += distance_mm(edge.from, edge.to);
     }
     return open >= kLedgeOpenShareMin * perimeter;
+  }
+
+  // What supports leave beside them.
+  [[nodiscard]] bool is_crumb(const Region& piece) const {
+    return piece.area_mm2() < settings_.support_area_min_mm2;
   }
 
   // What supports hold: they keep off the part, and what lies half over one is held.

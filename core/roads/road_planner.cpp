@@ -149,6 +149,16 @@ void share_fill(const IslandSplit& split, SolidAreas areas, Region loose,
             [](IslandPlan& plan, Region part) { plan.loose = std::move(part); });
 }
 
+// Skirt and brim, around the supports, too; nothing where nothing lies on the bed.
+void add_around(const SplitLayer& layer, const Settings& settings, LayerRoads& planned) {
+  const Slice& slice = layer.slice;
+  const bool supported = layer.support && !layer.support->empty();
+  if (planned.islands.empty() && !supported) return;
+  const Region foot = supported ? unite(slice.region, *layer.support) : slice.region;
+  planned.first = skirt_roads(foot, slice.height, settings);
+  append(brim_roads(foot, slice.height, settings), planned.first);
+}
+
 }  // namespace
 
 RoadPlanner::RoadPlanner(const Settings& settings)
@@ -186,13 +196,9 @@ LayerRoads RoadPlanner::plan(const SplitLayer& layer) const {
     if (!plan.loose.empty()) append(inside_roads(plan, layer, settings), plan.roads);
     if (!plan.roads.empty()) planned.islands.push_back(std::move(plan.roads));
   }
+  if (slice.index == 0) add_around(layer, settings, planned);
   if (planned.islands.empty()) return planned;
   planned.from = slice.region.box().min;
-  if (slice.index == 0) {
-    const Region foot = layer.support ? unite(slice.region, *layer.support) : slice.region;
-    planned.first = skirt_roads(foot, slice.height, settings);
-    append(brim_roads(foot, slice.height, settings), planned.first);
-  }
   planned.outer_first = settings.outer_perimeter_first;
   return planned;
 }

@@ -117,7 +117,9 @@ std::optional<SupportLayer> SupportFold::next() {
   const LayerIndex below =
       settings_.support_bottom_gap_layers + settings_.support_bottom_interface_layers;
   if (!ended_ && levels_.back().slice.index > next_ - below) return {};
-  SupportLayer layer = decide(*level(next_));
+  const Level* at = level(next_);
+  RIND_CHECK(at != nullptr);
+  SupportLayer layer = decide(*at);
   --next_;
   const LayerIndex above = settings_.support_top_gap_layers + settings_.support_interface_layers;
   while (levels_.size() > 1 && levels_.front().slice.index > next_ + above) levels_.pop_front();

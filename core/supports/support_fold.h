@@ -98,7 +98,7 @@ class SupportFold {
   // The latest of what is made from slices and demand alone: it lasts for some layers.
   struct GrownSlice {
     SharedRegion of;
-    Region far, near;  // by support_xy_distance, and by what is kept under what hangs
+    Region far, near;  // by support_xy_distance; by what is kept under what hangs
   };
   struct Held {
     SharedRegion overhangs, islands;
@@ -126,7 +126,8 @@ class SupportFold {
   Held held_;
 };
 
-// What of the supports reaches the bed, from layer 0 up: V(n) = U(n) ∩ V(n−1).
+// What of the supports reaches the bed, from layer 0 up: V(n) = U(n) ∩ V(n−1). So they keep off what
+// is below them all the way up, also right under what they hold.
 class BedColumns {
  public:
   // REQUIRES: layers in order, from 0. COSTS: an intersection, none where nothing has changed.

@@ -82,10 +82,10 @@ class LayerFill {
 
   void fill(const Region& inside, IslandRoads& roads) const {
     if (inside.empty()) return;
-    if (layer_.index == 0) {
-      const double share = std::max(settings_.raft_first_layer_density, 0.1);
+    if (layer_.index == 0 && settings_.raft_layers == 0) {
       const Length spacing = perimeter_spacing(settings_, height_);
-      return add_rows(inside, Length::from_mm(spacing.mm() / share), false, roads);
+      return add_rows(inside, Length::from_mm(spacing.mm() / settings_.raft_first_layer_density),
+                      false, roads);
     }
     const Region dense = intersect(inside, *layer_.interface);
     const Length spacing = perimeter_spacing(settings_, height_);

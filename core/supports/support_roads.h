@@ -17,7 +17,8 @@
 
 namespace core {
 
-// In the order of printing. ENSURES: no bead leaves the region except by rounding.
+// In the order of printing. ENSURES: with a flow of 1, no bead leaves the region except by
+// rounding.
 // COSTS: as the perimeters and the fill of one layer with one perimeter.
 [[nodiscard]] std::vector<Road> support_roads(const SupportLayer& layer, Length height,
                                               const Settings& settings);

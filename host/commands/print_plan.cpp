@@ -28,7 +28,7 @@ core::Result<PrintSettings> load_settings_of(const Options& options, Reporter& r
 namespace {
 
 // Files of slices, and cuts, have the part alone.
-bool has_raft(const Options& options) {
+bool lays_whole_print(const Options& options) {
   if (options.subcommand == Subcommand::kSlice) {
     return options.output.format == OutputFormat::kGcode ||
            options.output.format == OutputFormat::kCliRoads;
@@ -41,13 +41,13 @@ bool has_raft(const Options& options) {
 core::Result<PrintPlan> open_print_plan(const Options& options, Reporter& reporter) {
   core::Result<PrintSettings> settings = load_settings_of(options, reporter);
   if (!settings.ok()) return settings.error();
-  if (settings.value().raft_layers > 0 && !has_raft(options)) {
+  if (settings.value().raft_layers > 0 && !lays_whole_print(options)) {
     core::Settings& of_part = settings.value();
     of_part = core::settings_above_raft(of_part);
     of_part.raft_layers = 0;
     reporter.note("raft", "the raft is left out here: the layers are the part's alone");
   }
-  if (settings.value().supports != core::SupportPlace::kOff && !has_raft(options)) {
+  if (settings.value().supports != core::SupportPlace::kOff && !lays_whole_print(options)) {
     settings.value().supports = core::SupportPlace::kOff;
     reporter.note("supports", "supports are left out here: the layers are the part's alone");
   }

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 #include <utility>
 
+#include "core/check.h"          // RIND_CHECK
 #include "host/system/limits.h"  // kSpoolBufferBytes
 
 namespace host {
@@ -13,6 +15,7 @@ using Length = std::uint32_t;
 constexpr std::size_t kLengthBytes = sizeof(Length);
 
 void put_length(std::size_t length, std::string& into) {
+  RIND_CHECK(length <= std::numeric_limits<Length>::max());
   const auto value = static_cast<Length>(length);
   char bytes[kLengthBytes];
   std::memcpy(bytes, &value, kLengthBytes);

@@ -3,7 +3,7 @@
 //
 //     │length│ bytes │length│length│ bytes │length│ …
 //
-// Memory: two buffers of kSpoolBufferBytes, or of the longest record.
+// Memory: two buffers of kSpoolBufferBytes and the longest record each.
 #pragma once
 
 #include <cstddef>

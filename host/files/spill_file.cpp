@@ -57,7 +57,7 @@ core::Error SpillFile::failed(const char* what, int cause) const {
   return {core::ErrorCode::kUnreadable,
           folder_ + ": " + what + " the temporary file for " + std::string(use_.purpose) +
               " failed after " + std::to_string(size_) + " bytes: " + std::strerror(cause) +
-              "; make room there, or set TMPDIR to another folder"};
+              "; make room there, or " + std::string(use_.remedy)};
 }
 
 bool SpillFile::in_memory() const {

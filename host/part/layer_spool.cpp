@@ -195,7 +195,7 @@ core::Result<SpooledLayer> LayerSpool::layer_of(const RecordSpool::Record& recor
     } else if (form == RegionForm::kElsewhere) {
       elsewhere[i] = static_cast<std::int64_t>(bytes.number());
     } else {
-      // Where it is known already, it need not be made again, only passed over.
+      // Of a record that is read once more, the known object stays.
       Region region = region_in(bytes);
       if (read_[i].at != record.at) {
         read_[i] = {record.at, std::make_shared<const Region>(std::move(region))};

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <deque>
 #include <memory>
 #include <new>
 #include <utility>
@@ -23,6 +22,7 @@
 #include "host/pipeline/layer_batch.h"
 #include "host/pipeline/layer_watch.h"
 #include "host/pipeline/ordered_stages.h"
+#include "host/pipeline/pauses_ahead.h"
 #include "host/pipeline/raft_stage.h"
 #include "host/pipeline/slice_intake.h"
 #include "host/pipeline/support_stage.h"
@@ -83,12 +83,22 @@ class Pipeline {
     } catch (const std::bad_alloc&) {
       return core::Error{core::ErrorCode::kNoMemory,
                          fmt::format("{}, layer {}: {}; allow more, or simplify the mesh",
-                                     plan_.part_path, statistics_.layers + 1, memory_refusal())};
+                                     plan_.part_path, layer_at_hand(), memory_refusal())};
     }
   }
 
+  // Counted from 1. Before the first layer, slices are taken for supports.
+  [[nodiscard]] core::LayerIndex layer_at_hand() const {
+    return (statistics_.layers > 0 ? statistics_.layers : intake_.taken()) + 1;
+  }
+
   core::Status read_rest() {
-    const bool waits = plan_.part.read_rest || supports_.wanted();
+    const bool supported = supports_.wanted();
+    if (supported) {
+      core::Status made = supports_.make_spools(signals_.warnings);
+      if (!made.ok()) return made;
+    }
+    const bool waits = plan_.part.read_rest || supported;
     if (waits && outputs_.on_motion && !plan_.start) commands_.preheat();
     if (plan_.part.read_rest) {
       core::Result<PartSummary> summary = plan_.part.read_rest();
@@ -98,9 +108,8 @@ class Pipeline {
       for (const std::string& warning : plan_.part.summary.warnings) signals_.warnings.put(warning);
     }
     signals_.layers.store(plan_.part.summary.layers);
-    if (!supports_.wanted()) return {};
-    return supports_.prepare(
-        intake_, [this] { return stopped(); }, signals_.warnings);
+    if (!supported) return {};
+    return supports_.prepare(intake_, [this] { return stopped(); });
   }
 
   // Called in order. After the last slice it gives empty batches until the window is empty.
@@ -158,7 +167,7 @@ class Pipeline {
       return reserve(neighbours_.finish(), batch);
     }
     if (splitter_.next_index() == 0) splitter_.start_at(batch.slice->index);
-    if (batch.pause) pauses_.emplace_back(batch.slice->index, *std::move(batch.pause));
+    if (batch.pause) pauses_.put(batch.slice->index, *std::move(batch.pause));
     const LayerWatch::Look look(watch_, batch.slice->index, batch.slice->top(),
                                 size_of(batch.slice->region), batch.watched_s);
     ahead_.see(batch.slice->index, batch.offsets.offsets->corners);
@@ -188,18 +197,9 @@ class Pipeline {
                                planner_.reserve(*std::move(layer)),
                                {},
                                {},
-                               pause_before(index),
+                               pauses_.take(index),
                                std::move(support)});
     }
-  }
-
-  std::optional<std::string> pause_before(core::LayerIndex index) {
-    std::optional<std::string> pause;
-    while (!pauses_.empty() && pauses_.front().first <= index) {
-      if (pauses_.front().first == index) pause = std::move(pauses_.front().second);
-      pauses_.pop_front();
-    }
-    return pause;
   }
 
   LayerWatch::Look watched(const SettledLayer& settled, LayerBatch& batch) {
@@ -375,7 +375,7 @@ class Pipeline {
   core::LooseBlocks blocks_;
   core::LayerPlanner planner_;  // plan() only reads its settings
   std::atomic<bool> window_emptied_ = false;
-  std::deque<std::pair<core::LayerIndex, std::string>> pauses_;  // of layers in the window
+  PausesAhead pauses_;
 
   // Of give().
   FloatingIslands floating_;

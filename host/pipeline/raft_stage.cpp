@@ -21,18 +21,19 @@ core::Status RaftStage::lay(const core::SplitLayer& first, const std::string& pa
                             LayerWatch& watch, const Give& give) const {
   if (first_ == layers()) return {};
   const core::Region& slice = first.slice.region;
-  if (slice.empty()) {
+  const core::Region foot = first.support ? core::unite(slice, *first.support) : slice;
+  if (foot.empty()) {
     return core::Error{core::ErrorCode::kBadPart,
                        part +
                            ", layer 1: it is empty, so that no raft can be laid under it; set "
                            "raft_layers=0, or let the part begin on the bed"};
   }
-  const core::Raft raft(first.support ? core::unite(slice, *first.support) : slice, settings_);
+  const core::Raft raft(foot, settings_);
   for (core::LayerIndex index = first_; index < layers(); ++index) {
     // Watched without its motions, which wait for the printer.
     core::RaftLayer laid = [&] {
       double watched_s = 0;
-      const LayerWatch::Look look(watch, index, top(index), &slice, watched_s);
+      const LayerWatch::Look look(watch, index, top(index), &foot, watched_s);
       return raft.layer(index);
     }();
     if (core::Status lies = check(laid, part); !lies.ok()) return lies;

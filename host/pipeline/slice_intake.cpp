@@ -17,6 +17,7 @@ core::Result<TakenSlice> SliceIntake::next() {
   if (!next.ok()) return next.error();
   TakenSlice taken;
   if (!next.value()) return taken;
+  ++taken_;
   core::Slice& slice = taken.slice.emplace(std::move(*next.value()));
   core::Status fine = check_layer_height(name_, slice, settings_);
   if (!fine.ok()) return fine.error();

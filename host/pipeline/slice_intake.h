@@ -34,6 +34,7 @@ class SliceIntake {
 
   // Of the part, without its raft; 0 if not known.
   [[nodiscard]] core::LayerIndex layers() const;
+  [[nodiscard]] core::LayerIndex taken() const { return taken_; }
   [[nodiscard]] std::int64_t bad_layers() const { return bad_layers_.count(); }
 
  private:
@@ -41,6 +42,7 @@ class SliceIntake {
   const std::string& name_;
   const core::Settings& settings_;
   BadLayers bad_layers_;
+  core::LayerIndex taken_ = 0;
 };
 
 }  // namespace host

@@ -10,12 +10,11 @@
 namespace host {
 namespace {
 
-constexpr SpillUse kForSupports{"supports", "set TMPDIR, or --spool, to another folder"};
+constexpr SpillUse kForSupports{"supports", "name another folder with --spool"};
 
 }  // namespace
 
-core::Status SupportStage::prepare(SliceIntake& intake, const Stopped& stopped,
-                                   WarningBox& warnings) {
+core::Status SupportStage::make_spools(WarningBox& warnings) {
   core::Result<LayerSpool> slices = LayerSpool::create(folder_, kForSupports);
   if (!slices.ok()) return slices.error();
   core::Result<LayerSpool> supports = LayerSpool::create(folder_, kForSupports);
@@ -28,6 +27,11 @@ core::Status SupportStage::prepare(SliceIntake& intake, const Stopped& stopped,
                     "--spool DIR puts them on a disk",
                     slices_->file().folder()));
   }
+  return {};
+}
+
+core::Status SupportStage::prepare(SliceIntake& intake, const Stopped& stopped) {
+  RIND_CHECK(slices_.has_value());
   if (core::Status spooled = spool_slices(intake, stopped); !spooled.ok()) return spooled;
   if (core::Status folded = fold(stopped); !folded.ok()) return folded;
   slices_->read_forwards();
@@ -78,6 +82,7 @@ core::Status SupportStage::fold(const Stopped& stopped) {
     fold.push({found.index, found.bottom, found.height, found.regions.front()});
     if (core::Status taken = take_decided(fold); !taken.ok()) return taken;
   }
+  if (stopped()) return {};  // layer 0 was not reached
   fold.end();
   return take_decided(fold);
 }

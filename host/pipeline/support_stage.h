@@ -37,12 +37,14 @@ class SupportStage {
 
   [[nodiscard]] bool wanted() const { return settings_.supports != core::SupportPlace::kOff; }
 
+  // The temporary files. Errors: of the folder. REQUIRES: wanted(); called once.
+  [[nodiscard]] core::Status make_spools(WarningBox& warnings);
+
   // Takes all of the part's slices, and finds where supports stand. Returns early when asked to
   // stop. Errors: of the intake, of the disk.
   // COSTS: slicing, which then is done, and the fold.
-  // REQUIRES: wanted(); called once, before the first slice was taken.
-  [[nodiscard]] core::Status prepare(SliceIntake& intake, const Stopped& stopped,
-                                     WarningBox& warnings);
+  // REQUIRES: the spools are made; called once, before the first slice was taken.
+  [[nodiscard]] core::Status prepare(SliceIntake& intake, const Stopped& stopped);
 
   // What the intake gave, from the bed up. REQUIRES: prepared.
   [[nodiscard]] core::Result<TakenSlice> next_slice();

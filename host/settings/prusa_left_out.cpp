@@ -21,6 +21,7 @@ enum class When {
   kUnlikeOn,  // likewise, except 0, which is automatic
   kWith,      // as kOn, where `other` is on, too
   kWord,      // the word `other`
+  kOffWith,   // 0, where `other` is on
 };
 
 struct LeftOut {
@@ -35,6 +36,19 @@ constexpr std::string_view kOneWidth =
 constexpr std::string_view kNotSent = "it is not sent";
 
 constexpr std::array kLeftOut = {
+    LeftOut{"support_material_auto", When::kOffWith,
+            "supports = off: there are none where none is enforced", "support_material"},
+    LeftOut{"support_material_with_sheath", When::kOffWith, "supports have a sheath",
+            "support_material"},
+    LeftOut{"dont_support_bridges", When::kOffWith, "bridges up to bridge_max have no supports",
+            "support_material"},
+    LeftOut{"support_material_interface_contact_loops", When::kWith,
+            "dense layers of supports are rows", "support_material"},
+    LeftOut{"support_material_pattern", When::kWord, "supports are filled by rows", "honeycomb"},
+    LeftOut{"support_material_pattern", When::kWord, "supports are filled by rows",
+            "rectilinear-grid"},
+    LeftOut{"support_material_interface_pattern", When::kWord, "dense layers of supports are rows",
+            "concentric"},
     LeftOut{"support_material_style", When::kWord, "supports are straight columns", "tree"},
     LeftOut{"support_material_style", When::kWord, "supports are straight columns", "organic"},
     LeftOut{"support_material_enforce_layers", When::kOn,
@@ -114,6 +128,8 @@ bool asks(const LeftOut& row, std::string_view value, const ProfileValues& profi
       return unlike && first != "100%";
     case When::kUnlikeOn:
       return !off && unlike;
+    case When::kOffWith:
+      return off && other != profile.end() && !is_off(first_value(other->second));
     case When::kWord:
       return first == row.other;
     case When::kWith:

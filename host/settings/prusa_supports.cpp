@@ -40,6 +40,7 @@ int gap_layers(double distance_mm, core::Length layer_height) {
 
 void take_prusa_supports(const ProfileValues& profile, core::Settings& settings) {
   const Profile values(profile);
+  if (values.text("support_material_auto") == "0") settings.supports = core::SupportPlace::kOff;
   if (settings.supports == core::SupportPlace::kEverywhere &&
       values.text("support_material_buildplate_only") == "1") {
     settings.supports = core::SupportPlace::kBed;

@@ -30,12 +30,13 @@ enum class Kind {
   kGcode,
   kBed,
   kCooling,
-  kAllContours,  // the same for outer contours and holes
-  kBrim,         // which contours have one
-  kSupports,     // whether there are any
-  kThreshold,    // an angle from the horizontal; 0 is automatic
-  kNotNegative,  // a number; a negative one means as for another setting
-  kPattern,      // of the inside; one that has no counterpart is left out
+  kAllContours,   // the same for outer contours and holes
+  kBrim,          // which contours have one
+  kSupports,      // whether there are any
+  kThreshold,     // an angle from the horizontal; 0 is automatic
+  kShareOfWidth,  // a number, or a share of a road's width (prusa_supports.h)
+  kNotNegative,   // a number; a negative one means as for another setting
+  kPattern,       // of the inside; one that has no counterpart is left out
   kTopPattern,
   kSeam,
   kFuzzySkin,
@@ -96,7 +97,7 @@ constexpr std::array kAliases = {
     Alias{"raft_first_layer_density", "raft_first_layer_density", Kind::kShare},
     Alias{"support_material", "supports", Kind::kSupports},
     Alias{"support_material_threshold", "overhang_angle_degrees", Kind::kThreshold},
-    Alias{"support_material_xy_spacing", "support_xy_distance"},
+    Alias{"support_material_xy_spacing", "support_xy_distance", Kind::kShareOfWidth},
     Alias{"support_material_spacing", "support_spacing"},
     Alias{"support_material_interface_spacing", "support_interface_spacing"},
     Alias{"support_material_interface_layers", "support_interface_layers"},
@@ -252,6 +253,7 @@ Translated translate(const Alias& alias, std::string_view text) {
   if (alias.kind == Kind::kFlavor) return translate_word(kFlavors, ours, first);
   if (alias.kind == Kind::kShare) return {{ours, std::string(first)}};
   if (alias.kind == Kind::kBrim) return brim_settings(first);
+  if (alias.kind == Kind::kShareOfWidth && first.ends_with('%')) return {{ours, "0"}};
   if (first.ends_with('%')) return {};
   const core::Result<double> number = read_number(first, "");
   // Text that is no number is passed on: the setting reports the error.

@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 
 #include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "core/limits.h"
 #include "core/motions/height_actions.h"  // read_height_action
@@ -62,6 +64,16 @@ Status road_fits_nozzle(const PrintSettings& settings, std::string_view height_k
   return {};
 }
 
+// Of kinds of road that have a width of their own.
+std::vector<std::pair<std::string_view, core::Length>> own_widths(const PrintSettings& settings) {
+  std::vector<std::pair<std::string_view, core::Length>> widths;
+  if (settings.top_width > core::Length()) widths.emplace_back("top_width", settings.top_width);
+  if (settings.support_width > core::Length()) {
+    widths.emplace_back("support_width", settings.support_width);
+  }
+  return widths;
+}
+
 Status roads_fit_nozzle(const PrintSettings& settings) {
   const core::Length height = settings.layer_height, width = settings.road_width;
   Status fits = road_fits_nozzle(settings, "layer_height", height, "road_width", width);
@@ -73,17 +85,16 @@ Status roads_fit_nozzle(const PrintSettings& settings) {
                           own_width ? "first_layer_width" : "road_width",
                           own_width ? settings.first_layer_width : width);
   if (!fits.ok()) return fits;
-  if (settings.top_width > core::Length()) {
-    fits = road_fits_nozzle(settings, "layer_height", height, "top_width", settings.top_width);
+  for (const auto& [key, own] : own_widths(settings)) {
+    fits = road_fits_nozzle(settings, "layer_height", height, key, own);
     if (!fits.ok()) return fits;
+    if (settings.road_width_min <= own) continue;
+    return bad(fmt::format("road_width_min = {} mm is more than {} = {} mm",
+                           settings.road_width_min.mm(), key, own.mm()));
   }
   if (own_width && settings.road_width_min > settings.first_layer_width) {
     return bad(fmt::format("road_width_min = {} mm is more than first_layer_width = {} mm",
                            settings.road_width_min.mm(), settings.first_layer_width.mm()));
-  }
-  if (settings.top_width > core::Length() && settings.road_width_min > settings.top_width) {
-    return bad(fmt::format("road_width_min = {} mm is more than top_width = {} mm",
-                           settings.road_width_min.mm(), settings.top_width.mm()));
   }
   if (settings.road_width_min > settings.road_width) {
     return bad(fmt::format("road_width_min = {} mm is more than road_width = {} mm",
@@ -105,8 +116,8 @@ Status vase_has_no_supports(const PrintSettings& settings) {
 // A height that layers may have besides layer_height, under the name of what says so.
 Status height_fits(const PrintSettings& settings, const std::string& name, core::Length height) {
   Status fits = road_fits_nozzle(settings, name, height, "road_width", settings.road_width);
-  if (fits.ok() && settings.top_width > core::Length()) {
-    fits = road_fits_nozzle(settings, name, height, "top_width", settings.top_width);
+  for (const auto& [key, own] : own_widths(settings)) {
+    if (fits.ok()) fits = road_fits_nozzle(settings, name, height, key, own);
   }
   if (!fits.ok() || core::wall_counts_layers(settings)) return fits;
   if (height * core::kWallLayersMax >= settings.wall_thickness) return {};

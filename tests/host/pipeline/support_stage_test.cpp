@@ -225,6 +225,50 @@ TEST_CASE("supports are the same for any number of threads, and stand on a raft"
   CHECK(std::any_of(one.roads[2].begin(), one.roads[2].end(), is_support));
 }
 
+TEST_CASE("a print that is stopped while supports are sought ends in good order, whenever") {
+  const test::PartFolder folder;
+  const std::string path = folder.add("shelf.stl", shelf());
+  // How often it is asked whether to stop, and how it ended.
+  const auto run = [&](int stop_after) {
+    host::PrintPlan print_plan = print_test::open(supported(core::SupportPlace::kBed), path);
+    host::PipelineOutputs outputs;
+    outputs.on_motion = [](const core::Motion&, const auto&) { return true; };
+    host::PipelineSignals signals;
+    int calls = 0;
+    signals.stop_asked = [&] { return calls++ >= stop_after; };
+    host::GeometryStatistics statistics;
+    const auto end = host::run_pipeline(print_plan, outputs, signals, statistics);
+    REQUIRE(end.ok());
+    return std::pair(calls, end.value());
+  };
+  const auto whole = run(1'000'000);
+  CHECK(whole.second == host::PipelineEnd::kDone);
+  // It is asked once for each slice that is taken, and once for each that is folded.
+  REQUIRE_GT(whole.first, 140);
+  for (int after = 0; after < 140; after += 3) {
+    CAPTURE(after);
+    CHECK(run(after).second == host::PipelineEnd::kStopped);
+  }
+}
+
+TEST_CASE("a part that begins in the air has a skirt around its supports, and a raft under them") {
+  const test::PartFolder folder;
+  // A crumb that no road fits into holds the part's height.
+  const std::string path = folder.add(
+      "high.stl",
+      parts::together({parts::box({2, 2, 0}, 0.1, 0.1, 3), parts::box({5, 5, 2}, 9, 9, 1)}));
+  core::Settings settings = supported(core::SupportPlace::kEverywhere);
+  const Printed flat = print(settings, path);
+  REQUIRE(flat.error.empty());
+  REQUIRE_FALSE(flat.roads.front().empty());
+  CHECK(flat.roads.front().front().kind == RoadKind::kSkirt);
+  CHECK(std::any_of(flat.roads.front().begin(), flat.roads.front().end(), is_support));
+  settings.raft_layers = 2;
+  const Printed raised = print(settings, path);
+  REQUIRE(raised.error.empty());
+  CHECK(raised.layers.front().slice.region.contains({400'000, 400'000}));
+}
+
 TEST_CASE("a spool that can't be made ends the print with its folder and a remedy") {
   const test::PartFolder folder;
   const std::string path = folder.add("shelf.stl", shelf());
@@ -233,4 +277,5 @@ TEST_CASE("a spool that can't be made ends the print with its folder and a remed
   CHECK_NE(printed.error.find("/no/such/folder"), std::string::npos);
   CHECK_NE(printed.error.find("--spool"), std::string::npos);
   CHECK(printed.roads.empty());
+  CHECK(printed.texts.empty());  // not even the heaters
 }

@@ -1,0 +1,67 @@
+#include "host/settings/prusa_supports.h"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "host/settings/settings_file.h"
+
+using core::SupportPlace;
+
+namespace {
+
+host::LoadedSettings loaded(const std::string& lines) {
+  const std::string head =
+      "top_solid_layers = 4\nbottom_solid_layers = 3\nraft_layers = 0\nlayer_height = "
+      "0.2\nextrusion_width = 0.45\n";
+  auto result = host::read_settings(head + lines, "my.ini", host::PrintSettings());
+  if (!result.ok()) FAIL(result.error().message);
+  return std::move(result).value();
+}
+
+bool tells(const host::LoadedSettings& profile, const std::string& word) {
+  for (const std::string& line : profile.left_out) {
+    if (line.find(word) != std::string::npos) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+TEST_CASE("a PrusaSlicer profile's supports are taken over") {
+  const auto profile = loaded(
+      "support_material = 1\nsupport_material_threshold = 40\n"
+      "support_material_contact_distance = 0.25\nsupport_material_xy_spacing = 60%\n"
+      "support_material_spacing = 2\nsupport_material_interface_layers = 3\n"
+      "support_material_bottom_interface_layers = -1\nsupport_material_style = snug\n");
+  const core::Settings& settings = profile.settings;
+  CHECK(settings.supports == SupportPlace::kEverywhere);
+  CHECK_EQ(settings.overhang_angle_degrees, 50);
+  CHECK_EQ(settings.support_top_gap_layers, 1);
+  CHECK_EQ(settings.support_bottom_gap_layers, 1);
+  CHECK_EQ(settings.support_xy_distance.mm(), doctest::Approx(0.27));
+  CHECK_EQ(settings.support_spacing.mm(), 2);
+  CHECK_EQ(settings.support_interface_layers, 3);
+  CHECK_FALSE(tells(profile, "xy_spacing"));
+  CHECK_FALSE(tells(profile, "style"));
+}
+
+TEST_CASE("from the bed only, by hand only, or not at all") {
+  CHECK(loaded("support_material = 0\n").settings.supports == SupportPlace::kOff);
+  CHECK(loaded("support_material = 1\nsupport_material_buildplate_only = 1\n").settings.supports ==
+        SupportPlace::kBed);
+  const auto by_hand = loaded("support_material = 1\nsupport_material_auto = 0\n");
+  CHECK(by_hand.settings.supports == SupportPlace::kOff);
+  CHECK(tells(by_hand, "support_material_auto"));
+}
+
+TEST_CASE("what rind's supports do not have is told") {
+  const auto profile = loaded(
+      "support_material = 1\nsupport_material_with_sheath = 0\ndont_support_bridges = 0\n"
+      "support_material_style = organic\nsupport_material_pattern = honeycomb\n");
+  for (const char* word : {"with_sheath", "dont_support_bridges", "style", "pattern"}) {
+    CAPTURE(std::string(word));
+    CHECK(tells(profile, word));
+  }
+  CHECK_FALSE(tells(loaded("support_material = 0\nsupport_material_with_sheath = 0\n"), "sheath"));
+}
