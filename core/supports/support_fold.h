@@ -98,7 +98,8 @@ class SupportFold {
   // The latest of what is made from slices and demand alone: it lasts for some layers.
   struct GrownSlice {
     SharedRegion of;
-    Region far, near;  // by support_xy_distance; by what is kept under what hangs
+    // By support_xy_distance, and by what is kept right under what hangs.
+    Region far, near;
   };
   struct Held {
     SharedRegion overhangs, islands;
