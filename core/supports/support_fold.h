@@ -127,8 +127,8 @@ class SupportFold {
   Held held_;
 };
 
-// What of the supports reaches the bed, from layer 0 up: V(n) = U(n) ∩ V(n−1). So they keep off what
-// is below them all the way up, also right under what they hold.
+// What of the supports reaches the bed, from layer 0 up: V(n) = U(n) ∩ V(n−1). So they keep off
+// what is below them all the way up, also right under what they hold.
 class BedColumns {
  public:
   // REQUIRES: layers in order, from 0. COSTS: an intersection, none where nothing has changed.
