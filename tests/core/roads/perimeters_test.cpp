@@ -276,7 +276,7 @@ TEST_CASE("crumbs of less than a micrometre have no roads") {
 }
 
 TEST_CASE("random narrow regions: closed roads within the region, filled") {
-  const int seed = static_cast<int>(std::random_device{}());
+  const std::uint64_t seed = std::random_device{}();
   CAPTURE(seed);
   Random random(seed);
   double laid = 0, wanted = 0;

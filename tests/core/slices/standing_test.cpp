@@ -51,7 +51,16 @@ constexpr int kSide = 4;
 constexpr int kLayers = 10;
 constexpr double kCell_mm = 4;
 constexpr double kLayer_mm = 12;
-using Cells = std::bitset<kSide * kSide>;
+
+// By number, from 0.
+struct Cells : std::bitset<kSide * kSide> {
+  using Bits = std::bitset<kSide * kSide>;
+  Cells() = default;
+  // NOLINTNEXTLINE(google-explicit-constructor)
+  Cells(const Bits& bits) : Bits(bits) {}
+  bool operator[](int i) const { return Bits::operator[](static_cast<std::size_t>(i)); }
+  reference operator[](int i) { return Bits::operator[](static_cast<std::size_t>(i)); }
+};
 
 bool beside(int a, int b) {
   return std::abs(a / kSide - b / kSide) + std::abs(a % kSide - b % kSide) == 1;
@@ -119,7 +128,12 @@ Size size_of_cells(Cells cells) {
   return size;
 }
 
-using Stack = std::vector<Cells>;
+// By layer, from 0.
+struct Stack : std::vector<Cells> {
+  using std::vector<Cells>::vector;
+  const Cells& operator[](int layer) const { return at(static_cast<std::size_t>(layer)); }
+  Cells& operator[](int layer) { return at(static_cast<std::size_t>(layer)); }
+};
 
 // Nothing of it begins in the air.
 Stack random_stack(test::Random& random) {
@@ -213,7 +227,7 @@ TEST_CASE("bodies and columns of random stacks of cells are those that holding a
     double slenderest = 0;
     std::int64_t loose = 0;
     for (const auto& [foot, layers] : layers_on) {
-      const double height_mm = layers * kLayer_mm, breadth_mm = size_of_cells(foot).breadth_mm;
+      const double height_mm = layers * kLayer_mm, breadth_mm = size_of_cells(Cells(foot)).breadth_mm;
       const double area_mm2 = static_cast<double>(Cells(foot).count()) * kCell_mm * kCell_mm;
       slenderest = std::max(slenderest, height_mm / breadth_mm);
       const bool weak = 0.0981 * height_mm > 0.02 * area_mm2 * breadth_mm / 6;
