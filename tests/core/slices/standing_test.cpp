@@ -227,7 +227,8 @@ TEST_CASE("bodies and columns of random stacks of cells are those that holding a
     double slenderest = 0;
     std::int64_t loose = 0;
     for (const auto& [foot, layers] : layers_on) {
-      const double height_mm = layers * kLayer_mm, breadth_mm = size_of_cells(Cells(foot)).breadth_mm;
+      const double height_mm = layers * kLayer_mm,
+                   breadth_mm = size_of_cells(Cells(foot)).breadth_mm;
       const double area_mm2 = static_cast<double>(Cells(foot).count()) * kCell_mm * kCell_mm;
       slenderest = std::max(slenderest, height_mm / breadth_mm);
       const bool weak = 0.0981 * height_mm > 0.02 * area_mm2 * breadth_mm / 6;
