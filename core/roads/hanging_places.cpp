@@ -11,13 +11,10 @@
 #include "core/roads/bridge_direction.h"    // best_direction
 #include "core/roads/bridge_rows.h"         // BridgeArea, bridge_rows
 #include "core/roads/overhang_reach.h"      // overhang_reach
-#include "core/roads/unheld.h"              // unheld
+#include "core/roads/unheld.h"              // is_hair, islands_in_air, unheld
 
 namespace core {
 namespace {
-
-// Hairs narrower than this are rounding.
-constexpr double kHairMm = 0.02;
 
 constexpr DirectionTrials kTrials{2, 4};
 
@@ -33,8 +30,6 @@ Point middle_of(const Box& box) {
   return {static_cast<std::int32_t>((std::int64_t{box.min.x} + box.max.x) / 2),
           static_cast<std::int32_t>((std::int64_t{box.min.y} + box.max.y) / 2)};
 }
-
-bool is_hair(const Region& piece) { return 2 * piece.area_mm2() < kHairMm * piece.perimeter_mm(); }
 
 class HangingSearch {
  public:
@@ -106,9 +101,7 @@ class HangingSearch {
   // Islands over nothing, and over no support; what is over nothing anyway is no overhang as well.
   void find_islands(const Region& held, Region& air) {
     std::vector<Ring> begun;
-    for (Island& island : islands(slice_)) {
-      const Region whole = region_of(std::move(island));
-      if (!intersect(whole, rings_near(below_, whole.box())).empty()) continue;
+    for (const Region& whole : islands_in_air(slice_, below_)) {
       begun.insert(begun.end(), whole.rings().begin(), whole.rings().end());
       if (2 * intersect(whole, held).area_mm2() > whole.area_mm2()) continue;
       found_.push_back({HangingKind::kIsland, middle_of(whole.box()), whole.area_mm2()});

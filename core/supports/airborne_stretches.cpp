@@ -65,8 +65,9 @@ std::vector<std::vector<Point>> airborne_stretches(const Ring& ring, const Point
   std::size_t start = 0;
   while (start < count && !steps.held[start]) ++start;
   if (start == count) {
-    found.push_back(steps.points);
-    found.back().push_back(steps.points.front());
+    std::vector<Point> around = steps.points;
+    around.push_back(around.front());
+    if (!holds(around, settings)) found.push_back(std::move(around));
     return found;
   }
   std::vector<Point> stretch;

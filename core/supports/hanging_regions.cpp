@@ -14,14 +14,11 @@
 #include "core/roads/bridge_rows.h"            // BridgeArea, bridge_rows, covered_by
 #include "core/roads/bridges.h"                // air_bridges, kBridgeTrials
 #include "core/roads/overhang_reach.h"         // overhang_reach
-#include "core/roads/unheld.h"                 // unheld
+#include "core/roads/unheld.h"                 // is_hair, islands_in_air, unheld
 #include "core/supports/airborne_stretches.h"  // airborne_stretches
 
 namespace core {
 namespace {
-
-// Hairs narrower than this are rounding.
-constexpr double kHairMm = 0.02;
 
 // How exact the back of a hanging strip is, where it is not the slice's.
 constexpr Length kBackTolerance = Length::from_units(200);
@@ -31,17 +28,6 @@ constexpr double kCrumbWidths = 0.5;
 
 void append(const Region& region, std::vector<Ring>& rings) {
   rings.insert(rings.end(), region.rings().begin(), region.rings().end());
-}
-
-bool is_hair(const Region& piece) { return 2 * piece.area_mm2() < kHairMm * piece.perimeter_mm(); }
-
-Region islands_in_air(const Region& slice, const Region& below) {
-  std::vector<Ring> begun;
-  for (Island& island : islands(slice)) {
-    const Region whole = region_of(std::move(island));
-    if (intersect(whole, rings_near(below, whole.box())).empty()) append(whole, begun);
-  }
-  return Region::from_clean_rings(std::move(begun));
 }
 
 // Finds what of the air around one slice no bridge holds.
@@ -138,7 +124,9 @@ HangingRegions hanging_regions(const Region& slice, const Region& below, Length 
   const Length reach = overhang_reach(planes, settings);
   Region air = unheld(slice, below, reach);
   if (air.empty()) return found;
-  found.islands = islands_in_air(slice, below);
+  std::vector<Ring> begun;
+  for (const Region& island : islands_in_air(slice, below)) append(island, begun);
+  found.islands = Region::from_clean_rings(std::move(begun));
   if (!found.islands.empty()) air = subtract(air, found.islands);
   std::vector<Ring> pieces;
   for (Island& island : islands(air)) {

@@ -241,19 +241,4 @@ SupportLayer SupportFold::decide(const Level& at) {
   return made_->layer;
 }
 
-SupportLayer BedColumns::standing(const SupportLayer& layer) {
-  SupportLayer result = layer;
-  if (last_ && last_->region == layer.region && last_->interface == layer.interface) {
-    result = *last_standing_;
-    result.index = layer.index;
-  } else if (below_) {
-    result.region = shared(intersect(*layer.region, *below_));
-    result.interface = shared(intersect(*layer.interface, *below_));
-  }
-  below_ = result.region;
-  last_ = layer;
-  last_standing_ = result;
-  return result;
-}
-
 }  // namespace core

@@ -127,16 +127,4 @@ class SupportFold {
   Held held_;
 };
 
-// What of the supports reaches the bed, from layer 0 up: V(n) = U(n) ∩ V(n−1). So they keep off
-// what is below them all the way up, also right under what they hold.
-class BedColumns {
- public:
-  // REQUIRES: layers in order, from 0. COSTS: an intersection, none where nothing has changed.
-  [[nodiscard]] SupportLayer standing(const SupportLayer& layer);
-
- private:
-  SharedRegion below_;  // null: the bed
-  std::optional<SupportLayer> last_, last_standing_;
-};
-
 }  // namespace core

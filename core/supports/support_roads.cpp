@@ -6,7 +6,7 @@
 
 #include "core/booleans/boolean.h"         // intersect, subtract
 #include "core/offsets/offset_contours.h"  // flatten
-#include "core/offsets/slice_offsets.h"    // OffsetCutter, perimeter_spacing
+#include "core/offsets/slice_offsets.h"    // kRowEndShare, OffsetCutter, perimeter_spacing
 #include "core/roads/island_split.h"       // IslandSplit
 #include "core/roads/line_fill.h"          // LineFill
 #include "core/roads/perimeters.h"         // perimeters
@@ -15,9 +15,6 @@
 
 namespace core {
 namespace {
-
-// Rows end this share of their distance inside what the sheath leaves.
-constexpr double kRowEndWidths = 0.05;
 
 class LayerFill {
  public:
@@ -95,8 +92,7 @@ class LayerFill {
 
   void add_rows(const Region& region, Length distance, bool dense, IslandRoads& roads) const {
     if (region.empty()) return;
-    const Length inset =
-        Length::from_mm(perimeter_spacing(settings_, height_).mm() * kRowEndWidths);
+    const Length inset = Length::from_mm(perimeter_spacing(settings_, height_).mm() * kRowEndShare);
     const RoadKind kind = dense ? RoadKind::kSupportInterface : RoadKind::kSupport;
     const LineFill rows(settings_.support_angle_degrees);
     // The sheath joins the rows that are far apart.

@@ -110,7 +110,7 @@ struct GeometryStatistics {
   std::int64_t roads = 0;
   std::int64_t arcs = 0;
   HeldCounts peak_held;
-  std::int64_t spilled_bytes = 0;  // to the temporary file for sorting
+  std::int64_t spilled_bytes = 0;  // to temporary files: for sorting, and of slices for supports
   std::int64_t bad_layers = 0;     // bad_layers.h
   SlowLayers slow_layers;          // layer_watch.h
   Retries retries;

@@ -18,7 +18,8 @@
 
 #include "core/result.h"                  // Result, Status
 #include "core/settings.h"                // Settings
-#include "core/supports/support_fold.h"   // BedColumns, SupportFold, SupportLayer
+#include "core/supports/bed_columns.h"    // BedColumns
+#include "core/supports/support_fold.h"   // SupportFold, SupportLayer
 #include "core/supports/support_roads.h"  // SupportPlanner
 #include "core/walls/split_layer.h"       // SplitLayer
 #include "host/part/layer_spool.h"        // LayerSpool

@@ -45,6 +45,12 @@ void take_prusa_supports(const ProfileValues& profile, core::Settings& settings)
       values.text("support_material_buildplate_only") == "1") {
     settings.supports = core::SupportPlace::kBed;
   }
+  // What needs a support for PrusaSlicer; without any, it is nothing to be told of.
+  if (const auto angle = values.number("support_material_threshold"); angle && *angle > 0) {
+    settings.overhang_angle_degrees = settings.supports == core::SupportPlace::kOff
+                                          ? core::Settings().overhang_angle_degrees
+                                          : 90 - *angle;
+  }
   if (const auto top = values.number("support_material_contact_distance")) {
     settings.support_top_gap_layers = gap_layers(*top, settings.layer_height);
     settings.support_bottom_gap_layers = settings.support_top_gap_layers;

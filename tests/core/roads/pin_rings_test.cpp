@@ -29,7 +29,7 @@ Region polygon(int corners, double radius_mm, double turn = 0.1) {
 
 double volume_mm3(const std::vector<Road>& roads) {
   double sum = 0;
-  for (const Road& road : roads) sum += length_mm(road) * bead_area_mm2(road.width, kHeight);
+  for (const Road& road : roads) sum += core::volume_mm3(road, kHeight);
   return sum;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/booleans/boolean.h"
+#include "core/supports/bed_columns.h"
 #include "core/supports/hanging_regions.h"
 #include "tests/support/layer_stacks.h"
 #include "tests/support/random_regions.h"

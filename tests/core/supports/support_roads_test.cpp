@@ -25,19 +25,7 @@ SupportLayer layer_of(Region region, Region interface, LayerIndex index = 7) {
 
 double volume_mm3(const std::vector<Road>& roads, Length height, RoadKind kind) {
   double sum = 0;
-  for (const Road& road : roads) {
-    if (road.kind != kind) continue;
-    const std::size_t count = road.points.size();
-    for (std::size_t i = 0; i < (road.closed ? count : count - 1); ++i) {
-      const std::size_t next = (i + 1) % count;
-      const double dx = road.points[next].x - road.points[i].x;
-      const double dy = road.points[next].y - road.points[i].y;
-      const double mean =
-          (bead_area_mm2(width_at(road, i), height) + bead_area_mm2(width_at(road, next), height)) /
-          2;
-      sum += std::sqrt(dx * dx + dy * dy) / 1e4 * mean;
-    }
-  }
+  for (const Road& road : roads) sum += road.kind == kind ? core::volume_mm3(road, height) : 0;
   return sum;
 }
 

@@ -10,59 +10,18 @@
 #include <vector>
 
 #include "core/raft_heights.h"
-#include "firmware_link/wire/line_codec.h"
 #include "host/pipeline/pipeline.h"
 #include "host/system/exit_codes.h"
 #include "tests/host/print_rig.h"
+#include "tests/host/whole_print.h"
 #include "tests/support/part_folder.h"
 
 using core::Length;
 
 namespace {
 
-struct Printed {
-  std::vector<std::string> texts;
-  std::vector<core::LayerStart> layers;
-  std::vector<core::Slice> slices;             // of each layer given out
-  std::vector<std::vector<core::Road>> roads;  // likewise
-  std::vector<std::vector<core::Motion>> motions;
-  core::LayerIndex layers_told = 0;
-  host::GeometryStatistics statistics;
-  std::string error;
-};
-
-Printed print(const core::Settings& settings, const std::string& path, int threads = 1) {
-  Printed printed;
-  core::Result<host::OpenedPart> part = host::open_whole_part(path, settings);
-  if (!part.ok()) {
-    printed.error = part.error().message;
-    return printed;
-  }
-  host::PrintPlan print_plan{settings, std::move(part).value(), "part"};
-  print_plan.threads = threads;
-  host::PipelineOutputs outputs;
-  outputs.on_roads = [&](const core::SplitLayer& layer, const std::vector<core::Road>& roads) {
-    printed.slices.push_back(layer.slice);
-    printed.roads.push_back(roads);
-    return true;
-  };
-  outputs.on_motion = [&](const core::Motion& motion,
-                          const std::optional<firmware_link::Command>& command) {
-    if (const auto* layer = std::get_if<core::LayerStart>(&motion)) {
-      printed.layers.push_back(*layer);
-      printed.motions.emplace_back();
-    }
-    if (!printed.motions.empty()) printed.motions.back().push_back(motion);
-    firmware_link::TextBuffer buffer;
-    if (command) printed.texts.emplace_back(firmware_link::encode(*command, buffer));
-    return true;
-  };
-  host::PipelineSignals signals;
-  const auto end = host::run_pipeline(print_plan, outputs, signals, printed.statistics);
-  if (!end.ok()) printed.error = end.error().message;
-  printed.layers_told = signals.layers.load();
-  return printed;
-}
+using print_test::print;
+using print_test::Printed;
 
 core::Settings on_raft(int layers) {
   core::Settings settings;

@@ -13,9 +13,9 @@
 #include "core/regions/point_location.h"
 #include "core/regions/polyline.h"
 #include "core/regions/segment_grid.h"
-#include "firmware_link/wire/line_codec.h"
 #include "host/pipeline/pipeline.h"
 #include "tests/host/print_rig.h"
+#include "tests/host/whole_print.h"
 #include "tests/support/part_folder.h"
 
 using core::Length;
@@ -23,40 +23,10 @@ using core::Point;
 using core::Region;
 using core::Road;
 using core::RoadKind;
+using print_test::print;
+using print_test::Printed;
 
 namespace {
-
-struct Printed {
-  std::vector<core::SplitLayer> layers;
-  std::vector<std::vector<Road>> roads;
-  std::vector<std::string> texts;
-  host::GeometryStatistics statistics;
-  std::string error;
-};
-
-Printed print(const core::Settings& settings, const std::string& path, int threads = 1,
-              const std::string& spool = "") {
-  host::PrintPlan print_plan = print_test::open(settings, path);
-  print_plan.threads = threads;
-  print_plan.spool_folder = spool;
-  Printed printed;
-  host::PipelineOutputs outputs;
-  outputs.on_roads = [&](const core::SplitLayer& layer, const std::vector<Road>& roads) {
-    printed.layers.push_back(layer);
-    printed.roads.push_back(roads);
-    return true;
-  };
-  outputs.on_motion = [&](const core::Motion&,
-                          const std::optional<firmware_link::Command>& command) {
-    firmware_link::TextBuffer buffer;
-    if (command) printed.texts.emplace_back(firmware_link::encode(*command, buffer));
-    return true;
-  };
-  host::PipelineSignals signals;
-  const auto end = host::run_pipeline(print_plan, outputs, signals, printed.statistics);
-  if (!end.ok()) printed.error = end.error().message;
-  return printed;
-}
 
 core::Settings supported(core::SupportPlace place) {
   core::Settings settings;
@@ -96,7 +66,7 @@ std::vector<core::Segment> segments_of(const std::vector<Road>& roads, bool supp
 // support under the gap holds, in mm.
 double longest_in_air(const Printed& printed, std::size_t n, int gap) {
   const Length reach = Length::from_mm(0.8);
-  const core::PointLocation below(printed.layers[n - 1].slice.region);
+  const core::PointLocation below(printed.slices[n - 1].region);
   std::vector<core::Segment> supports;
   for (std::size_t k = n - 1; k + static_cast<std::size_t>(gap) + 1 >= n; --k) {
     for (const core::Segment& s : segments_of(printed.roads[k], true)) supports.push_back(s);
@@ -173,13 +143,13 @@ TEST_CASE("supports keep their gaps and their distance, and the part's roads are
       for (std::size_t i = 0; i < own.size(); ++i)
         CHECK(own[i].points == without.roads[n][i].points);
     }
-    const Region near = core::offset(printed.layers[n].slice.region, Length::from_mm(-0.19),
-                                     Length::from_units(100));
+    const Region near =
+        core::offset(printed.slices[n].region, Length::from_mm(-0.19), Length::from_units(100));
     Region others;
     for (const int up : {-1, 1, 2}) {
       const auto m = static_cast<std::ptrdiff_t>(n) + up;
-      if (m < 0 || m >= static_cast<std::ptrdiff_t>(printed.layers.size())) continue;
-      others = core::unite(others, printed.layers[static_cast<std::size_t>(m)].slice.region);
+      if (m < 0 || m >= static_cast<std::ptrdiff_t>(printed.slices.size())) continue;
+      others = core::unite(others, printed.slices[static_cast<std::size_t>(m)].region);
     }
     for (const Road& road : printed.roads[n]) {
       if (!is_support(road)) continue;
@@ -198,7 +168,7 @@ TEST_CASE("from the bed only: nothing stands on the part, and what is not held i
   const Printed printed = print(supported(core::SupportPlace::kBed), path);
   REQUIRE(printed.error.empty());
   CHECK_GT(filament(printed, RoadKind::kSupport), 50);
-  const Region base = printed.layers[2].slice.region;
+  const Region base = printed.slices[2].region;
   for (const auto& roads : printed.roads) {
     for (const Road& road : roads) {
       if (!is_support(road)) continue;
@@ -218,7 +188,7 @@ TEST_CASE("supports are the same for any number of threads, and stand on a raft"
   const Printed one = print(settings, path);
   REQUIRE(one.error.empty());
   CHECK(one.texts == print(settings, path, 3).texts);
-  const Region raft = one.layers.front().slice.region;
+  const Region raft = one.slices.front().region;
   for (const Road& road : one.roads[2]) {
     for (const Point at : road.points) CHECK(raft.contains(at));
   }
@@ -266,7 +236,7 @@ TEST_CASE("a part that begins in the air has a skirt around its supports, and a 
   settings.raft_layers = 2;
   const Printed raised = print(settings, path);
   REQUIRE(raised.error.empty());
-  CHECK(raised.layers.front().slice.region.contains({400'000, 400'000}));
+  CHECK(raised.slices.front().region.contains({400'000, 400'000}));
 }
 
 TEST_CASE("a spool that can't be made ends the print with its folder and a remedy") {

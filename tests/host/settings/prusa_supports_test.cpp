@@ -47,7 +47,9 @@ TEST_CASE("a PrusaSlicer profile's supports are taken over") {
 }
 
 TEST_CASE("from the bed only, by hand only, or not at all") {
-  CHECK(loaded("support_material = 0\n").settings.supports == SupportPlace::kOff);
+  const auto none = loaded("support_material = 0\nsupport_material_threshold = 60\n");
+  CHECK(none.settings.supports == SupportPlace::kOff);
+  CHECK_EQ(none.settings.overhang_angle_degrees, core::Settings().overhang_angle_degrees);
   CHECK(loaded("support_material = 1\nsupport_material_buildplate_only = 1\n").settings.supports ==
         SupportPlace::kBed);
   const auto by_hand = loaded("support_material = 1\nsupport_material_auto = 0\n");
