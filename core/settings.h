@@ -123,8 +123,8 @@ struct Settings {
   int support_top_gap_layers = 1;     // between a support and what it holds
   int support_bottom_gap_layers = 1;  // between a support and what it stands on
   Length support_xy_distance = Length::from_units(4'000);
-  int support_interface_layers = 2;         // the topmost layers are dense
-  int support_bottom_interface_layers = 2;  // over the part, the lowest ones
+  int support_interface_layers = 2;                              // the topmost layers are dense
+  int support_bottom_interface_layers = 2;                       // over the part, the lowest ones
   Length support_spacing = Length::from_units(25'000);           // between two roads
   Length support_interface_spacing = Length::from_units(2'000);  // likewise, where it is dense
   double support_angle_degrees = 45;  // of its roads; of dense layers across them
