@@ -8,32 +8,11 @@
 #include "core/check.h"                  // RIND_CHECK
 #include "core/regions/simplify.h"       // simplify
 #include "core/slices/inside_out.h"      // turn_inside_out
+#include "core/slices/plane_crossing.h"  // is_above, plane_crossing
 #include "core/slices/segment_chains.h"  // rings_of, OnOneLine
-#include "core/wide_product.h"           // rounded_share
 
 namespace core {
 namespace {
-
-// Planes are halfway up a layer: heights are doubled here to be whole numbers.
-bool above(const Vertex& vertex, std::int64_t doubled_z) { return 2 * vertex.z >= doubled_z; }
-
-// a + (b − a) · part / whole, rounded to nearest, halves up. REQUIRES: 0 <= part <= whole.
-std::int32_t between(std::int32_t a, std::int32_t b, std::int64_t part, std::int64_t whole) {
-  const std::int64_t way = std::int64_t{b} - a;
-  if (way == 0) return a;
-  // |way| < 2^31: below this all that follows fits 64 bits.
-  constexpr std::int64_t kNarrow = std::int64_t{1} << 30;
-  if (whole >= kNarrow) return static_cast<std::int32_t>(a + rounded_share(way, part, whole));
-  const std::int64_t doubled = 2 * way * part + whole;
-  const std::int64_t quotient = doubled / (2 * whole);
-  return static_cast<std::int32_t>(a + quotient - (doubled % (2 * whole) < 0 ? 1 : 0));
-}
-
-Point crossing(Vertex lower, Vertex upper, std::int64_t doubled_z) {
-  if (upper.z < lower.z) std::swap(lower, upper);
-  const std::int64_t part = doubled_z - 2 * lower.z, whole = 2 * (upper.z - lower.z);
-  return {between(lower.x, upper.x, part, whole), between(lower.y, upper.y, part, whole)};
-}
 
 // REQUIRES: the triangle has corners on both sides.
 Segment cut_triangle(const Triangle& triangle, std::int64_t doubled_z) {
@@ -41,9 +20,9 @@ Segment cut_triangle(const Triangle& triangle, std::int64_t doubled_z) {
   for (std::size_t i = 0; i < 3; ++i) {
     const Vertex& a = triangle.corners[i];
     const Vertex& b = triangle.corners[(i + 1) % 3];
-    if (above(a, doubled_z) == above(b, doubled_z)) continue;
+    if (is_above(a, doubled_z) == is_above(b, doubled_z)) continue;
     // Seen from outside, the part is behind, and left of one who walks from left to right.
-    (above(a, doubled_z) ? segment.from : segment.to) = crossing(a, b, doubled_z);
+    (is_above(a, doubled_z) ? segment.from : segment.to) = plane_crossing(a, b, doubled_z);
   }
   return segment;
 }

@@ -145,6 +145,12 @@ std::vector<NamedPart> all_parts(const PartSizes& sizes) {
       {"bridge", "a deck on two posts, 16 mm apart", bridge()},
       {"shelves", "a shaft with a shelf every 2 mm; see --layers", shelves(sizes.tower.layers)},
       {"mushroom", "a hemisphere of radius 12 mm on a stem", mushroom()},
+      {"sphere", "of radius 12 mm, flat where it stands", sphere(12)},
+      {"ramp_30", "a block that leans outwards by 30 degrees, 15 mm high", ramp(30, 15)},
+      {"ramp_45", "by 45 degrees", ramp(45, 15)},
+      {"ramp_60", "by 60 degrees", ramp(60, 15)},
+      {"arch", "half a ring on two legs, 24 mm apart", arch(24)},
+      {"tee", "a deck on a post, 8 mm beyond it on either side", tee()},
   };
   for (NamedPart& part : faulty_parts()) all.push_back(std::move(part));
   return all;

@@ -69,6 +69,18 @@ struct TowerSize {
 // A stem 10 mm tall under a cap: a hemisphere whose flat side hangs.
 [[nodiscard]] Part mushroom();
 
+// Flat where it stands, 15° around its pole.
+[[nodiscard]] Part sphere(double radius);
+
+// 20 mm deep; its right side leans outwards by the angle, from 2 mm up, `height` mm high.
+[[nodiscard]] Part ramp(double angle_degrees, double height);
+
+// Half a ring on two legs, 10 mm deep.
+[[nodiscard]] Part arch(double span);
+
+// A deck 3 mm thick on a post 12 mm high, 8 mm beyond it on either side.
+[[nodiscard]] Part tee();
+
 // Hose fitting, 25 mm tall: a hexagon flange, a slope, two barbs that overhang, and a bore.
 [[nodiscard]] Part demo();
 
