@@ -120,8 +120,10 @@ struct Settings {
 
   // Supports, torn off later (supports/support_fold.h).
   SupportPlace supports = SupportPlace::kOff;
-  int support_top_gap_layers = 1;     // between a support and what it holds
-  int support_bottom_gap_layers = 1;  // between a support and what it stands on
+  bool support_auto = true;                       // otherwise only what is enforced is held
+  std::vector<std::string> support_height_range;  // "0-20 off" (supports/support_heights.h)
+  int support_top_gap_layers = 1;                 // between a support and what it holds
+  int support_bottom_gap_layers = 1;              // between a support and what it stands on
   Length support_xy_distance = Length::from_units(4'000);
   int support_interface_layers = 2;                              // the topmost layers are dense
   int support_bottom_interface_layers = 2;                       // over the part, the lowest ones

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 
 #include "core/geometry.h"        // Point
@@ -28,6 +29,13 @@ struct SliceDefects {
   void add(const SliceDefects& other);
 };
 
+// Where people have marked that supports are to hold what hangs of a slice, or are not to. Empty
+// where nothing is marked.
+struct SupportMarks {
+  Region enforced;
+  Region blocked;
+};
+
 // The part cut halfway between `bottom` and `bottom + height`.
 struct Slice {
   LayerIndex index = 0;
@@ -35,6 +43,7 @@ struct Slice {
   Length height;  // the layer's thickness
   Region region;
   SliceDefects defects;
+  std::shared_ptr<const SupportMarks> marks{};  // null: none
 
   [[nodiscard]] Length top() const { return bottom + height; }
 };

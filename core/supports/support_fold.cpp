@@ -7,7 +7,7 @@
 #include "core/booleans/simplified.h"       // simplified
 #include "core/check.h"                     // RIND_CHECK
 #include "core/offsets/voronoi_mountain.h"  // offset
-#include "core/supports/hanging_regions.h"  // hanging_regions
+#include "core/supports/marked_hanging.h"   // marked_hanging
 
 namespace core {
 namespace {
@@ -78,7 +78,8 @@ Region without_small(const Region& region, double area_min_mm2, const Region& bu
 
 }  // namespace
 
-SupportFold::SupportFold(const Settings& settings) : settings_(settings), none_(shared({})) {}
+SupportFold::SupportFold(const Settings& settings)
+    : settings_(settings), heights_(settings), none_(shared({})) {}
 
 const SupportFold::Level* SupportFold::level(LayerIndex index) const {
   if (levels_.empty() || index > levels_.front().slice.index) return nullptr;
@@ -101,8 +102,11 @@ void SupportFold::push(FoldSlice slice) {
   if (!same) {
     const Region& own = *added.slice.region;
     const Length planes = Length::from_units((added.slice.height + above.slice.height).units() / 2);
-    const HangingRegions hanging = hanging_regions(*above.slice.region, own, planes, settings_);
-    const Region islands = widened(hanging.islands, settings_.support_section_min);
+    const SupportMarks* marks = above.slice.marks.get();
+    const HangingRegions hanging = marked_hanging(
+        *above.slice.region, own, planes, heights_.hold_at(above.slice.bottom), marks, settings_);
+    Region islands = widened(hanging.islands, settings_.support_section_min);
+    if (marks != nullptr && !islands.empty()) islands = subtract(islands, marks->blocked);
     if (!hanging.empty()) added.born = shared(unite(hanging.overhangs, islands));
     added.overhangs = shared(subtract(unite(*above.overhangs, hanging.overhangs), own));
     added.islands = shared(subtract(unite(*above.islands, islands), own));

@@ -1,7 +1,7 @@
 // Where supports stand: one pass over the slices from the top down, in memory that does not grow
 // with the part's height.
 //
-//     slice n+1    ░░░░████████        what hangs of it (hanging_regions.h) is demand in layer n
+//     slice n+1    ░░░░████████        what hangs of it (marked_hanging.h) is demand in layer n
 //     slice n          ████████
 //
 //     demand(n) = (demand(n+1) ∪ hanging(n+1)) − slice(n)
@@ -34,9 +34,11 @@
 #include <optional>
 #include <vector>
 
-#include "core/regions/region.h"  // Region
-#include "core/settings.h"        // Settings
-#include "core/units.h"           // LayerIndex, Length
+#include "core/regions/region.h"            // Region
+#include "core/settings.h"                  // Settings
+#include "core/slices/slice.h"              // SupportMarks
+#include "core/supports/support_heights.h"  // SupportHeights
+#include "core/units.h"                     // LayerIndex, Length
 
 namespace core {
 
@@ -48,7 +50,8 @@ struct FoldSlice {
   LayerIndex index = 0;
   Length bottom;
   Length height;
-  SharedRegion region;  // not null
+  SharedRegion region;                          // not null
+  std::shared_ptr<const SupportMarks> marks{};  // null: none
 };
 
 struct SupportLayer {
@@ -65,7 +68,7 @@ class SupportFold {
   explicit SupportFold(const Settings& settings);
 
   // The next slice down; the first one is the part's highest. After each, take what next() has.
-  // COSTS: hanging_regions(), two booleans; and for the layer that is decided some offsets and
+  // COSTS: marked_hanging(), two booleans; and for the layer that is decided some offsets and
   // booleans, none where nothing has changed. Holds the slices of the gaps and interfaces, at most
   // support_top_gap_layers + support_interface_layers above a layer, and
   // support_bottom_gap_layers + support_bottom_interface_layers below it.
@@ -118,6 +121,7 @@ class SupportFold {
   [[nodiscard]] Region interface_of(const Level& at, const Region& region) const;
 
   Settings settings_;
+  SupportHeights heights_;
   SharedRegion none_;
   std::deque<Level> levels_;  // from the top down
   LayerIndex next_ = -1;      // to be decided

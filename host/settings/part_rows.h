@@ -133,6 +133,13 @@ inline constexpr std::array kPartRows = {
     Setting{"supports", choice<&PrintSettings::supports>("off", "bed", "everywhere"), "", 0, 0,
             "what is held from below: off, nothing; bed, what supports reach from the bed; "
             "everywhere, from the part, too"},
+    Setting{"support_auto", &PrintSettings::support_auto, "", 0, 1,
+            "whether supports hold what hangs by itself; otherwise only what is enforced in a 3MF, "
+            "by a body or painted"},
+    Setting{"support_height_range", &PrintSettings::support_height_range, "", 0,
+            core::kHeightRangesMax,
+            "lines of two heights over the part's lowest point, and whether what hangs between "
+            "them is held, as 0-20 off; elsewhere as support_auto says"},
     Setting{"support_top_gap_layers", &PrintSettings::support_top_gap_layers, "", 0, 10,
             "number of layers left out between a support and what it holds"},
     Setting{"support_bottom_gap_layers", &PrintSettings::support_bottom_gap_layers, "", 0, 10,

@@ -65,6 +65,8 @@ void add_settings(CLI::App& command, Options& options) {
       "repeated");
   add_lines(command, options, "--height-range", "height_range", "'MM-MM MM'",
             "height of a mesh's layers between two heights, as '10-12.5 0.1'; may be repeated");
+  add_lines(command, options, "--support-range", "support_height_range", "'MM-MM on|off'",
+            "whether supports hold what hangs between two heights, as '0-20 off'; may be repeated");
   command
       .add_option_function<std::vector<std::string>>(
           "--set",

@@ -7,11 +7,12 @@
 #include <vector>
 
 #include "core/limits.h"
-#include "core/motions/height_actions.h"  // read_height_action
-#include "core/raft_heights.h"            // raft_lift, settings_above_raft
-#include "core/settings.h"                // wall_layers
-#include "core/slices/height_limits.h"    // adaptive_bounds
-#include "core/slices/height_ranges.h"    // height_ranges
+#include "core/motions/height_actions.h"    // read_height_action
+#include "core/raft_heights.h"              // raft_lift, settings_above_raft
+#include "core/settings.h"                  // wall_layers
+#include "core/slices/height_limits.h"      // adaptive_bounds
+#include "core/slices/height_ranges.h"      // height_ranges
+#include "core/supports/support_heights.h"  // support_ranges
 #include "host/settings/own_accelerations.h"
 #include "host/settings/settings_table.h"
 
@@ -223,6 +224,11 @@ Status part_has_a_place(const PrintSettings& settings) {
   return {};
 }
 
+Status support_heights_are_known(const PrintSettings& settings) {
+  const auto ranges = core::support_ranges(settings);
+  return ranges.ok() ? Status() : ranges.error();
+}
+
 Status actions_are_known(const PrintSettings& settings) {
   for (std::size_t i = 0; i < settings.at_height.size(); ++i) {
     const auto action = core::read_height_action(settings.at_height[i]);
@@ -238,7 +244,7 @@ Status validate_settings(const PrintSettings& settings) {
   for (const auto rule :
        {every_value_in_range, wall_fits_window, roads_fit_nozzle, other_heights_fit,
         vase_has_a_thin_wall, vase_has_no_supports, accelerations_have_a_default,
-        heights_of_slowdown_fit, part_has_a_place, actions_are_known}) {
+        heights_of_slowdown_fit, part_has_a_place, support_heights_are_known, actions_are_known}) {
     Status status = rule(settings);
     if (!status.ok()) return status;
   }
