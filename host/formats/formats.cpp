@@ -32,7 +32,8 @@ constexpr int kZipDepthMax = 2;
 
 constexpr std::array kFormats = {
     FormatRow{"STL", ".stl", "mesh", true, false, "binary and ASCII"},
-    FormatRow{"3MF", ".3mf", "mesh", true, false, "items, components, negative parts; slices"},
+    FormatRow{"3MF", ".3mf", "mesh", true, false,
+              "items, components, negative parts; slices; marks for supports"},
     FormatRow{"OBJ", ".obj", "mesh", true, false, "in mm"},
     FormatRow{"AMF", ".amf", "mesh", true, false, "XML or zipped"},
     FormatRow{"zip", ".zip", "mesh", true, false, "with one part of a kind that is read"},

@@ -1,5 +1,7 @@
 #include "host/formats/mesh_store.h"
 
+#include <utility>
+
 #include "core/check.h"                  // RIND_CHECK
 #include "host/formats/format_limits.h"  // kNestingMax
 #include "host/formats/text_scanner.h"   // shown
@@ -54,6 +56,15 @@ core::Status MeshStore::add_triangle(const std::array<std::uint32_t, 3>& corners
   for (const std::uint32_t corner : corners) RIND_CHECK(corner <= vertices());
   ++object_->triangles;
   return triangles_.push_back(corners);
+}
+
+core::Status MeshStore::paint(std::string_view text) {
+  RIND_CHECK(triangles_.size() > 0);
+  const Paint paint{triangles_.size() - 1, paint_text_.size(), text.size()};
+  for (const char c : text) {
+    if (core::Status kept = paint_text_.push_back(c); !kept.ok()) return kept;
+  }
+  return paints_.push_back(paint);
 }
 
 void MeshStore::count_from_one() {
@@ -158,17 +169,60 @@ MeshStore::Next MeshStore::next() {
   }
   if (next_instance_ == instances_.size()) return {};
   Instance& instance = instances_[next_instance_];
-  const Object& object = *instance.object;
-  const auto corners = triangles_.at(object.first_triangle + instance.next++);
   core::Triangle triangle;
+  std::string cause =
+      place_triangle(instance, instance.object->first_triangle + instance.next++, triangle);
+  if (!cause.empty()) return {std::nullopt, std::move(cause)};
+  if (instance.reversed) std::swap(triangle.corners[0], triangle.corners[2]);
+  return {triangle, {}};
+}
+
+std::string MeshStore::place_triangle(const Instance& instance, std::size_t number,
+                                      core::Triangle& into) const {
+  const Object& object = *instance.object;
+  const auto corners = triangles_.at(number);
   for (std::size_t i = 0; i < 3; ++i) {
     const PointMm at = instance.transform.applied(
         points_.at(object.first_vertex + corners[i] - object.first_index));
     const std::optional<core::Vertex> vertex = snapped_vertex(at);
-    if (!vertex) return {std::nullopt, vertex_too_far(at)};
-    triangle.corners[instance.reversed ? 2 - i : i] = *vertex;
+    if (!vertex) return vertex_too_far(at);
+    into.corners[i] = *vertex;
   }
-  return {triangle, {}};
+  return {};
+}
+
+std::string MeshStore::text_of(const Paint& paint) const {
+  std::string text;
+  for (std::size_t i = 0; i < paint.size; ++i) text += paint_text_.at(paint.first + i);
+  return text;
+}
+
+core::Status MeshStore::each_painted(
+    const std::function<core::Status(const Painted&)>& take) const {
+  const auto first_from = [this](std::size_t triangle) {
+    std::size_t low = 0, high = paints_.size();
+    while (low < high) {
+      const std::size_t half = low + (high - low) / 2;
+      if (paints_.at(half).triangle < triangle) {
+        low = half + 1;
+      } else {
+        high = half;
+      }
+    }
+    return low;
+  };
+  for (const Instance& instance : instances_) {
+    const std::size_t end = instance.object->first_triangle + instance.end;
+    for (std::size_t i = first_from(instance.object->first_triangle + instance.next);
+         i < paints_.size() && paints_.at(i).triangle < end; ++i) {
+      const Paint paint = paints_.at(i);
+      Painted painted{{}, text_of(paint), paint.triangle};
+      std::string cause = place_triangle(instance, paint.triangle, painted.triangle);
+      if (!cause.empty()) return core::Error{core::ErrorCode::kBadPart, std::move(cause)};
+      if (core::Status taken = take(painted); !taken.ok()) return taken;
+    }
+  }
+  return {};
 }
 
 }  // namespace host

@@ -5,7 +5,8 @@
 //       └────── components: other objects, each with a transform
 //     item = object with a transform
 //
-// Some of an object's triangles, or a component, may have another role than kSolid.
+// Some of an object's triangles, or a component, may have another role than kSolid. Triangles may
+// be painted.
 //
 // Many vertices and triangles are kept in temporary files (mapped_array.h). kMeshObjectsMax and
 // kMeshInstancesMax bound what is in memory.
@@ -14,9 +15,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -45,7 +48,9 @@ struct Transform {
 enum class MeshRole : std::uint8_t {
   kSolid,     // printed
   kNegative,  // cut out of the item
-  kLeftOut,   // ignored: modifiers, marks for supports
+  kEnforcer,  // holds what hangs in it
+  kBlocker,   // holds nothing in it
+  kLeftOut,   // ignored: modifiers
 };
 
 class MeshStore {
@@ -63,6 +68,8 @@ class MeshStore {
   // REQUIRES: each corner is at most vertices(); once the object is complete, below vertices(),
   // unless count_from_one() was called
   [[nodiscard]] core::Status add_triangle(const std::array<std::uint32_t, 3>& corners);
+  // How the triangle that was added last is painted (facet_paint.h).
+  [[nodiscard]] core::Status paint(std::string_view text);
   // The object's triangles count its vertices from 1. REQUIRES: no corner is 0
   void count_from_one();
   // `reversed`: inside out. A role other than kSolid applies to everything in the component.
@@ -83,6 +90,16 @@ class MeshStore {
   // The number of triangles with that role that an item would have.
   // REQUIRES: add_item() accepted it
   [[nodiscard]] std::size_t count(const Key& key, MeshRole role) const;
+
+  // Calls `take` with the painted ones of the items' triangles: snapped, corners in the object's
+  // order. Errors: of `take`, of the snapping. REQUIRES: before the first next()
+  struct Painted {
+    core::Triangle triangle;
+    std::string text;
+    std::size_t number = 0;  // in the store
+  };
+  [[nodiscard]] core::Status each_painted(
+      const std::function<core::Status(const Painted&)>& take) const;
 
   // The items' triangles, snapped; nullopt at the end. `error` is empty, or says why it failed.
   struct Next {
@@ -121,6 +138,18 @@ class MeshStore {
     std::size_t end;
   };
 
+  // A triangle's painting, in paint_text_.
+  struct Paint {
+    std::size_t triangle = 0;
+    std::size_t first = 0;
+    std::size_t size = 0;
+  };
+
+  // The corners where an instance of the object is, in the object's order. Empty, or why not.
+  [[nodiscard]] std::string place_triangle(const Instance& instance, std::size_t number,
+                                           core::Triangle& into) const;
+  [[nodiscard]] std::string text_of(const Paint& paint) const;
+
   // Only triangles whose role is `wanted`.
   [[nodiscard]] std::string place(const Component& what, MeshRole wanted, int depth);
   // The ranges of an object's triangles whose role is `wanted`, if the object is within a component
@@ -130,6 +159,8 @@ class MeshStore {
 
   MappedArray<PointMm> points_;
   MappedArray<std::array<std::uint32_t, 3>> triangles_;
+  MappedArray<Paint> paints_;  // in order of the triangles
+  MappedArray<char> paint_text_;
   std::map<Key, Object> objects_;
   Object* object_ = nullptr;
   std::vector<Instance> instances_;

@@ -25,9 +25,11 @@ PartKind part_kind_of(std::string_view word) {
   if (letters == "modifierpart" || letters == "parametermodifier" || letters == "modifier") {
     return PartKind::kModifier;
   }
-  const bool support = letters.starts_with("support") &&
-                       (letters.ends_with("blocker") || letters.ends_with("enforcer"));
-  return support ? PartKind::kSupportMark : PartKind::kUnknown;
+  if (letters.starts_with("support") && letters.ends_with("blocker")) {
+    return PartKind::kSupportBlocker;
+  }
+  const bool enforces = letters.starts_with("support") && letters.ends_with("enforcer");
+  return enforces ? PartKind::kSupportEnforcer : PartKind::kUnknown;
 }
 
 }  // namespace host

@@ -6,10 +6,11 @@
 namespace host {
 
 enum class PartKind {
-  kPlastic,      // normal_part, ModelPart, empty
-  kNegative,     // negative_part, NegativeVolume: cut out of the object's plastic
-  kModifier,     // modifier_part, ParameterModifier: other settings within it
-  kSupportMark,  // support_blocker, SupportEnforcer …
+  kPlastic,          // normal_part, ModelPart, empty
+  kNegative,         // negative_part, NegativeVolume: cut out of the object's plastic
+  kModifier,         // modifier_part, ParameterModifier: other settings within it
+  kSupportEnforcer,  // support_enforcer, SupportEnforcer: what hangs within it is held
+  kSupportBlocker,   // support_blocker, SupportBlocker: nothing within it is held
   kUnknown,
 };
 

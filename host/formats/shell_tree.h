@@ -12,7 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "host/formats/mesh_store.h"  // MeshStore
+#include "host/formats/mesh_store.h"     // MeshStore
+#include "host/formats/support_marks.h"  // MarkCounts, MarkedFacets
 
 namespace host {
 
@@ -40,6 +41,8 @@ struct ShellTree {
   std::vector<std::vector<Shell>> operands;
   std::vector<ShellNode> nodes;  // the last one is the part
   std::vector<std::string> warnings;
+  MarkCounts mark_counts{};
+  std::unique_ptr<MarkedFacets> marked_facets{};  // nullptr if nothing is marked
 
   // True if it is one mesh, without booleans.
   [[nodiscard]] bool is_plain() const { return operands.size() == 1 && nodes.size() == 1; }

@@ -32,6 +32,8 @@ std::string_view take_word(std::string_view& list) {
   return word;
 }
 
+std::string_view local_name(std::string_view name) { return name.substr(name.rfind('|') + 1); }
+
 }  // namespace
 
 Result<double> unit_of(const XmlEvent& event, const XmlScanner& xml) {
@@ -89,9 +91,18 @@ Result<std::array<std::uint32_t, 3>> corners_of(const XmlEvent& event, const Xml
   return corners;
 }
 
-bool is_painted(const XmlEvent& event) {
+std::string_view support_paint_of(const XmlEvent& event) {
   for (const auto& [name, value] : event.attributes) {
-    const std::string_view local = std::string_view(name).substr(name.rfind('|') + 1);
+    const std::string_view local = local_name(name);
+    if (local == "custom_supports" || local == "paint_supports") return value;
+  }
+  return {};
+}
+
+bool has_other_paint(const XmlEvent& event) {
+  for (const auto& [name, value] : event.attributes) {
+    const std::string_view local = local_name(name);
+    if (local == "custom_supports" || local == "paint_supports") continue;
     if (local.starts_with("paint_") || local.starts_with("custom_") ||
         local == "mmu_segmentation" || local == "fuzzy_skin") {
       return true;

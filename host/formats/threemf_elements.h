@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 #include "core/result.h"               // Result
 #include "host/formats/mesh_store.h"   // Transform
@@ -23,8 +24,10 @@ namespace host {
 [[nodiscard]] core::Result<std::array<std::uint32_t, 3>> corners_of(const XmlEvent& event,
                                                                     const XmlScanner& xml,
                                                                     std::size_t vertices);
-// <triangle>: true if a slicer has painted on it.
-[[nodiscard]] bool is_painted(const XmlEvent& event);
+// <triangle>: what a slicer has painted on it for supports (facet_paint.h); empty if nothing.
+[[nodiscard]] std::string_view support_paint_of(const XmlEvent& event);
+// <triangle>: true if a slicer has painted something else on it.
+[[nodiscard]] bool has_other_paint(const XmlEvent& event);
 
 // <item>, <component>: twelve numbers, with the translation in the model's unit. Without them, the
 // identity.

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -15,6 +16,8 @@
 #include "host/formats/text_scanner.h"      // shown
 #include "host/formats/threemf_cut.h"       // cut_items
 #include "host/formats/threemf_elements.h"  // point_of
+#include "host/formats/threemf_marks.h"     // gather_marks
+#include "host/formats/threemf_package.h"   // root_model, scanner_of
 #include "host/formats/threemf_roles.h"     // read_roles
 #include "host/formats/threemf_slices.h"    // open_threemf_slices
 
@@ -38,7 +41,7 @@ class ThreeMfReader : public TriangleSource {
   [[nodiscard]] std::string format() const override { return "3MF"; }
 
   [[nodiscard]] Status open() {
-    const Result<std::string> root = root_part();
+    const Result<std::string> root = root_model(archive_);
     if (!root.ok()) return root.error();
     Result<ThreeMfRoles> roles = read_roles(archive_);
     if (!roles.ok()) return roles.error();
@@ -49,15 +52,23 @@ class ThreeMfReader : public TriangleSource {
     }
     if (Status applied = apply_roles(); !applied.ok()) return applied;
     if (items_.empty()) return refused("the build has no item to print; export the part again");
-    for (const ThreeMfItem& item : items_) {
-      const std::string cause =
-          sliced_.contains(item.key) ? add_sliced(item) : store_.add_item(item.key, item.transform);
-      if (!cause.empty()) return refused(cause);
-    }
+    if (Status added = add_items(); !added.ok()) return added;
     if (!sliced_items_.empty() && sliced_items_.size() < items_.size()) {
       return refused("some items are slices, some are meshes; print them apart");
     }
     return {};
+  }
+
+  [[nodiscard]] MarkCounts mark_counts() const override {
+    return {roles_.enforcers, roles_.blockers, painted_};
+  }
+
+  [[nodiscard]] Result<std::unique_ptr<MarkedFacets>> marked_facets() override {
+    if (!mark_counts().any()) return std::unique_ptr<MarkedFacets>();
+    Result<std::unique_ptr<MarkedFacets>> marks = gather_marks(items_, store_);
+    if (!marks.ok()) return refused(marks.error().message);
+    if (Status added = add_items(); !added.ok()) return added.error();
+    return marks;
   }
 
   // True if items have negative parts: the content is booleans then, no triangles.
@@ -70,6 +81,10 @@ class ThreeMfReader : public TriangleSource {
   [[nodiscard]] Result<std::unique_ptr<ShellTree>> take_tree() {
     tree_->format = format();
     tree_->name = archive_.name();
+    Result<std::unique_ptr<MarkedFacets>> marks = marked_facets();
+    if (!marks.ok()) return marks.error();
+    tree_->mark_counts = mark_counts();
+    tree_->marked_facets = std::move(marks).value();
     tree_->warnings = std::move(warnings_);
     store_.clear_items();
     if (Status cut = cut_items(items_, *tree_); !cut.ok()) return cut.error();
@@ -97,39 +112,17 @@ class ThreeMfReader : public TriangleSource {
     std::vector<StackPlace> referred;  // empty: it has slices of its own
   };
 
+  [[nodiscard]] Status add_items() {
+    for (const ThreeMfItem& item : items_) {
+      const std::string cause =
+          sliced_.contains(item.key) ? add_sliced(item) : store_.add_item(item.key, item.transform);
+      if (!cause.empty()) return refused(cause);
+    }
+    return {};
+  }
+
   [[nodiscard]] core::Error refused(const std::string& cause) const {
     return {core::ErrorCode::kBadPart, archive_.name() + ": " + cause};
-  }
-
-  [[nodiscard]] Result<XmlScanner> scanner_of(const std::string& part) const {
-    Result<XmlScanner::ByteSource> bytes = archive_.bytes_of(part);
-    if (!bytes.ok()) return bytes.error();
-    return XmlScanner(archive_.name() + " (" + part + ")", std::move(bytes).value(), false);
-  }
-
-  // The package's relationships name it.
-  [[nodiscard]] Result<std::string> root_part() const {
-    if (archive_.contains("_rels/.rels")) {
-      Result<XmlScanner> xml = scanner_of("_rels/.rels");
-      if (!xml.ok()) return xml.error();
-      while (true) {
-        const Result<const XmlEvent*> event = xml.value().next();
-        if (!event.ok()) return event.error();
-        if (event.value() == nullptr) break;
-        const std::string* type = event.value()->attribute("Type");
-        const std::string* target = event.value()->attribute("Target");
-        if (event.value()->name == "Relationship" && type && target && type->ends_with("3dmodel")) {
-          return without_slash(*target);
-        }
-      }
-    }
-    std::string usual = archive_.find_ending(".model");
-    if (usual.empty()) return refused("a zip archive without a 3MF model; export 3MF or STL");
-    return usual;
-  }
-
-  static std::string without_slash(const std::string& path) {
-    return path.starts_with('/') ? path.substr(1) : path;
   }
 
   // The part's number; the part is read later. -1 if there are too many.
@@ -144,7 +137,7 @@ class ThreeMfReader : public TriangleSource {
   }
 
   [[nodiscard]] Status read_part(int part) {
-    Result<XmlScanner> opened = scanner_of(parts_[static_cast<std::size_t>(part)]);
+    Result<XmlScanner> opened = scanner_of(archive_, parts_[static_cast<std::size_t>(part)]);
     if (!opened.ok()) return opened.error();
     XmlScanner& xml = opened.value();
     unit_mm_ = 1;
@@ -207,8 +200,12 @@ class ThreeMfReader : public TriangleSource {
   [[nodiscard]] Status triangle(const XmlEvent& event, const XmlScanner& xml) {
     const auto corners = corners_of(event, xml, store_.vertices());
     if (!corners.ok()) return corners.error();
-    painted_ = painted_ || is_painted(event);
-    return store_.add_triangle(corners.value());
+    other_paint_ = other_paint_ || has_other_paint(event);
+    if (Status added = store_.add_triangle(corners.value()); !added.ok()) return added;
+    const std::string_view paint = support_paint_of(event);
+    if (paint.empty()) return {};
+    ++painted_;
+    return store_.paint(paint);
   }
 
   // The object that a component or an item refers to.
@@ -281,7 +278,7 @@ class ThreeMfReader : public TriangleSource {
       }
     }
     for (const std::string& text : roles_.left_out()) warn(text);
-    if (painted_) warn("supports, seams or colours that are painted on are not used");
+    if (other_paint_) warn("seams, colours or textures that are painted on are not used");
     return {};
   }
 
@@ -361,7 +358,8 @@ class ThreeMfReader : public TriangleSource {
   bool in_object_ = false;
   MeshStore::Key object_;  // the one that was started last
   bool told_ = false;
-  bool painted_ = false;
+  bool other_paint_ = false;
+  std::int64_t painted_ = 0;  // facets, for supports
   ThreeMfRoles roles_;
   std::map<MeshStore::Key, std::vector<RoleRange>> own_volumes_;
 };

@@ -1,8 +1,9 @@
 // Reads 3MF: core specification 1.x, components in other parts of the package (production
 // extension), objects given as slices (slice extension). It reads build items, components,
 // transforms and units; colours and materials are ignored. Roles that slicers give to meshes are
-// used (threemf_roles.h): negative parts are cut out of their item (threemf_cut.h), modifiers and
-// marks for supports are not printed.
+// used (threemf_roles.h): negative parts are cut out of their item (threemf_cut.h), modifiers are
+// left out. Bodies and painted facets that mark where supports are to be come apart from the
+// triangles (threemf_marks.h).
 //
 // An object with a full mesh and slices is read as its mesh. If the mesh is only a preview
 // (meshresolution "lowres"), the object is read as its slices.

@@ -20,6 +20,23 @@ std::string counted(std::int64_t count, const std::string& one) {
   return std::to_string(count) + " " + one + (count == 1 ? "" : "s");
 }
 
+MeshRole role_of(PartKind kind) {
+  switch (kind) {
+    case PartKind::kNegative:
+      return MeshRole::kNegative;
+    case PartKind::kSupportEnforcer:
+      return MeshRole::kEnforcer;
+    case PartKind::kSupportBlocker:
+      return MeshRole::kBlocker;
+    case PartKind::kPlastic:
+    case PartKind::kUnknown:
+      return MeshRole::kSolid;
+    case PartKind::kModifier:
+      break;
+  }
+  return MeshRole::kLeftOut;
+}
+
 // One of the entries.
 class RolesReader {
  public:
@@ -92,9 +109,10 @@ class RolesReader {
     open_ = false;
     if (kind_ == PartKind::kPlastic || kind_ == PartKind::kUnknown) return {};
     if (kind_ == PartKind::kModifier) ++roles_.modifiers;
-    if (kind_ == PartKind::kSupportMark) ++roles_.support_marks;
+    if (kind_ == PartKind::kSupportEnforcer) ++roles_.enforcers;
+    if (kind_ == PartKind::kSupportBlocker) ++roles_.blockers;
     if (++taken_ > kMeshObjectsMax) return xml_.bad("too many parts; merge them");
-    const MeshRole role = kind_ == PartKind::kNegative ? MeshRole::kNegative : MeshRole::kLeftOut;
+    const MeshRole role = role_of(kind_);
     if (name == "part") {
       roles_.parts[{object_, part_}] = role;
     } else if (range_.last > range_.first) {
@@ -120,10 +138,6 @@ std::vector<std::string> ThreeMfRoles::left_out() const {
   if (modifiers > 0) {
     texts.push_back(counted(modifiers, "modifier") +
                     " left out: no plastic, and its settings are not used");
-  }
-  if (support_marks > 0) {
-    texts.push_back(counted(support_marks, "support blocker or enforcer") +
-                    " left out: no plastic, and what is marked is not used");
   }
   if (plates > 1) {
     texts.push_back("the file has " + std::to_string(plates) +

@@ -1,5 +1,5 @@
-// Reads the roles that slicers give to a 3MF's meshes, outside the model: plastic, cut out, or only
-// a mark.
+// Reads the roles that slicers give to a 3MF's meshes, outside the model: plastic, cut out, marks
+// for supports, or nothing that is used.
 //
 //     Metadata/model_settings.config      <object id><part id subtype="negative_part">
 //                                         (Bambu Studio, OrcaSlicer: a part is a component)
@@ -37,7 +37,8 @@ struct ThreeMfRoles {
   // By object of the root model and its component's object.
   std::map<std::pair<std::string, std::string>, MeshRole> parts;
   std::int64_t modifiers = 0;
-  std::int64_t support_marks = 0;
+  std::int64_t enforcers = 0;
+  std::int64_t blockers = 0;
   std::int64_t plates = 0;
   std::string unknown;  // the first type that is none of these
 

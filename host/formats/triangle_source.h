@@ -3,12 +3,14 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "core/geometry.h"  // Triangle
-#include "core/result.h"    // Result
+#include "core/geometry.h"               // Triangle
+#include "core/result.h"                 // Result
+#include "host/formats/support_marks.h"  // MarkCounts, MarkedFacets
 
 namespace host {
 
@@ -22,6 +24,13 @@ class TriangleSource {
   // The next triangle, snapped to the grid, x and y within ±kCoordinateMax; nullopt at the end.
   // Errors name the file and the position in it, and are final.
   [[nodiscard]] virtual core::Result<std::optional<core::Triangle>> next() = 0;
+
+  // What is marked in the file for supports.
+  [[nodiscard]] virtual MarkCounts mark_counts() const { return {}; }
+  // The same; nullptr if nothing is marked. Errors: as next(). REQUIRES: before the first next().
+  [[nodiscard]] virtual core::Result<std::unique_ptr<MarkedFacets>> marked_facets() {
+    return std::unique_ptr<MarkedFacets>();
+  }
 
   // Triangles given so far.
   [[nodiscard]] std::int64_t facets() const { return facets_; }

@@ -101,6 +101,7 @@ class BooleanLayers : public LayerSource {
 
   [[nodiscard]] const PartSummary& summary() const { return summary_; }
   [[nodiscard]] const PartCounters& counters() const { return counters_; }
+  [[nodiscard]] PartPlacing placing() const { return {shift_, heights_}; }
 
  private:
   [[nodiscard]] Error refused(ErrorCode code, const std::string& cause) const {
@@ -241,6 +242,7 @@ Result<OpenedPart> open_booleans(std::unique_ptr<ShellTree> tree, const core::Se
   BooleanLayers* source = layers.get();
   part.read_rest = [source] { return source->read_rest(); };
   part.counters = [source] { return source->counters(); };
+  part.placing = [source] { return source->placing(); };
   part.layers = std::move(layers);
   return part;
 }

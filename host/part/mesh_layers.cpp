@@ -91,6 +91,7 @@ class MeshLayers : public LayerSource {
 
   [[nodiscard]] const PartSummary& summary() const { return summary_; }
   [[nodiscard]] const PartCounters& counters() const { return counters_; }
+  [[nodiscard]] PartPlacing placing() const { return {shift_, heights_}; }
 
  private:
   // The next triangles that a plane can cross.
@@ -391,6 +392,7 @@ Result<OpenedPart> open_mesh(MeshInput mesh, const core::Settings& settings,
   MeshLayers* source = layers.get();
   if (!source->ready()) part.read_rest = [source] { return source->read_rest(); };
   part.counters = [source] { return source->counters(); };
+  part.placing = [source] { return source->placing(); };
   part.layers = std::move(layers);
   return part;
 }

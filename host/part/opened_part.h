@@ -10,8 +10,10 @@
 
 #include "core/geometry.h"              // Box
 #include "core/result.h"                // Result
+#include "core/slices/layer_heights.h"  // LayerHeights
 #include "core/units.h"                 // LayerIndex, Length
 #include "host/formats/layer_source.h"  // LayerSource
+#include "host/part/bed_placing.h"      // Shift
 #include "host/system/limits.h"         // kSortBytesDefault, kReorderTriangles
 
 namespace host {
@@ -66,6 +68,12 @@ struct PartCounters {
   std::int64_t spilled_bytes = 0;  // written to the temporary file for sorting
 };
 
+// Where a mesh was put, and how it is cut.
+struct PartPlacing {
+  Shift shift;
+  core::LayerHeights heights;
+};
+
 struct OpenedPart {
   PartSummary summary;
   // Reads and checks what is needed before the first slice; returns the complete summary. Empty if
@@ -73,6 +81,8 @@ struct OpenedPart {
   std::function<core::Result<PartSummary>()> read_rest;
   std::unique_ptr<LayerSource> layers;
   std::function<PartCounters()> counters;  // valid as long as `layers`
+  // Of a mesh. REQUIRES: it was read (read_rest). Valid as long as `layers`.
+  std::function<PartPlacing()> placing;
 };
 
 }  // namespace host

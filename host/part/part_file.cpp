@@ -2,7 +2,9 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "core/raft_heights.h"             // raft_lift, settings_above_raft
 #include "host/files/input_file.h"         // InputFile
@@ -11,6 +13,7 @@
 #include "host/formats/triangle_source.h"  // TriangleSource
 #include "host/part/boolean_layers.h"      // open_booleans
 #include "host/part/layer_file.h"          // open_layer_file
+#include "host/part/marked_layers.h"       // with_marks
 #include "host/part/mesh_layers.h"         // open_mesh
 #include "host/part/shrinkage.h"           // enlarged
 
@@ -58,6 +61,42 @@ Result<OpenedPart> open_sif(InputFile file, MeshInput input, const core::Setting
   return open_enlarged(std::move(input), settings, options);
 }
 
+OpenedPart with_warnings(OpenedPart part, std::vector<std::string> texts) {
+  if (texts.empty()) return part;
+  const auto append = [texts = std::move(texts)](PartSummary& summary) {
+    summary.warnings.insert(summary.warnings.end(), texts.begin(), texts.end());
+  };
+  if (!part.read_rest) {
+    append(part.summary);
+    return part;
+  }
+  part.read_rest = [append, read = std::move(part.read_rest)]() -> Result<PartSummary> {
+    Result<PartSummary> summary = read();
+    if (summary.ok()) append(summary.value());
+    return summary;
+  };
+  return part;
+}
+
+// What the file marks for supports.
+struct Marks {
+  MarkCounts counts;
+  std::unique_ptr<MarkedFacets> facets;  // nullptr: none, or there are no supports
+};
+
+OpenedPart marked(OpenedPart part, Marks marks, const core::Settings& settings,
+                  const OpenOptions& options, const std::string& name) {
+  if (!marks.counts.any()) return part;
+  if (settings.supports == core::SupportPlace::kOff) {
+    return with_warnings(std::move(part),
+                         {name + ": " + marks.counts.text() + ": not used, since supports = off"});
+  }
+  std::vector<std::string> texts;
+  for (const std::string& text : marks.facets->warnings) texts.push_back(name + ": " + text);
+  part = with_marks(std::move(part), std::move(marks.facets), settings, options.sort_bytes, name);
+  return with_warnings(std::move(part), std::move(texts));
+}
+
 // An archive holds a mesh, slices, or booleans of meshes.
 Result<OpenedPart> open_zipped(InputFile file, const std::string& path,
                                const core::Settings& settings, const OpenOptions& options) {
@@ -70,11 +109,24 @@ Result<OpenedPart> open_zipped(InputFile file, const std::string& path,
     layers.layers = std::move(*found);
     return open_layer_file(std::move(layers), settings);
   }
+  const std::string name = mesh.name;
+  Marks marks;
+  const auto with = [&](Result<OpenedPart> part) -> Result<OpenedPart> {
+    if (!part.ok()) return part;
+    return marked(std::move(part).value(), std::move(marks), settings, options, name);
+  };
   if (auto* tree = std::get_if<std::unique_ptr<ShellTree>>(&opened.value())) {
-    return open_booleans(std::move(*tree), settings, options);
+    marks = {(*tree)->mark_counts, std::move((*tree)->marked_facets)};
+    return with(open_booleans(std::move(*tree), settings, options));
   }
   mesh.triangles = std::get<std::unique_ptr<TriangleSource>>(std::move(opened).value());
-  return open_enlarged(std::move(mesh), settings, options);
+  marks.counts = mesh.triangles->mark_counts();
+  if (settings.supports != core::SupportPlace::kOff) {
+    Result<std::unique_ptr<MarkedFacets>> facets = mesh.triangles->marked_facets();
+    if (!facets.ok()) return facets.error();
+    marks.facets = std::move(facets).value();
+  }
+  return with(open_enlarged(std::move(mesh), settings, options));
 }
 
 Result<OpenedPart> open_alone(const std::string& path, const core::Settings& settings,

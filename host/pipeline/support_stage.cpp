@@ -12,6 +12,13 @@ namespace {
 
 constexpr SpillUse kForSupports{"supports", "name another folder with --spool"};
 
+// Null where nothing is marked.
+std::shared_ptr<const core::SupportMarks> marks_in(const SpooledLayer& layer) {
+  if (layer.regions[1]->empty() && layer.regions[2]->empty()) return nullptr;
+  return std::make_shared<const core::SupportMarks>(
+      core::SupportMarks{*layer.regions[1], *layer.regions[2]});
+}
+
 }  // namespace
 
 core::Status SupportStage::make_spools(WarningBox& warnings) {
@@ -52,6 +59,10 @@ core::Status SupportStage::spool_slices(SliceIntake& intake, const Stopped& stop
     layer.defects = slice.defects;
     layer.note = std::move(taken.value().pause);
     layer.regions.front() = std::make_shared<const core::Region>(std::move(slice.region));
+    if (slice.marks) {
+      layer.regions[1] = {slice.marks, &slice.marks->enforced};
+      layer.regions[2] = {slice.marks, &slice.marks->blocked};
+    }
     if (core::Status written = slices_->append(layer); !written.ok()) return written;
   }
   return {};
@@ -79,7 +90,7 @@ core::Status SupportStage::fold(const Stopped& stopped) {
     if (!layer.ok()) return layer.error();
     if (!layer.value()) break;
     const SpooledLayer& found = *layer.value();
-    fold.push({found.index, found.bottom, found.height, found.regions.front()});
+    fold.push({found.index, found.bottom, found.height, found.regions.front(), marks_in(found)});
     if (core::Status taken = take_decided(fold); !taken.ok()) return taken;
   }
   if (stopped()) return {};  // layer 0 was not reached

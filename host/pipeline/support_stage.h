@@ -6,6 +6,7 @@
 //                     └──(forwards)──> the pipeline's layers <───────┘
 //
 // Both passes see the same slices, mended and compensated alike, because they are cut only once.
+// The slices' spool also has what people have marked in them, for the fold alone.
 // Memory: the fold's few layers and the buffers of two spools. The disk holds a slice and a support
 // for each layer; equal neighbours take a few bytes.
 #pragma once

@@ -5,7 +5,9 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
+#include "tests/support/marked_files.h"
 #include "tests/support/part_folder.h"
 #include "tests/support/run_program.h"
 
@@ -108,6 +110,27 @@ TEST_CASE("thirty times the height, the same memory, with supports all the way u
   const std::int64_t low = peak_rss(folder, folder.add("low.stl", parts::shelves(200)), settings);
   const std::int64_t high =
       peak_rss(folder, folder.add("high.stl", parts::shelves(6'000)), settings);
+  CAPTURE(low);
+  CAPTURE(high);
+  if (!kSanitized) CHECK_LT(high - low, 1'000'000);
+}
+
+TEST_CASE("nor with bodies that enforce and block, and painted facets, all the way up") {
+  const PartFolder folder;
+  const auto marked = [&](const std::string& name, int layers) {
+    const double height = 0.2 * layers;
+    std::vector<parts::Part> boxes = {parts::box({0, 0, 0}, 4, 4, height)};
+    for (double z = 2; z < height; z += 2) boxes.push_back(parts::box({1, 1, z}, 9, 2, 0.4));
+    return folder.add_text(
+        name,
+        test::prusa_threemf({{parts::together(boxes), "ModelPart",
+                              [](std::int64_t facet) { return facet % 7 == 0 ? "8002" : ""; }},
+                             {parts::box({0, 0, 1}, 8, 2.5, height), "SupportEnforcer"},
+                             {parts::box({7, 0, 1}, 9, 9, height), "SupportBlocker"}}));
+  };
+  const std::string settings = "--set supports=everywhere --memory 64k --spool " + folder.file("");
+  const std::int64_t low = peak_rss(folder, marked("low.3mf", 200), settings);
+  const std::int64_t high = peak_rss(folder, marked("high.3mf", 2'000), settings);
   CAPTURE(low);
   CAPTURE(high);
   if (!kSanitized) CHECK_LT(high - low, 1'000'000);

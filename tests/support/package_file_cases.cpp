@@ -133,8 +133,16 @@ std::vector<FileCase> prusa_cases() {
        kBox,
        50,
        {"1 modifier"}},
-      {"prusa_blocker.3mf", prusa(volume_type("SupportBlocker")), kBox, 50, {"support blocker"}},
-      {"prusa_enforcer.3mf", prusa(volume_type("SupportEnforcer")), kBox, 50, {"enforcer"}},
+      {"prusa_blocker.3mf",
+       prusa(volume_type("SupportBlocker")),
+       kBox,
+       50,
+       {"1 support blocker: not used"}},
+      {"prusa_enforcer.3mf",
+       prusa(volume_type("SupportEnforcer")),
+       kBox,
+       50,
+       {"1 support enforcer: not used"}},
       {"prusa_unknown.3mf", prusa(volume_type("Sparkle")), 4'000 + 64 * 12, 110, {"'Sparkle'"}},
       {"prusa_three_copies.3mf",
        prusa(negative, item("1") + item("1", moved(40, 0, 0)) + mirrored),
@@ -173,7 +181,9 @@ std::vector<FileCase> bambu_cases() {
                         "<slic3r:volumes><slic3r:volume ts=\"0\" te=\"11\" modifier=\"0\"/>"
                         "<slic3r:volume ts=\"12\" te=\"23\" modifier=\"1\"/></slic3r:volumes>");
   std::string painted = model(object("1", mesh_of(case_box())), item("1"));
+  std::string seam_painted = painted;
   painted.insert(painted.find("<triangle ") + 10, "slic3rpe:custom_supports=\"4\" ");
+  seam_painted.insert(seam_painted.find("<triangle ") + 10, "paint_seam=\"4\" ");
   return {
       {"bambu_negative.3mf", bambu(negative), kCut, 50, {}},
       {"bambu_normal.3mf", bambu(body + part_role("2", "normal_part")), 4'000 + 64 * 12, 110, {}},
@@ -211,7 +221,8 @@ std::vector<FileCase> bambu_cases() {
       {"orca_one_model.3mf", in_one, kCut + 1'000, 50, {}},
       {"slic3r_modifier.3mf", package(slic3r_volumes), kBox, 50, {"1 modifier"}},
       {"slic3r_none.3mf", slic3r, 4'000 + 64 * 12, 110, {}},
-      {"painted.3mf", package(painted), kBox, 50, {"painted"}},
+      {"painted.3mf", package(painted), kBox, 50, {"1 facet painted for supports: not used"}},
+      {"seam_painted.3mf", package(seam_painted), kBox, 50, {"seams", "painted on are not used"}},
   };
 }
 

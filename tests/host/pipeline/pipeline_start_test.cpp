@@ -9,6 +9,7 @@
 #include "firmware_link/wire/line_codec.h"
 #include "host/pipeline/pipeline.h"
 #include "tests/host/print_rig.h"
+#include "tests/support/marked_files.h"
 #include "tests/support/part_folder.h"
 
 using core::Length;
@@ -241,4 +242,18 @@ TEST_CASE("supports go on, too: those from the bed depend on all layers below") 
     settings.supports = place;
     check_tails(settings, path, compute(settings, path, {}));
   }
+}
+
+TEST_CASE("what is marked and between which heights is held, too") {
+  const test::PartFolder folder;
+  const std::string path = folder.add_text(
+      "part.3mf",
+      test::prusa_threemf({{parts::ramp(50, 5), "ModelPart",
+                            [](std::int64_t facet) { return facet % 2 == 0 ? "8002" : ""; }},
+                           {parts::box({0, 4, 3}, 30, 5, 9), "SupportEnforcer"},
+                           {parts::box({0, 12, -1}, 30, 3, 5), "SupportBlocker"}}));
+  core::Settings settings = settings_of(core::WallShape::kBall, core::BuildStyle::kThinWall);
+  settings.supports = core::SupportPlace::kEverywhere;
+  settings.support_height_range = {"4-5 off"};
+  check_tails(settings, path, compute(settings, path, {}));
 }

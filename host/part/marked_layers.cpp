@@ -1,0 +1,205 @@
+#include "host/part/marked_layers.h"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "core/booleans/boolean.h"          // unite
+#include "core/limits.h"                    // kCoordinateMax
+#include "core/offsets/voronoi_mountain.h"  // offset
+#include "core/slices/facet_slabs.h"        // FacetSlabs
+#include "core/slices/plane_sweep.h"        // PlaneSweep
+#include "host/part/mesh_sorter.h"          // MeshSorter
+#include "host/part/mesh_survey.h"          // can_be_cut, is_degenerate
+#include "host/part/shrinkage.h"            // Enlargement
+#include "host/system/limits.h"             // kSortBytesMin
+
+namespace host {
+namespace {
+
+using core::Length;
+using core::Region;
+using core::Result;
+using core::Slice;
+using core::Status;
+using core::Triangle;
+
+constexpr Length kReachTolerance = Length::from_units(100);
+
+// Kinds of marked facets, each with a sorter: two of bodies, two of painted ones.
+constexpr std::size_t kSorters = 4;
+
+// Some marked facets, from the file's order to regions.
+class MarkedRegions {
+ public:
+  explicit MarkedRegions(std::size_t sort_bytes) : sorter_({sort_bytes, ""}) {}
+
+  [[nodiscard]] bool empty() const { return sorter_.size() == 0; }
+  [[nodiscard]] std::int64_t spilled_bytes() const { return sorter_.spilled_bytes(); }
+
+  [[nodiscard]] Status add(const Triangle& triangle) { return sorter_.add(triangle); }
+
+  [[nodiscard]] Status start_bodies(const core::LayerHeights& heights,
+                                    const core::Settings& settings) {
+    sweep_.emplace(core::PlaneSweep::Options{heights, std::nullopt, settings.simplify_tolerance,
+                                             settings.chain_gap_max, core::Box()},
+                   [this] { return sorter_.next(); });
+    return sorter_.finish();
+  }
+
+  [[nodiscard]] Status start_painted(const core::LayerHeights& heights, Length reach) {
+    reach_ = reach;
+    slabs_.emplace(heights, [this] { return sorter_.next(); });
+    return sorter_.finish();
+  }
+
+  // Of the next layer.
+  [[nodiscard]] Result<Region> next() {
+    if (slabs_) {
+      Result<Region> found = slabs_->next();
+      if (!found.ok() || found.value().empty()) return found;
+      return core::offset(found.value(), -reach_, kReachTolerance);
+    }
+    if (ended_) return Region();
+    Result<std::optional<Slice>> slice = sweep_->next();
+    if (!slice.ok()) return slice.error();
+    ended_ = !slice.value();
+    return ended_ ? Region() : std::move(slice.value()->region);
+  }
+
+ private:
+  MeshSorter sorter_;
+  std::optional<core::PlaneSweep> sweep_;  // of bodies
+  std::optional<core::FacetSlabs> slabs_;  // of painted facets
+  Length reach_;
+  bool ended_ = false;
+};
+
+class MarkedLayers : public LayerSource {
+ public:
+  MarkedLayers(std::unique_ptr<LayerSource> part, std::function<PartPlacing()> placing,
+               std::unique_ptr<MarkedFacets> marks, const core::Settings& settings,
+               std::size_t sort_bytes, std::string name)
+      : part_(std::move(part)),
+        placing_(std::move(placing)),
+        marks_(std::move(marks)),
+        settings_(settings),
+        sort_bytes_(std::max(kSortBytesMin, sort_bytes / kSorters)),
+        name_(std::move(name)) {}
+
+  [[nodiscard]] Result<std::optional<Slice>> next() override {
+    if (marks_) {
+      const std::unique_ptr<MarkedFacets> marks = std::move(marks_);
+      if (Status started = start(*marks); !started.ok()) return started.error();
+    }
+    Result<std::optional<Slice>> slice = part_->next();
+    if (!slice.ok() || !slice.value()) return slice;
+    core::SupportMarks found;
+    if (Status read = gather(enforced_, found.enforced); !read.ok()) return read.error();
+    if (Status read = gather(blocked_, found.blocked); !read.ok()) return read.error();
+    if (found.enforced.empty() && found.blocked.empty()) return slice;
+    slice.value()->marks = std::make_shared<const core::SupportMarks>(std::move(found));
+    return slice;
+  }
+
+  [[nodiscard]] std::int64_t spilled_bytes() const { return spilled_bytes_; }
+
+ private:
+  using Regions = std::vector<std::unique_ptr<MarkedRegions>>;
+
+  [[nodiscard]] Status start(MarkedFacets& marks) {
+    const PartPlacing placing = placing_();
+    const Length reach = kPaintReach + std::max(magnitude(settings_.contour_compensation),
+                                                magnitude(settings_.hole_compensation));
+    for (const SupportMark mark : {SupportMark::kEnforcer, SupportMark::kBlocker}) {
+      Regions& into = mark == SupportMark::kEnforcer ? enforced_ : blocked_;
+      auto bodies = std::make_unique<MarkedRegions>(sort_bytes_);
+      if (Status taken = take(marks.bodies(mark), placing.shift, true, *bodies); !taken.ok()) {
+        return taken;
+      }
+      auto painted = std::make_unique<MarkedRegions>(sort_bytes_);
+      if (Status taken = take(marks.painted(mark), placing.shift, false, *painted); !taken.ok()) {
+        return taken;
+      }
+      if (!bodies->empty()) {
+        Status started = bodies->start_bodies(placing.heights, settings_);
+        if (!started.ok()) return started;
+        spilled_bytes_ += bodies->spilled_bytes();
+        into.push_back(std::move(bodies));
+      }
+      if (!painted->empty()) {
+        Status started = painted->start_painted(placing.heights, reach);
+        if (!started.ok()) return started;
+        spilled_bytes_ += painted->spilled_bytes();
+        into.push_back(std::move(painted));
+      }
+    }
+    return {};
+  }
+
+  static Length magnitude(Length length) { return length < Length() ? -length : length; }
+
+  // Sorts those that matter, where the part is.
+  [[nodiscard]] Status take(FacetSpool& facets, const Shift& shift, bool bodies,
+                            MarkedRegions& into) const {
+    const Enlargement enlargement(settings_);
+    while (true) {
+      const Result<std::optional<Triangle>> next = facets.next();
+      if (!next.ok()) return next.error();
+      if (!next.value()) return {};
+      const Result<Triangle> larger = enlargement.of(*next.value());
+      if (!larger.ok()) return refused(larger.error().message);
+      const Triangle& triangle = larger.value();
+      if (bodies ? !can_be_cut(triangle) : is_degenerate(triangle)) continue;
+      for (const core::Vertex& corner : triangle.corners) {
+        const std::int64_t x = corner.x + shift.x, y = corner.y + shift.y;
+        if (std::max(std::abs(x), std::abs(y)) <= core::kCoordinateMax) continue;
+        return refused("what marks where supports are to be reaches farther than " +
+                       mm_text(core::kCoordinateMax) +
+                       " mm from the bed's corner; make it smaller");
+      }
+      if (Status added = into.add(shifted(triangle, shift)); !added.ok()) return added;
+    }
+  }
+
+  [[nodiscard]] core::Error refused(const std::string& cause) const {
+    return {core::ErrorCode::kOutOfBounds, name_ + ": " + cause};
+  }
+
+  [[nodiscard]] static Status gather(const Regions& regions, Region& into) {
+    for (const auto& one : regions) {
+      Result<Region> found = one->next();
+      if (!found.ok()) return found.error();
+      into = into.empty() ? std::move(found).value() : core::unite(into, found.value());
+    }
+    return {};
+  }
+
+  std::unique_ptr<LayerSource> part_;
+  std::function<PartPlacing()> placing_;
+  std::unique_ptr<MarkedFacets> marks_;  // until the first slice
+  core::Settings settings_;
+  std::size_t sort_bytes_;
+  std::string name_;
+  Regions enforced_, blocked_;
+  std::int64_t spilled_bytes_ = 0;
+};
+
+}  // namespace
+
+OpenedPart with_marks(OpenedPart part, std::unique_ptr<MarkedFacets> marks,
+                      const core::Settings& settings, std::size_t sort_bytes,
+                      const std::string& name) {
+  auto layers = std::make_unique<MarkedLayers>(std::move(part.layers), part.placing,
+                                               std::move(marks), settings, sort_bytes, name);
+  part.counters = [own = std::move(part.counters), source = layers.get()] {
+    PartCounters counters = own();
+    counters.spilled_bytes += source->spilled_bytes();
+    return counters;
+  };
+  part.layers = std::move(layers);
+  return part;
+}
+
+}  // namespace host

@@ -1,0 +1,28 @@
+// 3MF files in which bodies and painted facets mark where supports are to be, as slicers write
+// them.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "tools/parts/part_maker.h"  // Part
+
+namespace test {
+
+struct MarkedBody {
+  parts::Part part;
+  std::string type;  // "ModelPart", "SupportEnforcer"; in OrcaSlicer's words "normal_part" …
+  // What is painted on its facet of that number, for supports; empty: nothing.
+  std::function<std::string(std::int64_t)> paint{};
+};
+
+// One object, whose triangles belong to volumes; with an item for each transform.
+[[nodiscard]] std::string prusa_threemf(const std::vector<MarkedBody>& bodies,
+                                        const std::vector<std::string>& transforms = {""});
+
+// An object for each body, which are components of another.
+[[nodiscard]] std::string orca_threemf(const std::vector<MarkedBody>& bodies);
+
+}  // namespace test
