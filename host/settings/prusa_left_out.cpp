@@ -36,8 +36,6 @@ constexpr std::string_view kOneWidth =
 constexpr std::string_view kNotSent = "it is not sent";
 
 constexpr std::array kLeftOut = {
-    LeftOut{"support_material_auto", When::kOffWith,
-            "supports = off: there are none where none is enforced", "support_material"},
     LeftOut{"support_material_with_sheath", When::kOffWith, "supports have a sheath",
             "support_material"},
     LeftOut{"dont_support_bridges", When::kOffWith, "bridges up to bridge_max have no supports",

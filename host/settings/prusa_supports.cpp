@@ -40,27 +40,34 @@ int gap_layers(double distance_mm, core::Length layer_height) {
 
 void take_prusa_supports(const ProfileValues& profile, core::Settings& settings) {
   const Profile values(profile);
-  if (values.text("support_material_auto") == "0") settings.supports = core::SupportPlace::kOff;
   if (settings.supports == core::SupportPlace::kEverywhere &&
       values.text("support_material_buildplate_only") == "1") {
     settings.supports = core::SupportPlace::kBed;
   }
-  // What needs a support for PrusaSlicer; without any, it is nothing to be told of.
+  // What needs a support for PrusaSlicer; where nothing is held for it, there is nothing to tell.
+  const bool holds = settings.supports != core::SupportPlace::kOff && settings.support_auto;
   if (const auto angle = values.number("support_material_threshold"); angle && *angle > 0) {
-    settings.overhang_angle_degrees = settings.supports == core::SupportPlace::kOff
-                                          ? core::Settings().overhang_angle_degrees
-                                          : 90 - *angle;
+    settings.overhang_angle_degrees = holds ? 90 - *angle : core::Settings().overhang_angle_degrees;
   }
+}
+
+void take_prusa_support_distances(const ProfileValues& profile, const IsAssigned& assigned,
+                                  core::Settings& settings) {
+  const Profile values(profile);
+  const auto set_gap = [&](int core::Settings::*gap, const char* key, double distance_mm) {
+    if (!assigned(key)) settings.*gap = gap_layers(distance_mm, settings.layer_height);
+  };
+  using S = core::Settings;
   if (const auto top = values.number("support_material_contact_distance")) {
-    settings.support_top_gap_layers = gap_layers(*top, settings.layer_height);
-    settings.support_bottom_gap_layers = settings.support_top_gap_layers;
+    set_gap(&S::support_top_gap_layers, "support_top_gap_layers", *top);
+    set_gap(&S::support_bottom_gap_layers, "support_bottom_gap_layers", *top);
   }
   if (const auto bottom = values.number("support_material_bottom_contact_distance");
       bottom && *bottom > 0) {
-    settings.support_bottom_gap_layers = gap_layers(*bottom, settings.layer_height);
+    set_gap(&S::support_bottom_gap_layers, "support_bottom_gap_layers", *bottom);
   }
   std::string_view sideways = values.text("support_material_xy_spacing");
-  if (!sideways.ends_with('%')) return;
+  if (!sideways.ends_with('%') || assigned("support_xy_distance")) return;
   sideways.remove_suffix(1);
   const core::Result<double> percent = read_number(sideways, "");
   if (!percent.ok() || percent.value() < 0) return;

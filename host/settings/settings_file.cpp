@@ -203,6 +203,8 @@ core::Status end_prusa(const std::string& name, LoadedSettings& loaded) {
   }
   if (value("brim_type") == "no_brim") loaded.settings.brim_width = core::Length();
   take_prusa_supports(loaded.values, loaded.settings);
+  take_prusa_support_distances(
+      loaded.values, [](const std::string&) { return false; }, loaded.settings);
   // The smaller of the print's and the filament's; 0 is none.
   double slowest = 0;
   for (const char* key : {"max_volumetric_speed", "filament_max_volumetric_speed"}) {

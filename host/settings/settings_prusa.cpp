@@ -96,6 +96,7 @@ constexpr std::array kAliases = {
     Alias{"raft_contact_distance", "raft_contact_distance"},
     Alias{"raft_first_layer_density", "raft_first_layer_density", Kind::kShare},
     Alias{"support_material", "supports", Kind::kSupports},
+    Alias{"support_material_auto", "support_auto"},
     Alias{"support_material_threshold", "overhang_angle_degrees", Kind::kThreshold},
     Alias{"support_material_xy_spacing", "support_xy_distance", Kind::kShareOfWidth},
     Alias{"support_material_spacing", "support_spacing"},

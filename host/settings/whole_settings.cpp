@@ -10,6 +10,7 @@
 
 #include "core/slices/height_ranges.h"  // first_layer_height
 #include "host/settings/gcode_placeholders.h"
+#include "host/settings/prusa_supports.h"
 #include "host/settings/settings_file.h"
 #include "host/settings/settings_prusa.h"
 #include "host/settings/settings_table.h"
@@ -123,6 +124,12 @@ class Assembly {
     }
     for (const auto& [key, value] : request_.assignments) {
       if (Status set = set_setting(whole_.settings, key, value); !set.ok()) return set.error();
+    }
+    // By the print's own layers and roads, which may be others than the profile's.
+    if (loaded_.from_prusa) {
+      take_prusa_support_distances(
+          loaded_.values, [this](const std::string& key) { return assigned(key); },
+          whole_.settings);
     }
     for (const auto step : {&Assembly::take_unreadable, &Assembly::fill_gcode}) {
       if (Status done = (this->*step)(); !done.ok()) return done.error();
