@@ -40,20 +40,26 @@ HangingRegions enforced_of(const Region& slice, const Region& below, const Regio
 
 }  // namespace
 
-HangingRegions marked_hanging(const Region& slice, const Region& below, Length planes,
-                              bool by_itself, const SupportMarks* marks, const Settings& settings) {
-  HangingRegions found;
-  if (by_itself) found = hanging_regions(slice, below, planes, settings);
+MarkedHanging marked_hanging(const Region& slice, const Region& below, Length planes,
+                             bool by_itself, const SupportMarks* marks, const Settings& settings) {
+  MarkedHanging found;
+  if (by_itself) {
+    HangingRegions hanging = hanging_regions(slice, below, planes, settings);
+    found.islands = std::move(hanging.islands);
+    found.overhangs = std::move(hanging.overhangs);
+  }
   if (marks == nullptr) return found;
   if (!marks->enforced.empty()) {
-    const HangingRegions enforced = enforced_of(slice, below, marks->enforced);
+    HangingRegions enforced = enforced_of(slice, below, marks->enforced);
     found.islands = unite(found.islands, enforced.islands);
-    found.overhangs = unite(found.overhangs, enforced.overhangs);
+    found.enforced = std::move(enforced.overhangs);
+    found.overhangs = unite(found.overhangs, found.enforced);
     if (!found.islands.empty()) found.overhangs = subtract(found.overhangs, found.islands);
   }
   if (!marks->blocked.empty() && !found.empty()) {
     found.islands = subtract(found.islands, marks->blocked);
     found.overhangs = subtract(found.overhangs, marks->blocked);
+    found.enforced = subtract(found.enforced, marks->blocked);
   }
   return found;
 }

@@ -17,10 +17,14 @@
 
 namespace core {
 
+struct MarkedHanging : HangingRegions {
+  Region enforced;  // of the overhangs: it is held however small it is
+};
+
 // `by_itself`: whether it is held where nothing is marked. `marks`: of the slice; null: none.
 // COSTS: hanging_regions() if it is; and with marks a few booleans.
-[[nodiscard]] HangingRegions marked_hanging(const Region& slice, const Region& below, Length planes,
-                                            bool by_itself, const SupportMarks* marks,
-                                            const Settings& settings);
+[[nodiscard]] MarkedHanging marked_hanging(const Region& slice, const Region& below, Length planes,
+                                           bool by_itself, const SupportMarks* marks,
+                                           const Settings& settings);
 
 }  // namespace core

@@ -88,7 +88,7 @@ const SupportFold::Level* SupportFold::level(LayerIndex index) const {
 }
 
 void SupportFold::push(FoldSlice slice) {
-  Level added{std::move(slice), none_, none_, none_};
+  Level added{std::move(slice), none_, none_, none_, none_};
   if (levels_.empty()) {
     next_ = added.slice.index;
     levels_.push_back(std::move(added));
@@ -98,18 +98,23 @@ void SupportFold::push(FoldSlice slice) {
   RIND_CHECK(added.slice.index == above.slice.index - 1);
   added.overhangs = above.overhangs;
   added.islands = above.islands;
+  added.enforced = above.enforced;
   const bool same = added.slice.region == above.slice.region;
   if (!same) {
     const Region& own = *added.slice.region;
     const Length planes = Length::from_units((added.slice.height + above.slice.height).units() / 2);
     const SupportMarks* marks = above.slice.marks.get();
-    const HangingRegions hanging = marked_hanging(
+    const MarkedHanging hanging = marked_hanging(
         *above.slice.region, own, planes, heights_.hold_at(above.slice.bottom), marks, settings_);
     Region islands = widened(hanging.islands, settings_.support_section_min);
     if (marks != nullptr && !islands.empty()) islands = subtract(islands, marks->blocked);
     if (!hanging.empty()) added.born = shared(unite(hanging.overhangs, islands));
     added.overhangs = shared(subtract(unite(*above.overhangs, hanging.overhangs), own));
     added.islands = shared(subtract(unite(*above.islands, islands), own));
+    if (!hanging.enforced.empty() || !above.enforced->empty()) {
+      added.enforced = shared(subtract(unite(*above.enforced, hanging.enforced), own));
+      if (*added.enforced == *above.enforced) added.enforced = above.enforced;
+    }
     if (*added.overhangs == *above.overhangs) added.overhangs = above.overhangs;
     if (*added.islands == *above.islands) added.islands = above.islands;
   }
@@ -148,6 +153,7 @@ std::vector<SharedRegion> SupportFold::inputs_of(LayerIndex index) const {
     if (i == index + top_gap) {
       inputs.push_back(at != nullptr ? at->overhangs : nullptr);
       inputs.push_back(at != nullptr ? at->islands : nullptr);
+      inputs.push_back(at != nullptr ? at->enforced : nullptr);
     }
     if (i >= index + top_gap) {
       inputs.push_back(at != nullptr ? at->born : nullptr);
@@ -178,13 +184,16 @@ Region SupportFold::slices_between(LayerIndex from, LayerIndex to) const {
 
 // Demand that is wide enough to be held.
 const Region& SupportFold::held_by(const Level& source) {
-  if (held_.overhangs == source.overhangs && held_.islands == source.islands) return held_.region;
+  if (held_.overhangs == source.overhangs && held_.islands == source.islands &&
+      held_.enforced == source.enforced) {
+    return held_.region;
+  }
   const Length by = scaled(settings_.road_width_min, kOpeningWidths / 2);
   const Region overhangs = simplified(*source.overhangs, kSupportTolerance);
-  held_ = {
-      source.overhangs, source.islands,
-      unite(without_small(opened(overhangs, by), settings_.support_area_min_mm2, *source.islands),
-            *source.islands)};
+  const Region any_size = unite(*source.islands, *source.enforced);
+  held_ = {source.overhangs, source.islands, source.enforced,
+           unite(without_small(opened(overhangs, by), settings_.support_area_min_mm2, any_size),
+                 *source.islands)};
   return held_.region;
 }
 

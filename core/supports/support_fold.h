@@ -22,7 +22,7 @@
 // is left.
 //
 // Under an island the whole island is demand, at least support_section_min wide; no opening or
-// least area applies to it.
+// least area applies to it. No least area applies to what people enforce.
 //
 // SOURCE: the downward projection is that of all slicers. What is new is that nothing of the part
 // is held but the slices of the gaps and interfaces around one layer.
@@ -90,6 +90,7 @@ class SupportFold {
     SharedRegion born;       // hanging of the layer above, islands widened
     SharedRegion overhangs;  // demand
     SharedRegion islands;    // demand
+    SharedRegion enforced;   // demand, of the overhangs'
   };
   // What a layer's support was made of, by identity: two layers of the same are alike.
   struct Made {
@@ -105,7 +106,7 @@ class SupportFold {
     Region far, near;
   };
   struct Held {
-    SharedRegion overhangs, islands;
+    SharedRegion overhangs, islands, enforced;
     Region region;
   };
 

@@ -166,8 +166,8 @@ Region ramp_slice(double angle_degrees, double z_mm) {
 }
 
 // What of a layer of a ramp is to be held, with marks.
-HangingRegions on_ramp(double angle_degrees, double z_mm, bool by_itself, const SupportMarks* marks,
-                       const Settings& settings) {
+MarkedHanging on_ramp(double angle_degrees, double z_mm, bool by_itself, const SupportMarks* marks,
+                      const Settings& settings) {
   const Length planes = settings.layer_height;
   return marked_hanging(ramp_slice(angle_degrees, z_mm),
                         ramp_slice(angle_degrees, z_mm - planes.mm()), planes, by_itself, marks,
@@ -217,7 +217,7 @@ TEST_CASE("an enforcer holds a slope of any angle, a blocker none") {
     CAPTURE(angle);
     CHECK(on_ramp(angle, z, true, nullptr, settings).empty());
     const double strip = settings.layer_height.mm() * std::tan(angle * std::numbers::pi / 180);
-    const HangingRegions held = on_ramp(angle, z, true, &enforced, settings);
+    const MarkedHanging held = on_ramp(angle, z, true, &enforced, settings);
     CHECK(held.islands.empty());
     CHECK_EQ(held.overhangs.area_mm2(), doctest::Approx(strip * 6).epsilon(0.01));
     CHECK(on_ramp(angle, z, false, &enforced, settings).overhangs == held.overhangs);
@@ -242,13 +242,39 @@ TEST_CASE("an island is held as far as it is enforced, and not where it is block
   const Length planes = settings.layer_height;
   const SupportMarks left{test::rectangle_region(15, -5, 8, 30), {}};
   const SupportMarks both{left.enforced, test::rectangle_region(15, -5, 30, 10)};
-  const HangingRegions some = marked_hanging(slice, post, planes, false, &left, settings);
+  const MarkedHanging some = marked_hanging(slice, post, planes, false, &left, settings);
   CHECK_EQ(some.islands.area_mm2(), doctest::Approx(30));
   CHECK(some.overhangs.empty());
-  const HangingRegions rest = marked_hanging(slice, post, planes, true, &both, settings);
+  const MarkedHanging rest = marked_hanging(slice, post, planes, true, &both, settings);
   CHECK_EQ(rest.islands.area_mm2(), doctest::Approx(50));
-  const HangingRegions corner = marked_hanging(slice, post, planes, false, &both, settings);
+  const MarkedHanging corner = marked_hanging(slice, post, planes, false, &both, settings);
   CHECK_EQ(corner.islands.area_mm2(), doctest::Approx(15));
+}
+
+TEST_CASE("what is enforced is held however small it is, and nothing else that is small") {
+  const Region post = test::rectangle_region(0, 0, 5, 20);
+  // Two knobs of 0.36 mm².
+  const Region knobs =
+      unite(test::rectangle_region(5, 4, 0.6, 0.6), test::rectangle_region(5, 14, 0.6, 0.6));
+  Settings settings = bare();
+  settings.support_area_min_mm2 = 0.5;
+  SupportFold fold(settings);
+  const auto post_shared = std::make_shared<const Region>(post);
+  const auto both = std::make_shared<const Region>(unite(post, knobs));
+  const Length height = settings.layer_height;
+  for (LayerIndex n = 9; n >= 0; --n) {
+    FoldSlice slice{n, height * n, height, n == 9 ? both : post_shared};
+    slice.marks =
+        std::make_shared<const SupportMarks>(SupportMarks{test::rectangle_region(0, 0, 20, 8), {}});
+    fold.push(std::move(slice));
+  }
+  fold.end();
+  while (const auto layer = fold.next()) {
+    if (layer->index == 9) continue;
+    CAPTURE(layer->index);
+    CHECK(layer->region->contains({53'000, 43'000}));
+    CHECK_FALSE(layer->region->contains({53'000, 143'000}));
+  }
 }
 
 TEST_CASE("between heights, what hangs is held or not, as the settings say") {
