@@ -1,5 +1,6 @@
 #include "host/formats/mesh_store.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/check.h"                  // RIND_CHECK
@@ -195,6 +196,16 @@ std::string MeshStore::text_of(const Paint& paint) const {
   std::string text;
   for (std::size_t i = 0; i < paint.size; ++i) text += paint_text_.at(paint.first + i);
   return text;
+}
+
+std::string MeshStore::name_of(std::size_t triangle) const {
+  const auto found = std::find_if(objects_.begin(), objects_.end(), [&](const auto& one) {
+    const Object& object = one.second;
+    return triangle >= object.first_triangle && triangle < object.first_triangle + object.triangles;
+  });
+  RIND_CHECK(found != objects_.end());
+  return "triangle " + std::to_string(triangle - found->second.first_triangle + 1) +
+         " of object '" + shown(found->first.second) + "'";
 }
 
 core::Status MeshStore::each_painted(

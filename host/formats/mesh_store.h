@@ -101,6 +101,9 @@ class MeshStore {
   [[nodiscard]] core::Status each_painted(
       const std::function<core::Status(const Painted&)>& take) const;
 
+  // "triangle 7 of object '1'", counted from 1. REQUIRES: it is in the store
+  [[nodiscard]] std::string name_of(std::size_t triangle) const;
+
   // The items' triangles, snapped; nullopt at the end. `error` is empty, or says why it failed.
   struct Next {
     std::optional<core::Triangle> triangle;

@@ -27,9 +27,9 @@ class MarkGatherer {
     }
     store_.clear_items();
     if (damaged_ > 0) {
-      facets_->warnings.push_back(
-          counted(damaged_) + " painted for supports in a way that is damaged, the first '" +
-          shown(first_damaged_) + "'; taken as not painted; export the part again");
+      facets_->warnings.push_back(counted(damaged_) +
+                                  " painted for supports in a way that is damaged, the first is " +
+                                  first_damaged_ + "; taken as not painted; export the part again");
     }
     if (unknown_ > 0) {
       facets_->warnings.push_back(counted(unknown_) +
@@ -70,7 +70,9 @@ class MarkGatherer {
     if (Status added = add_items(MeshRole::kSolid); !added.ok()) return added;
     return store_.each_painted([this](const MeshStore::Painted& facet) -> Status {
       if (!is_paint(facet.text)) {
-        if (damaged_++ == 0) first_damaged_ = facet.text;
+        if (damaged_++ == 0) {
+          first_damaged_ = store_.name_of(facet.number) + ", '" + shown(facet.text) + "'";
+        }
         return {};
       }
       bool unknown = false;

@@ -280,7 +280,11 @@ TEST_CASE("painting that is damaged, or of no known kind, is told with its text"
   };
   const std::string damaged = said_of(painted("40G3", "4"), supported());
   CHECK(says(damaged, "part.3mf: "));
-  CHECK(says(damaged, "painted for supports in a way that is damaged, the first '40G3'"));
+  CHECK(
+      says(damaged,
+           "painted for supports in a way that is damaged, the first is triangle 1 of object '1', "
+           "'40G3'; taken as not painted"));
+  CHECK(says(said_of(painted("4", "3"), supported()), "the first is triangle 2 of object '1'"));
   CHECK_FALSE(says(damaged, "neither"));
   const std::string unknown = said_of(painted("4", "1C"), supported());
   CHECK(says(unknown, "painted for supports as neither enforced nor blocked"));
