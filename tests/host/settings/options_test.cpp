@@ -60,6 +60,15 @@ TEST_CASE("--set takes one assignment and leaves the part alone") {
   REQUIRE_EQ(options.settings.assignments.size(), 1);
 }
 
+TEST_CASE("ranges of height may be given several times, each a line of its setting") {
+  const Options options =
+      parse_good({"slice", "part.stl", "-o", "out.gcode", "--support-range", "0-20 off",
+                  "--height-range", "1-2 0.1", "--support-range", "35-40 on"});
+  REQUIRE_FALSE(options.settings.assignments.empty());
+  CHECK_EQ(options.settings.assignments.back(),
+           std::pair<std::string, std::string>("support_height_range", "0-20 off\\n35-40 on"));
+}
+
 TEST_CASE("the form of the output follows its name, or --format") {
   CHECK_EQ(parse_good({"slice", "p.stl", "-o", "a.gcode"}).output.format, OutputFormat::kGcode);
   CHECK_EQ(parse_good({"slice", "p.stl", "-o", "a.CLI"}).output.format, OutputFormat::kCli);
