@@ -136,6 +136,7 @@ struct Settings {
   Length support_base_expansion = Length::from_units(10'000);  // on the bed
   double support_area_min_mm2 = 0.5;  // of what hangs; smaller pieces are left alone
   Length support_section_min = Length::from_units(20'000);  // under an island
+  int support_lookahead = 0;  // in layers; 0: the whole part (supports/support_lookahead.h)
 
   // Bridges and overhangs.
   double overhang_angle_degrees = 45;               // from the vertical; steeper is told, or held

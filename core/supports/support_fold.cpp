@@ -90,7 +90,7 @@ const SupportFold::Level* SupportFold::level(LayerIndex index) const {
 void SupportFold::push(FoldSlice slice) {
   Level added{std::move(slice), none_, none_, none_, none_};
   if (levels_.empty()) {
-    next_ = added.slice.index;
+    next_ = std::min(added.slice.index, decide_from_.value_or(added.slice.index));
     levels_.push_back(std::move(added));
     return;
   }
@@ -119,6 +119,7 @@ void SupportFold::push(FoldSlice slice) {
     if (*added.islands == *above.islands) added.islands = above.islands;
   }
   levels_.push_back(std::move(added));
+  drop_above();
 }
 
 std::optional<SupportLayer> SupportFold::next() {
@@ -130,9 +131,13 @@ std::optional<SupportLayer> SupportFold::next() {
   RIND_CHECK(at != nullptr);
   SupportLayer layer = decide(*at);
   --next_;
+  drop_above();
+  return layer;
+}
+
+void SupportFold::drop_above() {
   const LayerIndex above = settings_.support_top_gap_layers + settings_.support_interface_layers;
   while (levels_.size() > 1 && levels_.front().slice.index > next_ + above) levels_.pop_front();
-  return layer;
 }
 
 // There is no layer under the first one to leave out.

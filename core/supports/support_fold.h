@@ -74,6 +74,9 @@ class SupportFold {
   // support_bottom_gap_layers + support_bottom_interface_layers below it.
   void push(FoldSlice slice);
 
+  // Higher layers are not decided. REQUIRES: called before the first slice.
+  void decide_from(LayerIndex index) { decide_from_ = index; }
+
   // No slice follows: layer 0 was the last.
   void end() { ended_ = true; }
 
@@ -110,6 +113,7 @@ class SupportFold {
     Region region;
   };
 
+  void drop_above();
   [[nodiscard]] const GrownSlice& grown_slice(const SharedRegion& slice);
   [[nodiscard]] LayerIndex top_gap_over(LayerIndex index) const;
   [[nodiscard]] const Level* level(LayerIndex index) const;
@@ -126,6 +130,7 @@ class SupportFold {
   SharedRegion none_;
   std::deque<Level> levels_;  // from the top down
   LayerIndex next_ = -1;      // to be decided
+  std::optional<LayerIndex> decide_from_;
   bool ended_ = false;
   std::optional<Made> made_;
   GrownSlice grown_;

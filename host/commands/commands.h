@@ -30,6 +30,9 @@ int formats_command(const Options& options, Reporter& reporter);
 // (OpenedPart::read_rest).
 [[nodiscard]] core::Result<PrintPlan> open_print_plan(const Options& options, Reporter& reporter);
 
+// Stops at a stop signal, and shows what goes on in the pipeline before its layers.
+void connect_signals(PipelineSignals& signals, Reporter& reporter);
+
 // What the pipeline warned of.
 void report_warnings(PipelineSignals& signals, Reporter& reporter);
 

@@ -12,7 +12,6 @@
 #include "host/commands/commands.h"
 #include "host/pipeline/pipeline.h"
 #include "host/pipeline/standing_text.h"
-#include "host/printing/slow_layer_note.h"
 #include "host/system/exit_codes.h"
 #include "host/system/stop_signals.h"
 
@@ -145,8 +144,7 @@ int plan_command(const Options& options, Reporter& reporter) {
   // Motions are only timed and counted.
   outputs.on_motion = [](const auto&, const auto&) { return stop_signal_count() == 0; };
   PipelineSignals signals;
-  signals.stop_asked = [] { return stop_signal_count() > 0; };
-  signals.on_slow_layer = [&reporter](const SlowLayer& slow) { tell_slow_layer(slow, reporter); };
+  connect_signals(signals, reporter);
   GeometryStatistics statistics;
   const core::Result<PipelineEnd> end = run_pipeline(print_plan, outputs, signals, statistics);
   report_warnings(signals, reporter);

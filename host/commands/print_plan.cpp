@@ -9,8 +9,10 @@
 #include "host/commands/output_names.h"
 #include "host/files/output_file.h"
 #include "host/pipeline/user_gcode.h"
+#include "host/printing/slow_layer_note.h"
 #include "host/settings/whole_settings.h"
 #include "host/system/exit_codes.h"
+#include "host/system/stage_clock.h"
 #include "host/system/stop_signals.h"
 
 namespace host {
@@ -60,9 +62,10 @@ core::Result<PrintPlan> open_print_plan(const Options& options, Reporter& report
     const std::size_t quarter = std::max(kSortBytesMin, options.memory_limit_bytes / 4);
     open.sort_bytes = std::min(open.sort_bytes, quarter);
   }
-  const bool supported = settings.value().supports != core::SupportPlace::kOff;
-  open.stream_pipes = !supported && (options.part.sorted == PipeSorted::kYes ||
-                                     (options.part.sorted == PipeSorted::kAuto && sliced));
+  const bool whole = settings.value().supports != core::SupportPlace::kOff &&
+                     settings.value().support_lookahead == 0;
+  open.stream_pipes = !whole && (options.part.sorted == PipeSorted::kYes ||
+                                 (options.part.sorted == PipeSorted::kAuto && sliced));
   open.order_is_sure = options.part.sorted == PipeSorted::kYes;
   // The height was confirmed when the print was started.
   open.tall = options.part.tall || options.subcommand == Subcommand::kResume;
@@ -84,6 +87,20 @@ core::Result<PrintPlan> open_print_plan(const Options& options, Reporter& report
                    options.part.on_floating,
                    options.part.spool,
                    options.threads};
+}
+
+void connect_signals(PipelineSignals& signals, Reporter& reporter) {
+  signals.stop_asked = [] { return stop_signal_count() > 0; };
+  signals.on_slow_layer = [&reporter](const SlowLayer& slow) { tell_slow_layer(slow, reporter); };
+  signals.preparation.on_put(
+      [&reporter, began_s = steady_seconds()](const Preparation& preparation) {
+        const double now_s = steady_seconds();
+        if (!reporter.progress_due(now_s)) return;
+        ProgressReport report;
+        report.preparation = preparation;
+        report.elapsed_s = now_s - began_s;
+        reporter.progress(report, now_s);
+      });
 }
 
 void report_warnings(PipelineSignals& signals, Reporter& reporter) {

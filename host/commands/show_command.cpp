@@ -16,9 +16,7 @@
 #include "host/output/picture_style.h"
 #include "host/output/section_picture.h"
 #include "host/pipeline/pipeline.h"
-#include "host/printing/slow_layer_note.h"
 #include "host/system/exit_codes.h"
-#include "host/system/stop_signals.h"
 
 namespace host {
 namespace {
@@ -83,8 +81,7 @@ int show_layer(const Options& options, PrintPlan& print_plan, OutputFile& file,
     return svg.empty();
   };
   PipelineSignals signals;
-  signals.stop_asked = [] { return stop_signal_count() > 0; };
-  signals.on_slow_layer = [&reporter](const SlowLayer& slow) { tell_slow_layer(slow, reporter); };
+  connect_signals(signals, reporter);
   GeometryStatistics statistics;
   const core::Result<PipelineEnd> end = run_pipeline(print_plan, outputs, signals, statistics);
   report_warnings(signals, reporter);
@@ -218,8 +215,7 @@ int show_section(const Options& options, PrintPlan& print_plan, OutputFile& file
     };
   }
   PipelineSignals signals;
-  signals.stop_asked = [] { return stop_signal_count() > 0; };
-  signals.on_slow_layer = [&reporter](const SlowLayer& slow) { tell_slow_layer(slow, reporter); };
+  connect_signals(signals, reporter);
   GeometryStatistics statistics;
   const core::Result<PipelineEnd> end = run_pipeline(print_plan, outputs, signals, statistics);
   if (!end.ok()) return fail(end.error(), reporter);

@@ -16,7 +16,6 @@
 #include "host/formats/svg_writer.h"
 #include "host/output/gcode_writer.h"
 #include "host/pipeline/pipeline.h"
-#include "host/printing/slow_layer_note.h"
 #include "host/system/exit_codes.h"
 #include "host/system/stage_clock.h"
 #include "host/system/stop_signals.h"
@@ -185,8 +184,7 @@ int slice_command(const Options& options, Reporter& reporter) {
   SliceFile file(print_plan, std::move(output).value(), layer_writer(options, print_plan),
                  statistics, started_s, reporter);
   PipelineSignals signals;
-  signals.stop_asked = [] { return stop_signal_count() > 0; };
-  signals.on_slow_layer = [&reporter](const SlowLayer& slow) { tell_slow_layer(slow, reporter); };
+  connect_signals(signals, reporter);
   const core::Result<PipelineEnd> end =
       run_pipeline(print_plan, file.outputs(), signals, statistics);
   report_warnings(signals, reporter);

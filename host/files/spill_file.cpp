@@ -5,11 +5,13 @@
 #include <sys/vfs.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
 
-#include "core/check.h"  // RIND_CHECK
+#include "core/check.h"                 // RIND_CHECK
+#include "host/system/memory_budget.h"  // take_file_memory, give_back_file_memory
 
 namespace host {
 namespace {
@@ -35,20 +37,30 @@ core::Result<SpillFile> SpillFile::create(const std::string& folder, SpillUse us
   return SpillFile(place, use, descriptor);
 }
 
+SpillFile::SpillFile(std::string folder, SpillUse use, int descriptor)
+    : folder_(std::move(folder)), use_(use), descriptor_(descriptor) {
+  struct statfs system {};
+  in_memory_ = ::fstatfs(descriptor_, &system) == 0 && system.f_type == TMPFS_MAGIC;
+}
+
 SpillFile::~SpillFile() {
-  if (descriptor_ >= 0) ::close(descriptor_);
+  if (descriptor_ < 0) return;
+  ::close(descriptor_);
+  if (in_memory_) give_back_file_memory(size_);
 }
 
 SpillFile::SpillFile(SpillFile&& other) noexcept
     : folder_(std::move(other.folder_)),
       use_(other.use_),
       descriptor_(std::exchange(other.descriptor_, -1)),
+      in_memory_(other.in_memory_),
       size_(other.size_) {}
 
 SpillFile& SpillFile::operator=(SpillFile&& other) noexcept {
   std::swap(folder_, other.folder_);
   std::swap(use_, other.use_);
   std::swap(descriptor_, other.descriptor_);
+  std::swap(in_memory_, other.in_memory_);
   std::swap(size_, other.size_);
   return *this;
 }
@@ -60,14 +72,17 @@ core::Error SpillFile::failed(const char* what, int cause) const {
               "; make room there, or " + std::string(use_.remedy)};
 }
 
-bool SpillFile::in_memory() const {
-  struct statfs system {};
-  return ::fstatfs(descriptor_, &system) == 0 && system.f_type == TMPFS_MAGIC;
-}
-
 core::Status SpillFile::append(std::string_view bytes) {
   while (!bytes.empty()) {
+    const auto wanted = static_cast<std::int64_t>(bytes.size());
+    if (in_memory_ && !take_file_memory(wanted)) {
+      return core::Error{core::ErrorCode::kNoMemory,
+                         folder_ + " is kept in memory, and with it the temporary file for " +
+                             std::string(use_.purpose) + ": " + memory_refusal() + "; " +
+                             std::string(use_.remedy)};
+    }
     const ssize_t count = ::write(descriptor_, bytes.data(), bytes.size());
+    if (in_memory_) give_back_file_memory(wanted - std::max<std::int64_t>(count, 0));
     if (count < 0 && errno == EINTR) continue;
     if (count <= 0) return failed("writing", count < 0 ? errno : ENOSPC);
     bytes.remove_prefix(static_cast<std::size_t>(count));

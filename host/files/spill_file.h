@@ -29,7 +29,7 @@ class SpillFile {
   SpillFile(SpillFile&& other) noexcept;
   SpillFile& operator=(SpillFile&& other) noexcept;
 
-  // Appends all of it. A full disk is an error.
+  // Appends all of it. Errors: a full disk; a file in memory that would exceed the memory limit.
   [[nodiscard]] core::Status append(std::string_view bytes);
 
   // Reads `size` bytes at `offset`. REQUIRES: they have been appended.
@@ -38,17 +38,17 @@ class SpillFile {
   [[nodiscard]] std::int64_t size() const { return size_; }
 
   // Whether the folder is kept in memory (tmpfs): then so is the file.
-  [[nodiscard]] bool in_memory() const;
+  [[nodiscard]] bool in_memory() const { return in_memory_; }
   [[nodiscard]] const std::string& folder() const { return folder_; }
 
  private:
-  SpillFile(std::string folder, SpillUse use, int descriptor)
-      : folder_(std::move(folder)), use_(use), descriptor_(descriptor) {}
+  SpillFile(std::string folder, SpillUse use, int descriptor);
   [[nodiscard]] core::Error failed(const char* what, int cause) const;
 
   std::string folder_;
   SpillUse use_;
   int descriptor_ = -1;
+  bool in_memory_ = false;
   std::int64_t size_ = 0;
 };
 

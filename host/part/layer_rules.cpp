@@ -59,6 +59,13 @@ core::Status check_layer_height(const std::string& part, const core::Slice& slic
   return {};
 }
 
+core::Error no_road_fits(const std::string& part, const core::Settings& settings) {
+  return {core::ErrorCode::kBadPart,
+          fmt::format("{}: no road fits anywhere: at every height the part is narrower than "
+                      "road_width_min ({:g} mm); is it in millimetres?",
+                      part, settings.road_width_min.mm())};
+}
+
 core::Status check_on_bed(const std::string& part, const core::Slice& slice,
                           const std::vector<core::Road>& roads, const core::Settings& settings) {
   for (const core::Road& road : roads) {

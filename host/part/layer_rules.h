@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/result.h"        // Status
+#include "core/result.h"        // Error, Status
 #include "core/roads/road.h"    // Road
 #include "core/settings.h"      // Settings
 #include "core/slices/slice.h"  // Slice
@@ -16,6 +16,9 @@ namespace host {
 // height.
 [[nodiscard]] core::Status check_layer_height(const std::string& part, const core::Slice& slice,
                                               const core::Settings& settings);
+
+// Nothing of the part is as wide as a road.
+[[nodiscard]] core::Error no_road_fits(const std::string& part, const core::Settings& settings);
 
 // Error if a bead leaves the bed; it says which, and what to do.
 [[nodiscard]] core::Status check_on_bed(const std::string& part, const core::Slice& slice,

@@ -297,6 +297,8 @@ class MeshLayers : public LayerSource {
     if (const auto turned = survey_.turned()) {
       summary_.warnings.push_back(mesh_.name + ": " + turned_text(*turned));
     }
+    summary_.nothing_hangs =
+        survey_.nothing_hangs_over(Length::from_units(heights_.doubled_plane(0) / 2));
     const MeshSurvey::EmptyLayers empty = survey_.empty_layers(heights_);
     if (empty.count > 0) {
       summary_.warnings.push_back(

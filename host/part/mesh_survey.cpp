@@ -11,6 +11,9 @@ namespace {
 // Facets whose heights are united in one step.
 constexpr std::size_t kSpansAtOnce = 1'024;
 
+// A facet leans out if it goes sideways by more than this share of its height.
+constexpr double kLeansOut = 1.0 / 64;
+
 // A part whose longest side is shorter than this may be in metres, or in inches.
 constexpr std::int64_t kMetresBelow = 10'000, kInchesBelow = 50'000;
 
@@ -25,6 +28,22 @@ bool can_be_cut(const core::Triangle& triangle) {
   return !is_degenerate(triangle) && triangle.lowest_z() != triangle.highest_z();
 }
 
+bool faces_down(const core::Triangle& triangle) {
+  const auto& [a, b, c] = triangle.corners;
+  const auto minus = [](std::int64_t to, std::int64_t from) {
+    return static_cast<double>(to - from);
+  };
+  const double ux = minus(b.x, a.x), uy = minus(b.y, a.y), uz = minus(b.z, a.z);
+  const double vx = minus(c.x, a.x), vy = minus(c.y, a.y), vz = minus(c.z, a.z);
+  const double x = uy * vz - uz * vy, y = uz * vx - ux * vz, z = ux * vy - uy * vx;
+  return z < 0 && z * z > kLeansOut * kLeansOut * (x * x + y * y);
+}
+
+bool MeshSurvey::nothing_hangs_over(core::Length height) const {
+  if (!closed() || turned()) return false;
+  return !facing_down_ || *facing_down_ <= extent_.lowest_z + height.units();
+}
+
 bool MeshSurvey::add(const core::Triangle& triangle) {
   extent_.add(triangle);
   const bool cut = can_be_cut(triangle);
@@ -36,6 +55,7 @@ bool MeshSurvey::add(const core::Triangle& triangle) {
   edges_.add(triangle);
   if (limits_) limits_->add(triangle);
   const std::int64_t low = triangle.lowest_z(), high = triangle.highest_z();
+  if (faces_down(triangle)) facing_down_ = std::max(high, facing_down_.value_or(high));
   if (!cut) return false;
   for (const core::Vertex& corner : triangle.corners) {
     fill_.add(corner.z);

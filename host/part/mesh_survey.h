@@ -28,6 +28,9 @@ namespace host {
 // True for a facet that some horizontal plane crosses: not degenerate, not horizontal.
 [[nodiscard]] bool can_be_cut(const core::Triangle& triangle);
 
+// True for a facet that leans outwards: its outer side looks down, by more than files are rounded.
+[[nodiscard]] bool faces_down(const core::Triangle& triangle);
+
 class MeshSurvey {
  public:
   // `window`: for the OrderGauge. `limits`: of layers' heights, if they are wanted.
@@ -41,6 +44,10 @@ class MeshSurvey {
   [[nodiscard]] const MeshExtent& extent() const { return extent_; }
   // Highest corner of the facets that a plane can cross; nullopt if there are none.
   [[nodiscard]] std::optional<std::int64_t> highest_cut() const { return highest_cut_; }
+  // Highest corner of the facets that face down; nullopt if there are none.
+  [[nodiscard]] std::optional<std::int64_t> highest_facing_down() const { return facing_down_; }
+  // Whether nothing of the part hangs: no facet faces down over this height, and all are oriented.
+  [[nodiscard]] bool nothing_hangs_over(core::Length height) const;
   // Facets that are degenerate.
   [[nodiscard]] std::int64_t degenerate() const { return degenerate_; }
   [[nodiscard]] bool in_order() const { return order_.in_order(); }
@@ -84,7 +91,7 @@ class MeshSurvey {
   void unite_spans();
 
   MeshExtent extent_;
-  std::optional<std::int64_t> highest_cut_;
+  std::optional<std::int64_t> highest_cut_, facing_down_;
   OutermostCorners outermost_;
   HeightFill fill_;
   TallFacet tallest_;

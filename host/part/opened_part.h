@@ -56,6 +56,7 @@ struct PartSummary {
   // Of a mesh that was read to its end: the heights that its layers have.
   core::Length lowest_layer;
   core::Length highest_layer;
+  bool nothing_hangs = false;         // no surface leans outwards: known of closed meshes alone
   std::vector<std::string> warnings;  // for people: what was odd and how it was treated
 };
 

@@ -2,6 +2,7 @@
 // the layers that the window can split once this slice is known.
 #pragma once
 
+#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,6 +13,7 @@
 #include "core/roads/layer_planner.h"     // LayerPlanner
 #include "core/roads/seams.h"             // SeamMemory
 #include "core/slices/slice.h"            // Slice
+#include "core/supports/support_fold.h"   // SupportLayer
 #include "core/supports/support_roads.h"  // SupportPlanner
 #include "core/units.h"                   // LayerIndex, Length
 #include "host/pipeline/stage_meter.h"    // StageUse
@@ -32,6 +34,8 @@ struct LayerBatch {
   std::optional<core::Slice> slice;  // nullopt: the source has ended, the window is emptied
   std::optional<core::Error> error;  // why there is no slice
   std::optional<std::string> pause;  // why to pause before its layer
+  // Its supports, if they are known as soon; with them those of slices below it that were left out.
+  std::deque<core::SupportLayer> supports;
   core::OffsetCutter::Reservation offsets;
   std::int64_t offset_retries = 0;
   std::vector<SettledLayer> settled;

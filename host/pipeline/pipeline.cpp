@@ -42,7 +42,7 @@ class Pipeline {
         statistics_(statistics),
         raft_(print_plan.settings, print_plan.start),
         intake_(plan_.part, plan_.part_path, settings_, print_plan.on_bad_layer, signals.warnings),
-        supports_(settings_, print_plan.spool_folder),
+        supports_(settings_, print_plan.spool_folder, [this] { return stopped(); }),
         watch_(signals.on_slow_layer, signals.slow_layer_s),
         cutter_(settings_),
         splitter_(settings_),
@@ -93,12 +93,12 @@ class Pipeline {
   }
 
   core::Status read_rest() {
-    const bool supported = supports_.wanted();
-    if (supported) {
+    const bool whole = supports_.wants_all();
+    if (whole) {
       core::Status made = supports_.make_spools(signals_.warnings);
       if (!made.ok()) return made;
     }
-    const bool waits = plan_.part.read_rest || supported;
+    const bool waits = plan_.part.read_rest || whole;
     if (waits && outputs_.on_motion && !plan_.start) commands_.preheat();
     if (plan_.part.read_rest) {
       core::Result<PartSummary> summary = plan_.part.read_rest();
@@ -108,8 +108,9 @@ class Pipeline {
       for (const std::string& warning : plan_.part.summary.warnings) signals_.warnings.put(warning);
     }
     signals_.layers.store(plan_.part.summary.layers);
-    if (!supported) return {};
-    return supports_.prepare(intake_, [this] { return stopped(); });
+    if (plan_.part.summary.nothing_hangs) supports_.call_off();
+    if (!supports_.wants_all()) return {};
+    return supports_.prepare(intake_, signals_.preparation);
   }
 
   // Called in order. After the last slice it gives empty batches until the window is empty.
@@ -126,9 +127,10 @@ class Pipeline {
   core::Status take_slice(LayerBatch& batch) {
     TakenSlice taken;
     do {
-      core::Result<TakenSlice> next = supports_.wanted() ? supports_.next_slice() : intake_.next();
+      core::Result<TakenSlice> next = supports_.next_slice(intake_, signals_.warnings);
       if (!next.ok()) return next.error();
       taken = std::move(next).value();
+      supports_.keep(taken.support, batch.supports);
       if (!taken.slice || stopped()) return {};
     } while (plan_.start && is_far_below(*taken.slice, *raft_.start_in_part(), settings_));
     batch.pause = std::move(taken.pause);
@@ -158,6 +160,7 @@ class Pipeline {
   void split(LayerBatch& batch) {
     if (batch.error) return;
     const StageMeter meter(Stage::kWindow, batch.use);
+    supports_.see(std::move(batch.supports));
     if (!batch.slice) {
       ahead_.end();
       if (std::optional<core::SplitLayer> settled = splitter_.finish()) {
@@ -309,11 +312,7 @@ class Pipeline {
     if (error_) return *error_;
     if (stopped()) return PipelineEnd::kStopped;
     if (wants_roads() && counts_.part_roads == 0) {
-      return core::Error{
-          core::ErrorCode::kBadPart,
-          fmt::format("{}: no road fits anywhere: at every height the part is narrower than "
-                      "road_width_min ({:g} mm); is it in millimetres?",
-                      plan_.part_path, settings_.road_width_min.mm())};
+      return no_road_fits(plan_.part_path, settings_);
     }
     if (outputs_.on_motion) commands_.finish();
     if (outputs_.on_motion) commands_.tell_missed(plan_.part_path, signals_.warnings);

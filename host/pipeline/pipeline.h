@@ -29,6 +29,7 @@
 #include "host/pipeline/checkpoint.h"      // Checkpoint
 #include "host/pipeline/hanging_log.h"     // OnFloating
 #include "host/pipeline/layer_watch.h"     // SlowLayer
+#include "host/pipeline/preparation.h"     // PreparationBox
 #include "host/pipeline/print_settings.h"  // PrintSettings
 #include "host/pipeline/statistics.h"      // GeometryStatistics
 #include "host/system/warning_box.h"       // WarningBox
@@ -80,6 +81,7 @@ struct PipelineSignals {
   std::atomic<std::int64_t> slices_cut = 0;
   std::atomic<core::LayerIndex> layers = 0;  // of the print; 0: not known
   WarningBox warnings;
+  PreparationBox preparation;
   // Called while a layer takes long, by a thread of its own (layer_watch.h); may be empty.
   std::function<void(const SlowLayer&)> on_slow_layer;
   double slow_layer_s = kSlowLayer_s;

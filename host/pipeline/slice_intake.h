@@ -6,19 +6,21 @@
 #include <optional>
 #include <string>
 
-#include "core/result.h"              // Result
-#include "core/settings.h"            // Settings
-#include "core/slices/slice.h"        // Slice
-#include "core/units.h"               // LayerIndex
-#include "host/part/bad_layers.h"     // BadLayers, OnBadLayer
-#include "host/part/opened_part.h"    // OpenedPart
-#include "host/system/warning_box.h"  // WarningBox
+#include "core/result.h"                 // Result
+#include "core/settings.h"               // Settings
+#include "core/slices/slice.h"           // Slice
+#include "core/supports/support_fold.h"  // SupportLayer
+#include "core/units.h"                  // LayerIndex
+#include "host/part/bad_layers.h"        // BadLayers, OnBadLayer
+#include "host/part/opened_part.h"       // OpenedPart
+#include "host/system/warning_box.h"     // WarningBox
 
 namespace host {
 
 struct TakenSlice {
-  std::optional<core::Slice> slice;  // nullopt: the part has ended
-  std::optional<std::string> pause;  // why to pause before its layer
+  std::optional<core::Slice> slice;           // nullopt: the part has ended
+  std::optional<std::string> pause;           // why to pause before its layer
+  std::optional<core::SupportLayer> support;  // if they are known as soon (support_ahead.h)
 };
 
 class SliceIntake {

@@ -37,20 +37,22 @@ core::Status SupportStage::make_spools(WarningBox& warnings) {
   return {};
 }
 
-core::Status SupportStage::prepare(SliceIntake& intake, const Stopped& stopped) {
+core::Status SupportStage::prepare(SliceIntake& intake, PreparationBox& told) {
   RIND_CHECK(slices_.has_value());
-  if (core::Status spooled = spool_slices(intake, stopped); !spooled.ok()) return spooled;
-  if (core::Status folded = fold(stopped); !folded.ok()) return folded;
+  if (core::Status spooled = spool_slices(intake, told); !spooled.ok()) return spooled;
+  if (core::Status folded = fold(intake.taken(), told); !folded.ok()) return folded;
+  told.clear();
   slices_->read_forwards();
   supports_->read_backwards();
   return {};
 }
 
-core::Status SupportStage::spool_slices(SliceIntake& intake, const Stopped& stopped) {
-  while (!stopped()) {
+core::Status SupportStage::spool_slices(SliceIntake& intake, PreparationBox& told) {
+  while (!stopped_()) {
     core::Result<TakenSlice> taken = intake.next();
     if (!taken.ok()) return taken.error();
     if (!taken.value().slice) break;
+    told.put({"supports: slicing", intake.taken(), intake.layers()});
     core::Slice& slice = *taken.value().slice;
     SpooledLayer layer;
     layer.index = slice.index;
@@ -68,7 +70,9 @@ core::Status SupportStage::spool_slices(SliceIntake& intake, const Stopped& stop
   return {};
 }
 
-core::Result<TakenSlice> SupportStage::next_slice() {
+core::Result<TakenSlice> SupportStage::next_slice(SliceIntake& intake, WarningBox& warnings) {
+  if (!wanted()) return intake.next();
+  if (ahead_) return ahead_->next(intake, stopped_, warnings);
   RIND_CHECK(slices_.has_value());
   core::Result<std::optional<SpooledLayer>> layer = slices_->next();
   if (!layer.ok()) return layer.error();
@@ -81,19 +85,20 @@ core::Result<TakenSlice> SupportStage::next_slice() {
   return taken;
 }
 
-core::Status SupportStage::fold(const Stopped& stopped) {
+core::Status SupportStage::fold(core::LayerIndex layers, PreparationBox& told) {
   const CpuTimer timer(seconds_);
   core::SupportFold fold(settings_);
   slices_->read_backwards();
-  while (!stopped()) {
+  while (!stopped_()) {
     core::Result<std::optional<SpooledLayer>> layer = slices_->previous();
     if (!layer.ok()) return layer.error();
     if (!layer.value()) break;
     const SpooledLayer& found = *layer.value();
+    told.put({"supports: from the top down", layers - found.index, layers});
     fold.push({found.index, found.bottom, found.height, found.regions.front(), marks_in(found)});
     if (core::Status taken = take_decided(fold); !taken.ok()) return taken;
   }
-  if (stopped()) return {};  // layer 0 was not reached
+  if (stopped_()) return {};  // layer 0 was not reached
   fold.end();
   return take_decided(fold);
 }
@@ -108,18 +113,40 @@ core::Status SupportStage::take_decided(core::SupportFold& fold) {
   return {};
 }
 
-core::Result<core::SupportPlanner::Reservation> SupportStage::reserve(core::SplitLayer& layer) {
+void SupportStage::keep(std::optional<core::SupportLayer>& support,
+                        std::deque<core::SupportLayer>& supports) const {
+  if (support) supports.push_back(*std::move(support));
+  if (supports.size() > layers_kept()) supports.pop_front();
+}
+
+void SupportStage::see(std::deque<core::SupportLayer> supports) {
+  for (core::SupportLayer& support : supports) seen_.push_back(std::move(support));
+}
+
+// From the bed up.
+core::Result<core::SupportLayer> SupportStage::next_support() {
+  if (ahead_) {
+    RIND_CHECK(!seen_.empty());
+    core::SupportLayer support = std::move(seen_.front());
+    seen_.pop_front();
+    return support;
+  }
   RIND_CHECK(supports_.has_value());
-  const auto kept = static_cast<std::size_t>(settings_.support_top_gap_layers) + 2;
+  core::Result<std::optional<SpooledLayer>> next = supports_->previous();
+  if (!next.ok()) return next.error();
+  RIND_CHECK(next.value().has_value());
+  SpooledLayer& found = *next.value();
+  core::SupportLayer support{found.index, found.regions[0], found.regions[1]};
+  if (settings_.supports == core::SupportPlace::kBed) support = columns_.standing(support);
+  return support;
+}
+
+core::Result<core::SupportPlanner::Reservation> SupportStage::reserve(core::SplitLayer& layer) {
   while (recent_.empty() || recent_.back().index < layer.slice.index) {
-    core::Result<std::optional<SpooledLayer>> next = supports_->previous();
-    if (!next.ok()) return next.error();
-    RIND_CHECK(next.value().has_value());
-    SpooledLayer& found = *next.value();
-    core::SupportLayer support{found.index, found.regions[0], found.regions[1]};
-    if (settings_.supports == core::SupportPlace::kBed) support = columns_.standing(support);
-    recent_.push_back(std::move(support));
-    if (recent_.size() > kept) recent_.pop_front();
+    core::Result<core::SupportLayer> support = next_support();
+    if (!support.ok()) return support.error();
+    recent_.push_back(std::move(support).value());
+    if (recent_.size() > layers_kept()) recent_.pop_front();
   }
   layer.support = recent_.back().region;
   if (layer.slice.index > 0) layer.support_below = recent_.front().region;

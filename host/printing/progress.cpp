@@ -32,6 +32,10 @@ void append_heat(std::string& line, const char* name, std::optional<double> is,
   line += " C";
 }
 
+std::string layer_text(core::LayerIndex layer, core::LayerIndex layers) {
+  return layers > 0 ? fmt::format("layer {}/{}", layer, layers) : fmt::format("layer {}", layer);
+}
+
 double share_done(const ProgressReport& report) {
   if (report.layers <= 0) return 0;
   return static_cast<double>(report.layer) / static_cast<double>(report.layers);
@@ -45,10 +49,15 @@ std::string duration_text(double seconds) {
 }
 
 std::string progress_line(const ProgressReport& report) {
-  std::string line = report.layers > 0
-                         ? fmt::format("layer {}/{} | {:.1f} mm | {:.0f} %", report.layer,
-                                       report.layers, report.height.mm(), 100 * share_done(report))
-                         : fmt::format("layer {} | {:.1f} mm", report.layer, report.height.mm());
+  std::string line;
+  if (report.preparation) {
+    const auto& [step, done, layers] = *report.preparation;
+    line = fmt::format("{}, {}", step, layer_text(done, layers));
+  } else {
+    line =
+        fmt::format("{} | {:.1f} mm", layer_text(report.layer, report.layers), report.height.mm());
+    if (report.layers > 0) line += fmt::format(" | {:.0f} %", 100 * share_done(report));
+  }
   line += report.left_s ? " | " + duration_text(*report.left_s) + " left"
                         : " | " + duration_text(report.elapsed_s);
   if (report.filament_mm > 0) line += fmt::format(" | {:.2f} m", report.filament_mm / 1'000);
@@ -182,6 +191,10 @@ void Reporter::progress(const ProgressReport& report, double now_s) {
       fields.emplace_back("lines_in_flight", static_cast<std::int64_t>(*report.lines_in_flight));
     }
     add("queue_share", report.queue_share);
+    if (report.preparation) {
+      fields.emplace_back("preparing", std::string(report.preparation->step));
+      fields.emplace_back("prepared_layers", report.preparation->done);
+    }
     json_line("progress", fields);
     return;
   }

@@ -11,9 +11,10 @@
 #include <variant>
 #include <vector>
 
-#include "core/units.h"                // LayerIndex, Length
-#include "host/files/log_file.h"       // LogFile
-#include "host/system/stop_signals.h"  // LastWords
+#include "core/units.h"                 // LayerIndex, Length
+#include "host/files/log_file.h"        // LogFile
+#include "host/pipeline/preparation.h"  // Preparation
+#include "host/system/stop_signals.h"   // LastWords
 
 namespace host {
 
@@ -29,8 +30,10 @@ struct ProgressReport {
   std::optional<double> bed_celsius, bed_target_celsius;
   std::optional<std::size_t> lines_in_flight;
   std::optional<double> queue_share;  // 0 … 1
+  std::optional<Preparation> preparation;
 };
 
+// "supports: slicing, layer 45/312 | 0:00:02 | nozzle 150/210 bed 60/60 C", before the first layer;
 // "layer 45/312 | 9.0 mm | 14 % | 0:03:20 left | 1.23 m | nozzle 210/210 bed 60/60 C | …"
 [[nodiscard]] std::string progress_line(const ProgressReport& report);
 

@@ -192,6 +192,7 @@ void StatusReports::show_progress(const firmware_link::Session& session) {
   report.layer = last.layer;
   report.layers = signals_.layers.load();
   report.height = last.top;
+  report.preparation = signals_.preparation.get();
   report.filament_mm = last.filament_mm;
   report.elapsed_s = now - started_s_;
   if (statistics_.first_road_s && last.layer > 1 && report.layers > 0) {

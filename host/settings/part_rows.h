@@ -170,6 +170,10 @@ inline constexpr std::array kPartRows = {
     Setting{"support_section_min", &PrintSettings::support_section_min, "mm", 0, 20,
             "least breadth of the support under an island that begins in the air"},
     Setting{
+        "support_lookahead", &PrintSettings::support_lookahead, "", 0, 100'000,
+        "number of layers above a layer that are known when its supports are decided; 0: all of "
+        "the part, which is then read before its first layer"},
+    Setting{
         "overhang_angle_degrees", &PrintSettings::overhang_angle_degrees, "°", 0, 90,
         "angle from the vertical; overhangs that are steeper are reported, or held by supports"},
     Setting{"bridge_max", &PrintSettings::bridge_max, "mm", 0, 1'000,

@@ -84,6 +84,16 @@ void memory_given_back(void* memory) noexcept {
   if (has_limit()) settle(-size_of(memory));
 }
 
+bool take_file_memory(std::int64_t bytes) noexcept {
+  if (!memory_allowed(static_cast<std::size_t>(bytes))) return false;
+  g_used.fetch_add(bytes, std::memory_order_relaxed);
+  return true;
+}
+
+void give_back_file_memory(std::int64_t bytes) noexcept {
+  g_used.fetch_sub(bytes, std::memory_order_relaxed);
+}
+
 std::string memory_refusal() {
   const std::int64_t limit = g_limit.exchange(0), refused = g_refused.load();
   if (refused > 0 && limit > 0) {

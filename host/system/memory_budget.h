@@ -30,6 +30,11 @@ void set_memory_limit(std::int64_t bytes);
 void memory_taken(void* memory) noexcept;
 void memory_given_back(void* memory) noexcept;
 
+// The same for memory that the program uses without allocating it: files that are kept in memory.
+// False: it would exceed the limit, and is not counted.
+[[nodiscard]] bool take_file_memory(std::int64_t bytes) noexcept;
+void give_back_file_memory(std::int64_t bytes) noexcept;
+
 // Allocations of the calling thread since it started; 0 if no hook counts them.
 [[nodiscard]] std::int64_t thread_allocations() noexcept;
 

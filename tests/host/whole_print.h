@@ -23,6 +23,8 @@ struct Printed {
   std::vector<std::vector<core::Road>> roads;  // likewise
   std::vector<std::vector<core::Motion>> motions;
   core::LayerIndex layers_told = 0;
+  std::vector<std::string> warnings;
+  std::size_t preparations = 0;  // how often it was told
   host::GeometryStatistics statistics;
   std::string error;
 };
@@ -57,9 +59,11 @@ inline Printed print(const core::Settings& settings, const std::string& path, in
     return true;
   };
   host::PipelineSignals signals;
+  signals.preparation.on_put([&](const host::Preparation&) { ++printed.preparations; });
   const auto end = host::run_pipeline(print_plan, outputs, signals, printed.statistics);
   if (!end.ok()) printed.error = end.error().message;
   printed.layers_told = signals.layers.load();
+  printed.warnings = signals.warnings.take();
   return printed;
 }
 

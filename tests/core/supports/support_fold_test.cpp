@@ -10,62 +10,17 @@
 #include "core/booleans/boolean.h"
 #include "core/supports/bed_columns.h"
 #include "core/supports/hanging_regions.h"
+#include "tests/support/cell_stacks.h"
 #include "tests/support/layer_stacks.h"
 #include "tests/support/random_regions.h"
 #include "tests/support/region_checks.h"
 #include "tests/support/region_text.h"
 
 using namespace core;
+using test::Cells;
+using test::kCells;
 
 namespace {
-
-constexpr std::size_t kCells = 6;  // a side; 2 mm each
-constexpr double kCell_mm = 2;
-
-// What opening rounds off corners, in units.
-constexpr double kCornerUnits = 600;
-
-// No gap or distance, and nothing small or bridged, so that a cell is a cell.
-Settings bare() {
-  Settings settings;
-  settings.supports = SupportPlace::kEverywhere;
-  settings.support_top_gap_layers = 0;
-  settings.support_bottom_gap_layers = 0;
-  settings.support_xy_distance = Length();
-  settings.support_interface_layers = 0;
-  settings.support_bottom_interface_layers = 0;
-  settings.support_base_expansion = Length();
-  settings.support_area_min_mm2 = 0;
-  settings.support_section_min = Length();
-  settings.bridge_max = Length();
-  settings.road_width_min = Length::from_mm(0.1);
-  return settings;
-}
-
-// A layer of cells.
-using Cells = std::vector<bool>;
-
-Region region_of_cells(const Cells& cells) {
-  std::vector<Ring> rings;
-  for (std::size_t y = 0; y < kCells; ++y) {
-    for (std::size_t x = 0; x < kCells; ++x) {
-      if (!cells[y * kCells + x]) continue;
-      const Region cell = test::rectangle_region(
-          static_cast<double>(x) * kCell_mm, static_cast<double>(y) * kCell_mm, kCell_mm, kCell_mm);
-      rings.push_back(cell.rings().front());
-    }
-  }
-  return clean(rings, FillRule::kPositive);
-}
-
-std::vector<Cells> random_stack(std::uint64_t seed, int layers) {
-  test::Random random(seed);
-  std::vector<Cells> stack(static_cast<std::size_t>(layers), Cells(kCells * kCells));
-  for (Cells& cells : stack) {
-    for (std::size_t i = 0; i < cells.size(); ++i) cells[i] = random.unit() < 0.35;
-  }
-  return stack;
-}
 
 // By layer, from 0.
 std::vector<SupportLayer> fold(const std::vector<Region>& slices, const Settings& settings,
@@ -87,12 +42,6 @@ std::vector<SupportLayer> fold(const std::vector<Region>& slices, const Settings
   return found;
 }
 
-std::vector<Region> regions_of(const std::vector<Cells>& stack) {
-  std::vector<Region> slices;
-  for (const Cells& cells : stack) slices.push_back(region_of_cells(cells));
-  return slices;
-}
-
 bool any_above(const std::vector<Cells>& stack, std::size_t layer, std::size_t cell) {
   return std::any_of(stack.begin() + static_cast<std::ptrdiff_t>(layer) + 1, stack.end(),
                      [&](const Cells& cells) { return cells[cell]; });
@@ -103,8 +52,9 @@ bool any_above(const std::vector<Cells>& stack, std::size_t layer, std::size_t c
 TEST_CASE("supports stand in every empty cell under something: everywhere, or down to the bed") {
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     CAPTURE(seed);
-    const std::vector<Cells> stack = random_stack(seed, 8);
-    const std::vector<SupportLayer> found = fold(regions_of(stack), bare());
+    const std::vector<Cells> stack = test::random_cells(seed, 8);
+    const std::vector<SupportLayer> found =
+        fold(test::regions_of(stack), test::settings_of_cells());
     BedColumns columns;
     Cells open(kCells * kCells, true);
     for (std::size_t n = 0; n < stack.size(); ++n) {
@@ -115,29 +65,30 @@ TEST_CASE("supports stand in every empty cell under something: everywhere, or do
         bed[i] = open[i] && everywhere[i];
         open[i] = bed[i];
       }
-      CHECK_LT(test::widest_difference(*found[n].region, region_of_cells(everywhere)),
-               kCornerUnits);
-      CHECK_LT(test::widest_difference(*columns.standing(found[n]).region, region_of_cells(bed)),
-               kCornerUnits);
+      CHECK_LT(test::widest_difference(*found[n].region, test::region_of_cells(everywhere)),
+               test::kCellCornerUnits);
+      CHECK_LT(
+          test::widest_difference(*columns.standing(found[n]).region, test::region_of_cells(bed)),
+          test::kCellCornerUnits);
     }
   }
 }
 
 TEST_CASE("gaps leave out the layers over and under the part; what is near them is dense") {
-  Settings settings = bare();
+  Settings settings = test::settings_of_cells();
   settings.support_top_gap_layers = 2;
   settings.support_bottom_gap_layers = 1;
   settings.support_interface_layers = 1;
   settings.support_bottom_interface_layers = 2;
   for (std::uint64_t seed = 20; seed < 30; ++seed) {
     CAPTURE(seed);
-    const std::vector<Cells> stack = random_stack(seed, 9);
+    const std::vector<Cells> stack = test::random_cells(seed, 9);
     const auto solid = [&](std::size_t n, int up, std::size_t cell) {
       const auto layer = static_cast<std::ptrdiff_t>(n) + up;
       return layer >= 0 && layer < static_cast<std::ptrdiff_t>(stack.size()) &&
              stack[static_cast<std::size_t>(layer)][cell];
     };
-    const std::vector<SupportLayer> found = fold(regions_of(stack), settings);
+    const std::vector<SupportLayer> found = fold(test::regions_of(stack), settings);
     for (std::size_t n = 0; n < stack.size(); ++n) {
       CAPTURE(n);
       Cells laid(kCells * kCells), dense(laid.size());
@@ -149,8 +100,10 @@ TEST_CASE("gaps leave out the layers over and under the part; what is near them 
         const int gap = n == 0 ? 0 : 2;
         dense[i] = laid[i] && (solid(n, gap + 1, i) || solid(n, -2, i) || solid(n, -3, i));
       }
-      CHECK_LT(test::widest_difference(*found[n].region, region_of_cells(laid)), kCornerUnits);
-      CHECK_LT(test::widest_difference(*found[n].interface, region_of_cells(dense)), kCornerUnits);
+      CHECK_LT(test::widest_difference(*found[n].region, test::region_of_cells(laid)),
+               test::kCellCornerUnits);
+      CHECK_LT(test::widest_difference(*found[n].interface, test::region_of_cells(dense)),
+               test::kCellCornerUnits);
     }
   }
 }
@@ -160,7 +113,7 @@ TEST_CASE("100,000 equal layers leave demand as it is, bit for bit") {
   test::Random random(7);
   const Ring blob = test::random_blob(random, 23, 3, 3, 6, 0.4);
   const Region roof = unite(clean({blob}, FillRule::kPositive), post);
-  const Settings settings = bare();
+  const Settings settings = test::settings_of_cells();
   SupportFold fold(settings);
   LayerIndex index = 2'003;
   const auto push = [&](const Region& slice) {
@@ -215,7 +168,7 @@ TEST_CASE("a fold that keeps a few layers finds what one that keeps all would fi
 }
 
 TEST_CASE("what stands on the part ends there, also where the part needs no support itself") {
-  Settings settings = bare();
+  Settings settings = test::settings_of_cells();
   settings.bridge_max = Length::from_mm(10);
   const Region posts =
       unite(test::rectangle_region(0, 0, 5, 10), test::rectangle_region(13, 0, 5, 10));
@@ -232,7 +185,7 @@ TEST_CASE("what stands on the part ends there, also where the part needs no supp
 }
 
 TEST_CASE("the base is wider towards the bed, and keeps its distance from the part") {
-  Settings settings = bare();
+  Settings settings = test::settings_of_cells();
   settings.support_base_expansion = Length::from_mm(1);
   settings.support_xy_distance = Length::from_mm(0.4);
   const Region post = test::rectangle_region(0, 0, 10, 10);
@@ -254,7 +207,7 @@ TEST_CASE("the base is wider towards the bed, and keeps its distance from the pa
 }
 
 TEST_CASE("what hangs over the first layer is held by it, close to the part and widened") {
-  Settings settings = bare();
+  Settings settings = test::settings_of_cells();
   settings.support_top_gap_layers = 1;
   settings.support_base_expansion = Length::from_mm(1);
   settings.support_xy_distance = Length::from_mm(0.4);

@@ -6,6 +6,8 @@
 #include <set>
 #include <vector>
 
+#include "core/booleans/boolean.h"
+#include "core/offsets/voronoi_mountain.h"
 #include "core/slices/plane_sweep.h"
 #include "tests/support/mesh.h"
 #include "tests/support/random_regions.h"
@@ -180,4 +182,42 @@ TEST_CASE("a size that no print has makes one think of another unit") {
   CHECK_NE(warning_of(0.8).find("inches"), std::string::npos);
   CHECK_NE(warning_of(3).find("inches"), std::string::npos);
   CHECK_EQ(warning_of(6), "none");
+}
+
+TEST_CASE("where nothing is said to hang, each slice lies within the one below, or nearly") {
+  int found = 0;
+  const double height_mm = 0.2;
+  for (const parts::NamedPart& named : parts::all_parts(40, 0.1)) {
+    CAPTURE(named.name);
+    const std::vector<Triangle> triangles = test::triangles_of(named.part);
+    if (!surveyed(triangles).nothing_hangs_over(Length::from_mm(height_mm / 2))) continue;
+    ++found;
+    const std::vector<core::Slice> slices = test::sweep(triangles, test::exact_options()).slices;
+    for (std::size_t n = 1; n < slices.size(); ++n) {
+      CAPTURE(n);
+      const core::Region reached = core::offset(
+          slices[n - 1].region, Length::from_mm(-height_mm / 60), Length::from_units(10));
+      CHECK(core::subtract(slices[n].region, reached).empty());
+    }
+  }
+  CHECK_GT(found, 2);
+}
+
+TEST_CASE("a surface that leans outwards, or is not sure, is not said to hang nowhere") {
+  const auto hangs = [](const parts::Part& part, bool turned = false) {
+    std::vector<Triangle> triangles = test::triangles_of(part);
+    if (turned) {
+      for (Triangle& t : triangles) std::swap(t.corners[0], t.corners[1]);
+    }
+    return !surveyed(triangles).nothing_hangs_over(Length::from_mm(0.1));
+  };
+  const parts::Part box = parts::box({0, 0, 0}, 10, 10, 10);
+  CHECK_FALSE(hangs(box));
+  CHECK_FALSE(hangs(parts::dome(8)));
+  CHECK(hangs(parts::together({box, parts::box({2, 2, 10}, 12, 6, 10)})));
+  CHECK(hangs(parts::mushroom()));
+  CHECK(hangs(box, true));
+  std::vector<Triangle> open = test::triangles_of(box);
+  open.pop_back();
+  CHECK_FALSE(surveyed(open).nothing_hangs_over(Length::from_mm(0.1)));
 }

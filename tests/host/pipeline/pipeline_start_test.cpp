@@ -241,6 +241,8 @@ TEST_CASE("supports go on, too: those from the bed depend on all layers below") 
     core::Settings settings = settings_of(core::WallShape::kBall, core::BuildStyle::kThinWall);
     settings.supports = place;
     check_tails(settings, path, compute(settings, path, {}));
+    settings.support_lookahead = 8;
+    check_tails(settings, path, compute(settings, path, {}));
   }
 }
 

@@ -195,6 +195,72 @@ TEST_CASE("supports are the same for any number of threads, and stand on a raft"
   CHECK(std::any_of(one.roads[2].begin(), one.roads[2].end(), is_support));
 }
 
+TEST_CASE("a part that leans out nowhere is printed at once, as without supports") {
+  const test::PartFolder folder;
+  core::Settings settings = supported(core::SupportPlace::kEverywhere);
+  for (const int lookahead : {0, 10}) {
+    settings.support_lookahead = lookahead;
+    const std::string path = folder.add("dome.stl", parts::dome(8));
+    const Printed printed = print(settings, path);
+    REQUIRE(printed.error.empty());
+    CHECK_EQ(printed.preparations, 0);
+    CHECK_EQ(printed.statistics.spilled_bytes, 0);
+    core::Settings off = settings;
+    off.supports = core::SupportPlace::kOff;
+    CHECK(printed.texts == print(off, path).texts);
+  }
+  settings.support_lookahead = 0;
+  const std::string path = folder.add("shelf.stl", shelf());
+  const Printed printed = print(settings, path);
+  // Each layer is told twice: as it is cut, and as it is looked at from above.
+  CHECK_EQ(printed.preparations, 2 * printed.slices.size());
+}
+
+TEST_CASE("with enough layers known ahead, a print is the same, and needs no spool") {
+  const test::PartFolder folder;
+  const std::string path = folder.add("shelf.stl", shelf());
+  for (const core::SupportPlace place :
+       {core::SupportPlace::kBed, core::SupportPlace::kEverywhere}) {
+    core::Settings settings = supported(place);
+    const Printed whole = print(settings, path);
+    settings.support_lookahead = 60;
+    const Printed ahead = print(settings, path, 1, "/no/such/folder");
+    REQUIRE(ahead.error.empty());
+    CHECK(ahead.texts == whole.texts);
+    CHECK(print(settings, path, 3).texts == whole.texts);
+    CHECK(ahead.warnings.empty());
+    CHECK_EQ(ahead.statistics.spilled_bytes, 0);
+  }
+}
+
+TEST_CASE("with too few, what can't be held is told, and no support begins in the air") {
+  const test::PartFolder folder;
+  const std::string path = folder.add("shelf.stl", shelf());
+  core::Settings settings = supported(core::SupportPlace::kEverywhere);
+  settings.support_lookahead = 10;
+  const Printed printed = print(settings, path);
+  REQUIRE(printed.error.empty());
+  // Under the island, and under the shelf.
+  REQUIRE_EQ(printed.warnings.size(), 3);
+  CHECK_NE(printed.warnings[0].find("what hangs above layer 40 was not known"), std::string::npos);
+  CHECK_NE(printed.warnings[0].find("support_lookahead = 50"), std::string::npos);
+  CHECK_NE(printed.warnings[1].find("an island"), std::string::npos);
+  CHECK_NE(printed.warnings[2].find("what hangs above layer 60 was not known"), std::string::npos);
+  CHECK_GT(printed.statistics.hanging.of(core::HangingKind::kIsland).count, 0);
+  for (std::size_t n = 1; n < printed.roads.size(); ++n) {
+    CAPTURE(n);
+    const core::PointLocation part(
+        core::offset(printed.slices[n - 1].region, Length::from_mm(-0.6), Length::from_units(100)));
+    const core::SegmentGrid below(Length::from_mm(1), segments_of(printed.roads[n - 1], true));
+    for (const Road& road : printed.roads[n]) {
+      if (!is_support(road)) continue;
+      for (const Point at : road.points) {
+        CHECK((part.contains(at) || below.any_within(at, Length::from_mm(1.5))));
+      }
+    }
+  }
+}
+
 TEST_CASE("a print that is stopped while supports are sought ends in good order, whenever") {
   const test::PartFolder folder;
   const std::string path = folder.add("shelf.stl", shelf());
