@@ -9,7 +9,7 @@ build_packages=(
 
 # Clipper and printrun are compared with rind; qemu runs the kernel of test_uart, with a real UART.
 test_packages=(
-  clang doctest-dev libbenchmark-dev libpolyclipping-dev python3 printrun-common
+  clang lld doctest-dev libbenchmark-dev libpolyclipping-dev python3 printrun-common
   qemu-system-x86 busybox-static cpio
 )
 
