@@ -274,36 +274,33 @@ class MeshLayers : public LayerSource {
     return {};
   }
 
+  void warn(const std::string& text) { summary_.warnings.push_back(mesh_.name + ": " + text); }
+
   void summarise() {
     summary_.format = mesh_.triangles->format();
     summary_.facets = mesh_.triangles->facets();
     summary_.degenerate = survey_.degenerate();
     summary_.warnings = mesh_.triangles->warnings();
     if (const std::string& doubt = mesh_.triangles->doubt(); !doubt.empty()) {
-      summary_.warnings.push_back(mesh_.name + ": " + doubt +
-                                  "; the surface is closed, so all that are there were taken");
+      warn(doubt + "; the surface is closed, so all that are there were taken");
     }
     summary_.box = shifted(survey_.extent().box, shift_);
     if (const auto warning = unit_warning(survey_.extent())) {
-      summary_.warnings.push_back(mesh_.name + ": " + *warning);
+      warn(*warning);
     }
     if (streaming_) {
-      summary_.warnings.push_back(mesh_.name +
-                                  ": sliced as it comes; its place on the bed is that "
-                                  "of its first " +
-                                  std::to_string(summary_.facets) + " facets");
+      warn("sliced as it comes; its place on the bed is that of its first " +
+           std::to_string(summary_.facets) + " facets");
       return;
     }
     if (const auto turned = survey_.turned()) {
-      summary_.warnings.push_back(mesh_.name + ": " + turned_text(*turned));
+      warn(turned_text(*turned));
     }
     summary_.nothing_hangs =
         survey_.nothing_hangs_over(Length::from_units(heights_.doubled_plane(0) / 2));
-    const MeshSurvey::EmptyLayers empty = survey_.empty_layers(heights_);
-    if (empty.count > 0) {
-      summary_.warnings.push_back(
-          mesh_.name + ": " + std::to_string(empty.count) + " layers hold nothing, from layer " +
-          std::to_string(empty.first + 1) + " on: what is above them is printed in the air");
+    if (const auto empty = survey_.empty_layers(heights_); empty.count > 0) {
+      warn(std::to_string(empty.count) + " layers hold nothing, from layer " +
+           std::to_string(empty.first + 1) + " on: what is above them is printed in the air");
     }
   }
 
