@@ -1,5 +1,7 @@
 #include "host/part/part_file.h"
 
+#include <fmt/format.h>
+
 #include <functional>
 #include <memory>
 #include <string>
@@ -92,7 +94,8 @@ OpenedPart marked(OpenedPart part, Marks marks, const core::Settings& settings,
                          {name + ": " + marks.counts.text() + ": not used, since supports = off"});
   }
   std::vector<std::string> texts;
-  for (const std::string& text : marks.facets->warnings) texts.push_back(name + ": " + text);
+  for (const std::string& text : marks.facets->warnings)
+    texts.push_back(fmt::format("{}: {}", name, text));
   part = with_marks(std::move(part), std::move(marks.facets), settings, options.sort_bytes, name);
   return with_warnings(std::move(part), std::move(texts));
 }
