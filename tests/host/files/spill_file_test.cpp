@@ -13,7 +13,7 @@ using host::SpillFile;
 namespace {
 
 constexpr host::SpillUse kUse{"a test", "name another folder"};
-constexpr std::size_t kBlock = 1 << 20;
+constexpr std::int64_t kBlock = 1 << 20;
 
 std::int64_t resident_bytes() {
   std::ifstream pages("/proc/self/statm");
@@ -29,7 +29,7 @@ struct Filled {
 };
 
 Filled fill(SpillFile& file) {
-  const std::string block(kBlock, 'x');
+  const std::string block(static_cast<std::size_t>(kBlock), 'x');
   Filled filled;
   while (filled.blocks < 8) {
     const core::Status written = file.append(block);
@@ -52,10 +52,10 @@ TEST_CASE("a file in memory counts against the memory limit, until it is closed"
     core::Result<SpillFile> file = SpillFile::create("/dev/shm", kUse);
     REQUIRE(file.ok());
     REQUIRE(file.value().in_memory());
-    host::set_memory_limit(resident_bytes() + 4 * std::int64_t{kBlock} + kBlock / 2);
+    host::set_memory_limit(resident_bytes() + 4 * kBlock + kBlock / 2);
     const Filled filled = fill(file.value());
     CHECK_EQ(filled.blocks, 4);
-    CHECK_EQ(file.value().size(), 4 * std::int64_t{kBlock});
+    CHECK_EQ(file.value().size(), 4 * kBlock);
     CHECK_NE(filled.refusal.find("/dev/shm is kept in memory"), std::string::npos);
     CHECK_NE(filled.refusal.find("name another folder"), std::string::npos);
   }
