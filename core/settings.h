@@ -53,6 +53,12 @@ enum class GcodeFlavor { kMarlin, kKlipper, kRepRapFirmware };
 // What supports may stand on.
 enum class SupportPlace { kOff, kBed, kEverywhere };
 
+// What supports are made of under their dense layers.
+enum class SupportStyle {
+  kGrid,  // rows that stand on one another, straight down
+  kTree,  // branches that grow together (supports/tree_fold.h)
+};
+
 // Which contours of the first layer get a brim.
 enum class BrimPlace { kOuter, kBoth, kInner };
 
@@ -122,8 +128,9 @@ struct Settings {
   SupportPlace supports = SupportPlace::kOff;
   bool support_auto = true;                       // otherwise only what is enforced is held
   std::vector<std::string> support_height_range;  // "0-20 off" (supports/support_heights.h)
-  int support_top_gap_layers = 1;                 // between a support and what it holds
-  int support_bottom_gap_layers = 1;              // between a support and what it stands on
+  SupportStyle support_style = SupportStyle::kGrid;
+  int support_top_gap_layers = 1;     // between a support and what it holds
+  int support_bottom_gap_layers = 1;  // between a support and what it stands on
   Length support_xy_distance = Length::from_units(4'000);
   int support_interface_layers = 2;                              // the topmost layers are dense
   int support_bottom_interface_layers = 2;                       // over the part, the lowest ones
@@ -137,6 +144,12 @@ struct Settings {
   double support_area_min_mm2 = 0.5;  // of what hangs; smaller pieces are left alone
   Length support_section_min = Length::from_units(20'000);  // under an island
   int support_lookahead = 0;  // in layers; 0: the whole part (supports/support_lookahead.h)
+  // Of trees.
+  double support_branch_angle_degrees = 40;  // from the vertical, at most
+  Length support_branch_diameter = Length::from_units(20'000);
+  double support_branch_diameter_angle_degrees = 5;  // by which branches grow wider downwards
+  Length support_tip_diameter = Length::from_units(8'000);
+  Length support_tip_spacing = Length::from_units(30'000);  // under what hangs
 
   // Bridges and overhangs.
   double overhang_angle_degrees = 45;               // from the vertical; steeper is told, or held

@@ -213,7 +213,8 @@ const SupportFold::GrownSlice& SupportFold::grown_slice(const SharedRegion& slic
 Region SupportFold::laid(const Level& at, const Region& held, Length base) {
   const LayerIndex index = at.slice.index, top_gap = top_gap_over(index);
   const auto& [of, far, near] = grown_slice(at.slice.region);
-  Region region = subtract(held, far);
+  const bool roofs_only = settings_.support_style == SupportStyle::kTree;
+  Region region = roofs_only ? Region() : subtract(held, far);
   const Region recent =
       united(index + top_gap, index + top_gap + settings_.support_interface_layers, &Level::born);
   if (!recent.empty()) {
@@ -225,7 +226,7 @@ Region SupportFold::laid(const Level& at, const Region& held, Length base) {
     const Length by = scaled(settings_.road_width, kNarrowGrowth);
     region = unite(region, subtract(grown(narrow, by), near));
   }
-  if (base > Length()) region = unite(region, subtract(grown(region, base), far));
+  if (base > Length() && !roofs_only) region = unite(region, subtract(grown(region, base), far));
   region = subtract(region, slices_between(index + 1, index + top_gap));
   region = subtract(region, slices_between(index - settings_.support_bottom_gap_layers, index - 1));
   return simplified(region, kSupportTolerance);

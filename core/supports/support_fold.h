@@ -58,13 +58,18 @@ struct SupportLayer {
   LayerIndex index = 0;
   SharedRegion region;     // all of it; not null
   SharedRegion interface;  // the part of it that is dense; not null
+  // Of trees; null: nothing.
+  SharedRegion branches = nullptr;  // the part of it that is hollow
+  SharedRegion feet = nullptr;      // where branches come down on the part
+  Length step = {};                 // how far branches have moved at most
 
   [[nodiscard]] bool empty() const { return region->empty(); }
 };
 
 class SupportFold {
  public:
-  // REQUIRES: settings in their ranges.
+  // With support_style = tree, what is laid is the dense layers under what hangs, and one more
+  // layer under them that is not dense (tree_fold.h). REQUIRES: settings in their ranges.
   explicit SupportFold(const Settings& settings);
 
   // The next slice down; the first one is the part's highest. After each, take what next() has.

@@ -86,7 +86,9 @@ class LayerFill {
     }
     const Region dense = intersect(inside, *layer_.interface);
     const Length spacing = perimeter_spacing(settings_, height_);
-    add_rows(subtract(inside, dense), spacing + settings_.support_spacing, false, roads);
+    Region loose = subtract(inside, dense);
+    if (layer_.branches) loose = subtract(loose, *layer_.branches);
+    add_rows(loose, spacing + settings_.support_spacing, false, roads);
     add_rows(dense, spacing + settings_.support_interface_spacing, true, roads);
   }
 
@@ -115,6 +117,12 @@ class LayerFill {
 
 }  // namespace
 
+Length support_row_distance(Length height, const Settings& settings) {
+  Settings own = settings;
+  if (settings.support_width > Length()) own.road_width = settings.support_width;
+  return perimeter_spacing(own, height) + settings.support_spacing;
+}
+
 std::vector<Road> support_roads(const SupportLayer& layer, Length height,
                                 const Settings& settings) {
   if (layer.empty()) return {};
@@ -138,7 +146,8 @@ SupportPlanner::Reservation SupportPlanner::reserve(const SupportLayer& layer, L
   // The first layer has a fill of its own.
   const bool alike = last_ && last_->layer.index > 0 && last_->height == height &&
                      last_->layer.region == layer.region &&
-                     last_->layer.interface == layer.interface;
+                     last_->layer.interface == layer.interface &&
+                     last_->layer.branches == layer.branches;
   if (alike) return {last_, false};
   last_ = std::make_shared<SupportPlan>(SupportPlan{layer, height, {}});
   return {last_, true};

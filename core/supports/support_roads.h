@@ -1,5 +1,5 @@
 // Roads of supports: a sheath around each piece, and rows in it, which stand on those below as
-// walls. Dense layers have rows near to one another, across the others.
+// walls. Dense layers have rows near to one another, across the others. Branches have none.
 //
 //     ╔═══════════╗
 //     ║ │   │   │ ║     support            rows support_spacing apart
@@ -16,6 +16,9 @@
 #include "core/units.h"                  // Length
 
 namespace core {
+
+// Of the rows of layers that are not dense: (number + ½) · distance, across their angle.
+[[nodiscard]] Length support_row_distance(Length height, const Settings& settings);
 
 // In the order of printing. ENSURES: with a flow of 1, no bead leaves the region except by
 // rounding.

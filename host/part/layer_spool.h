@@ -2,7 +2,7 @@
 // read in either. A region that equals the one before in its place takes a few bytes, and is read
 // as the same object.
 //
-//     record:  index, bottom, height · defects · note · region, region, region
+//     record:  index, bottom, height · defects · note · regions
 //     region:  empty | rings, as differences of coordinates | place of the record that has it
 #pragma once
 
@@ -22,7 +22,7 @@
 namespace host {
 
 struct SpooledLayer {
-  static constexpr std::size_t kRegions = 3;
+  static constexpr std::size_t kRegions = 4;
 
   core::LayerIndex index = 0;
   core::Length bottom;

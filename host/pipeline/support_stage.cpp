@@ -4,8 +4,10 @@
 
 #include <utility>
 
-#include "core/check.h"               // RIND_CHECK
-#include "host/system/stage_clock.h"  // CpuTimer
+#include "core/check.h"                // RIND_CHECK
+#include "core/supports/tree_fold.h"   // TreeFold
+#include "core/supports/tree_reach.h"  // TreeReach
+#include "host/system/stage_clock.h"   // CpuTimer
 
 namespace host {
 namespace {
@@ -48,6 +50,7 @@ core::Status SupportStage::prepare(SliceIntake& intake, PreparationBox& told) {
 }
 
 core::Status SupportStage::spool_slices(SliceIntake& intake, PreparationBox& told) {
+  core::TreeReach reach(settings_);
   while (!stopped_()) {
     core::Result<TakenSlice> taken = intake.next();
     if (!taken.ok()) return taken.error();
@@ -60,6 +63,10 @@ core::Status SupportStage::spool_slices(SliceIntake& intake, PreparationBox& tol
     layer.height = slice.height;
     layer.defects = slice.defects;
     layer.note = std::move(taken.value().pause);
+    if (trees()) {
+      const CpuTimer timer(seconds_);
+      layer.regions[3] = reach.push(slice.region, slice.height);
+    }
     layer.regions.front() = std::make_shared<const core::Region>(std::move(slice.region));
     if (slice.marks) {
       layer.regions[1] = {slice.marks, &slice.marks->enforced};
@@ -87,15 +94,31 @@ core::Result<TakenSlice> SupportStage::next_slice(SliceIntake& intake, WarningBo
 
 core::Status SupportStage::fold(core::LayerIndex layers, PreparationBox& told) {
   const CpuTimer timer(seconds_);
+  const auto slice_of = [](const SpooledLayer& layer) {
+    return core::FoldSlice{layer.index, layer.bottom, layer.height, layer.regions.front(),
+                           marks_in(layer)};
+  };
+  if (trees()) {
+    core::TreeFold fold(settings_);
+    return fold_down(
+        fold, [&](const SpooledLayer& layer) { fold.push(slice_of(layer), layer.regions[3]); },
+        layers, told);
+  }
   core::SupportFold fold(settings_);
+  return fold_down(
+      fold, [&](const SpooledLayer& layer) { fold.push(slice_of(layer)); }, layers, told);
+}
+
+template <typename Fold, typename Push>
+core::Status SupportStage::fold_down(Fold& fold, const Push& push, core::LayerIndex layers,
+                                     PreparationBox& told) {
   slices_->read_backwards();
   while (!stopped_()) {
     core::Result<std::optional<SpooledLayer>> layer = slices_->previous();
     if (!layer.ok()) return layer.error();
     if (!layer.value()) break;
-    const SpooledLayer& found = *layer.value();
-    told.put({"supports: from the top down", layers - found.index, layers});
-    fold.push({found.index, found.bottom, found.height, found.regions.front(), marks_in(found)});
+    told.put({"supports: from the top down", layers - layer.value()->index, layers});
+    push(*layer.value());
     if (core::Status taken = take_decided(fold); !taken.ok()) return taken;
   }
   if (stopped_()) return {};  // layer 0 was not reached
@@ -103,11 +126,13 @@ core::Status SupportStage::fold(core::LayerIndex layers, PreparationBox& told) {
   return take_decided(fold);
 }
 
-core::Status SupportStage::take_decided(core::SupportFold& fold) {
+template <typename Fold>
+core::Status SupportStage::take_decided(Fold& fold) {
   while (std::optional<core::SupportLayer> decided = fold.next()) {
     SpooledLayer layer;
     layer.index = decided->index;
-    layer.regions = {decided->region, decided->interface};
+    layer.height = decided->step;
+    layer.regions = {decided->region, decided->interface, decided->branches, decided->feet};
     if (core::Status written = supports_->append(layer); !written.ok()) return written;
   }
   return {};
@@ -136,8 +161,10 @@ core::Result<core::SupportLayer> SupportStage::next_support() {
   if (!next.ok()) return next.error();
   RIND_CHECK(next.value().has_value());
   SpooledLayer& found = *next.value();
-  core::SupportLayer support{found.index, found.regions[0], found.regions[1]};
-  if (settings_.supports == core::SupportPlace::kBed) support = columns_.standing(support);
+  core::SupportLayer support{found.index,      found.regions[0], found.regions[1],
+                             found.regions[2], found.regions[3], found.height};
+  if (trees()) return standing_.standing(support);
+  if (settings_.supports == core::SupportPlace::kBed) return columns_.standing(support);
   return support;
 }
 

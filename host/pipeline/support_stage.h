@@ -2,6 +2,7 @@
 // temporary file, looked through from the top down, and then read again from there.
 //
 //     source ──> slices' spool ──(backwards)──> SupportFold ──> supports' spool
+//                (TreeReach)                    or TreeFold
 //                     │                                              │ (backwards)
 //                     └──(forwards)──> the pipeline's layers <───────┘
 //
@@ -24,6 +25,7 @@
 #include "core/supports/bed_columns.h"    // BedColumns
 #include "core/supports/support_fold.h"   // SupportFold, SupportLayer
 #include "core/supports/support_roads.h"  // SupportPlanner
+#include "core/supports/tree_standing.h"  // TreeStanding
 #include "core/walls/split_layer.h"       // SplitLayer
 #include "host/part/layer_spool.h"        // LayerSpool
 #include "host/pipeline/preparation.h"    // PreparationBox
@@ -91,8 +93,13 @@ class SupportStage {
 
  private:
   [[nodiscard]] core::Status spool_slices(SliceIntake& intake, PreparationBox& told);
+  template <typename Fold, typename Push>
+  [[nodiscard]] core::Status fold_down(Fold& fold, const Push& push, core::LayerIndex layers,
+                                       PreparationBox& told);
   [[nodiscard]] core::Status fold(core::LayerIndex layers, PreparationBox& told);
-  [[nodiscard]] core::Status take_decided(core::SupportFold& fold);
+  template <typename Fold>  // SupportFold, TreeFold
+  [[nodiscard]] core::Status take_decided(Fold& fold);
+  [[nodiscard]] bool trees() const { return settings_.support_style == core::SupportStyle::kTree; }
   [[nodiscard]] core::Result<core::SupportLayer> next_support();
   // So many layers of supports are of use for the layer above them.
   [[nodiscard]] std::size_t layers_kept() const {
@@ -107,6 +114,7 @@ class SupportStage {
   std::optional<SupportAhead> ahead_;
   std::deque<core::SupportLayer> seen_;
   core::BedColumns columns_;
+  core::TreeStanding standing_;
   std::deque<core::SupportLayer> recent_;  // the gap's, the latest last
   core::SupportPlanner planner_;
   double seconds_ = 0;

@@ -140,6 +140,9 @@ inline constexpr std::array kPartRows = {
             core::kHeightRangesMax,
             "lines of two heights over the part's lowest point, and whether what hangs between "
             "them is held, as 0-20 off; elsewhere as support_auto says"},
+    Setting{"support_style", choice<&PrintSettings::support_style>("grid", "tree"), "", 0, 0,
+            "what supports are made of under their dense layers: grid, rows that stand straight "
+            "below; tree, branches that grow together and go around the part"},
     Setting{"support_top_gap_layers", &PrintSettings::support_top_gap_layers, "", 0, 10,
             "number of layers left out between a support and what it holds"},
     Setting{"support_bottom_gap_layers", &PrintSettings::support_bottom_gap_layers, "", 0, 10,
@@ -173,6 +176,17 @@ inline constexpr std::array kPartRows = {
         "support_lookahead", &PrintSettings::support_lookahead, "", 0, 100'000,
         "number of layers above a layer that are known when its supports are decided; 0: all of "
         "the part, which is then read before its first layer"},
+    Setting{"support_branch_angle_degrees", &PrintSettings::support_branch_angle_degrees, "°", 0,
+            60, "steepest angle of a tree's branches against the vertical"},
+    Setting{"support_branch_diameter", &PrintSettings::support_branch_diameter, "mm", 0.2, 20,
+            "diameter of a tree's branches, below their tips"},
+    Setting{"support_branch_diameter_angle_degrees",
+            &PrintSettings::support_branch_diameter_angle_degrees, "°", 0, 15,
+            "angle by which a tree's branches grow wider downwards"},
+    Setting{"support_tip_diameter", &PrintSettings::support_tip_diameter, "mm", 0.2, 10,
+            "diameter of a tree's branches at their tips, and where there is no room for more"},
+    Setting{"support_tip_spacing", &PrintSettings::support_tip_spacing, "mm", 0.5, 20,
+            "distance of the tips of a tree's branches under what hangs"},
     Setting{
         "overhang_angle_degrees", &PrintSettings::overhang_angle_degrees, "°", 0, 90,
         "angle from the vertical; overhangs that are steeper are reported, or held by supports"},

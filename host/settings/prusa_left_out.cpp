@@ -47,8 +47,6 @@ constexpr std::array kLeftOut = {
             "rectilinear-grid"},
     LeftOut{"support_material_interface_pattern", When::kWord, "dense layers of supports are rows",
             "concentric"},
-    LeftOut{"support_material_style", When::kWord, "supports are straight columns", "tree"},
-    LeftOut{"support_material_style", When::kWord, "supports are straight columns", "organic"},
     LeftOut{"support_material_enforce_layers", When::kOn,
             "no layer has supports that supports = off leaves out"},
     LeftOut{"raft_first_layer_expansion", When::kWith, "the raft is as wide in all its layers",

@@ -44,6 +44,8 @@ void take_prusa_supports(const ProfileValues& profile, core::Settings& settings)
       values.text("support_material_buildplate_only") == "1") {
     settings.supports = core::SupportPlace::kBed;
   }
+  const std::string_view style = values.text("support_material_style");
+  if (style == "tree" || style == "organic") settings.support_style = core::SupportStyle::kTree;
   // What needs a support for PrusaSlicer; where nothing is held for it, there is nothing to tell.
   const bool holds = settings.supports != core::SupportPlace::kOff && settings.support_auto;
   if (const auto angle = values.number("support_material_threshold"); angle && *angle > 0) {

@@ -114,6 +114,13 @@ Status vase_has_no_supports(const PrintSettings& settings) {
   return bad("spiral_vase needs supports = off: a vase is laid in one go, without travel");
 }
 
+Status trees_know_the_part(const PrintSettings& settings) {
+  if (settings.support_lookahead == 0 || settings.support_style == core::SupportStyle::kGrid) {
+    return {};
+  }
+  return bad("support_lookahead needs support_style = grid: branches depend on the whole part");
+}
+
 // A height that layers may have besides layer_height, under the name of what says so.
 Status height_fits(const PrintSettings& settings, const std::string& name, core::Length height) {
   Status fits = road_fits_nozzle(settings, name, height, "road_width", settings.road_width);
@@ -243,8 +250,9 @@ Status actions_are_known(const PrintSettings& settings) {
 Status validate_settings(const PrintSettings& settings) {
   for (const auto rule :
        {every_value_in_range, wall_fits_window, roads_fit_nozzle, other_heights_fit,
-        vase_has_a_thin_wall, vase_has_no_supports, accelerations_have_a_default,
-        heights_of_slowdown_fit, part_has_a_place, support_heights_are_known, actions_are_known}) {
+        vase_has_a_thin_wall, vase_has_no_supports, trees_know_the_part,
+        accelerations_have_a_default, heights_of_slowdown_fit, part_has_a_place,
+        support_heights_are_known, actions_are_known}) {
     Status status = rule(settings);
     if (!status.ok()) return status;
   }

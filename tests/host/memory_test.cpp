@@ -136,6 +136,18 @@ TEST_CASE("nor with bodies that enforce and block, and painted facets, all the w
   if (!kSanitized) CHECK_LT(high - low, 1'000'000);
 }
 
+TEST_CASE("five times the height, the same memory, with trees all the way up") {
+  const PartFolder folder;
+  const std::string settings =
+      "--set supports=everywhere --set support_style=tree --spool " + folder.file("");
+  const std::int64_t low = peak_rss(folder, folder.add("low.stl", parts::shelves(300)), settings);
+  const std::int64_t high =
+      peak_rss(folder, folder.add("high.stl", parts::shelves(1'500)), settings);
+  CAPTURE(low);
+  CAPTURE(high);
+  if (!kSanitized) CHECK_LT(high - low, 1'000'000);
+}
+
 TEST_CASE("a full disk and a folder that can't be written to end with code 3 and what to do") {
   const PartFolder folder;
   const std::string vase = folder.add("vase.stl", parts::vase(0.2));

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "core/booleans/boolean.h"
@@ -28,10 +29,14 @@ using print_test::Printed;
 
 namespace {
 
-core::Settings supported(core::SupportPlace place) {
+using core::SupportStyle;
+constexpr SupportStyle kStyles[] = {SupportStyle::kGrid, SupportStyle::kTree};
+
+core::Settings supported(core::SupportPlace place, SupportStyle style = SupportStyle::kGrid) {
   core::Settings settings;
   settings.bed_x = settings.bed_y = Length::from_mm(80);
   settings.supports = place;
+  settings.support_style = style;
   settings.arcs = core::ArcUse::kOff;
   return settings;
 }
@@ -96,11 +101,16 @@ double longest_in_air(const Printed& printed, std::size_t n, int gap) {
 TEST_CASE("with supports everywhere, nothing of the part is laid into the air") {
   const test::PartFolder folder;
   core::Settings settings = supported(core::SupportPlace::kEverywhere);
-  const std::vector<std::pair<std::string, parts::Part>> all = {
-      {"shelf.stl", shelf()}, {"mushroom.stl", parts::mushroom()}};
+  const std::vector<std::tuple<std::string, parts::Part, SupportStyle>> all = {
+      {"shelf.stl", shelf(), SupportStyle::kGrid},
+      {"mushroom.stl", parts::mushroom(), SupportStyle::kGrid},
+      {"shelf.stl", shelf(), SupportStyle::kTree},
+      {"mushroom.stl", parts::mushroom(), SupportStyle::kTree}};
   for (const auto& each : all) {
-    CAPTURE(each.first);
-    const std::string path = folder.add(each.first, each.second);
+    const std::string& name = std::get<0>(each);
+    CAPTURE(name);
+    settings.support_style = std::get<2>(each);
+    const std::string path = folder.add(name, std::get<1>(each));
     const Printed printed = print(settings, path);
     REQUIRE(printed.error.empty());
     CHECK_GT(filament(printed, RoadKind::kSupport), 50);
@@ -123,40 +133,42 @@ TEST_CASE("with supports everywhere, nothing of the part is laid into the air") 
 
 TEST_CASE("supports keep their gaps and their distance, and the part's roads are the same") {
   const test::PartFolder folder;
-  core::Settings settings = supported(core::SupportPlace::kEverywhere);
-  settings.support_top_gap_layers = 2;
-  settings.support_bottom_gap_layers = 1;
-  const std::string path = folder.add("shelf.stl", shelf());
-  const Printed printed = print(settings, path);
-  settings.supports = core::SupportPlace::kOff;
-  const Printed without = print(settings, path);
-  REQUIRE_EQ(printed.roads.size(), without.roads.size());
-  for (std::size_t n = 0; n < printed.roads.size(); ++n) {
-    CAPTURE(n);
-    std::vector<Road> own;
-    for (const Road& road : printed.roads[n]) {
-      if (!is_support(road)) own.push_back(road);
-    }
-    // The first layer's skirt goes around the supports.
-    if (n > 0) {
-      REQUIRE_EQ(own.size(), without.roads[n].size());
-      for (std::size_t i = 0; i < own.size(); ++i)
-        CHECK(own[i].points == without.roads[n][i].points);
-    }
-    const Region near =
-        core::offset(printed.slices[n].region, Length::from_mm(-0.19), Length::from_units(100));
-    Region others;
-    for (const int up : {-1, 1, 2}) {
-      const auto m = static_cast<std::ptrdiff_t>(n) + up;
-      if (m < 0 || m >= static_cast<std::ptrdiff_t>(printed.slices.size())) continue;
-      others = core::unite(others, printed.slices[static_cast<std::size_t>(m)].region);
-    }
-    for (const Road& road : printed.roads[n]) {
-      if (!is_support(road)) continue;
-      for (std::size_t i = 0; i < road.points.size(); ++i) {
-        const Point at = road.points[i];
-        CHECK_FALSE(near.contains(at));
-        CHECK_FALSE(others.contains(at));
+  for (const SupportStyle style : kStyles) {
+    core::Settings settings = supported(core::SupportPlace::kEverywhere, style);
+    settings.support_top_gap_layers = 2;
+    settings.support_bottom_gap_layers = 1;
+    const std::string path = folder.add("shelf.stl", shelf());
+    const Printed printed = print(settings, path);
+    settings.supports = core::SupportPlace::kOff;
+    const Printed without = print(settings, path);
+    REQUIRE_EQ(printed.roads.size(), without.roads.size());
+    for (std::size_t n = 0; n < printed.roads.size(); ++n) {
+      CAPTURE(n);
+      std::vector<Road> own;
+      for (const Road& road : printed.roads[n]) {
+        if (!is_support(road)) own.push_back(road);
+      }
+      // The first layer's skirt goes around the supports.
+      if (n > 0) {
+        REQUIRE_EQ(own.size(), without.roads[n].size());
+        for (std::size_t i = 0; i < own.size(); ++i)
+          CHECK(own[i].points == without.roads[n][i].points);
+      }
+      const Region near =
+          core::offset(printed.slices[n].region, Length::from_mm(-0.19), Length::from_units(100));
+      Region others;
+      for (const int up : {-1, 1, 2}) {
+        const auto m = static_cast<std::ptrdiff_t>(n) + up;
+        if (m < 0 || m >= static_cast<std::ptrdiff_t>(printed.slices.size())) continue;
+        others = core::unite(others, printed.slices[static_cast<std::size_t>(m)].region);
+      }
+      for (const Road& road : printed.roads[n]) {
+        if (!is_support(road)) continue;
+        for (std::size_t i = 0; i < road.points.size(); ++i) {
+          const Point at = road.points[i];
+          CHECK_FALSE(near.contains(at));
+          CHECK_FALSE(others.contains(at));
+        }
       }
     }
   }
@@ -165,34 +177,44 @@ TEST_CASE("supports keep their gaps and their distance, and the part's roads are
 TEST_CASE("from the bed only: nothing stands on the part, and what is not held is told") {
   const test::PartFolder folder;
   const std::string path = folder.add("shelf.stl", shelf());
-  const Printed printed = print(supported(core::SupportPlace::kBed), path);
-  REQUIRE(printed.error.empty());
-  CHECK_GT(filament(printed, RoadKind::kSupport), 50);
-  const Region base = printed.slices[2].region;
-  for (const auto& roads : printed.roads) {
-    for (const Road& road : roads) {
-      if (!is_support(road)) continue;
-      for (const Point at : road.points) CHECK_FALSE(base.contains(at));
+  for (const SupportStyle style : kStyles) {
+    const Printed printed = print(supported(core::SupportPlace::kBed, style), path);
+    REQUIRE(printed.error.empty());
+    CHECK_GT(filament(printed, RoadKind::kSupport), 50);
+    const Region base = printed.slices[2].region;
+    for (std::size_t n = 0; n < printed.roads.size(); ++n) {
+      CAPTURE(n);
+      // Branches lean over the base, as far as their angle lets them, and hold a little more.
+      const double lean_mm =
+          style == SupportStyle::kTree && n > 9 ? 0.17 * static_cast<double>(n - 9) + 1.3 : 0;
+      const Region under = core::offset(base, Length::from_mm(lean_mm), Length::from_units(100));
+      for (const Road& road : printed.roads[n]) {
+        if (!is_support(road)) continue;
+        for (const Point at : road.points) CHECK_FALSE(under.contains(at));
+      }
     }
+    CHECK_EQ(printed.statistics.hanging.of(core::HangingKind::kIsland).count, 0);
+    if (style == SupportStyle::kTree) continue;  // they reach the bed from everywhere
+    const Printed everywhere = print(supported(core::SupportPlace::kEverywhere), path);
+    CHECK_LT(filament(printed, RoadKind::kSupport), filament(everywhere, RoadKind::kSupport));
   }
-  CHECK_EQ(printed.statistics.hanging.of(core::HangingKind::kIsland).count, 0);
-  const Printed everywhere = print(supported(core::SupportPlace::kEverywhere), path);
-  CHECK_LT(filament(printed, RoadKind::kSupport), filament(everywhere, RoadKind::kSupport));
 }
 
 TEST_CASE("supports are the same for any number of threads, and stand on a raft") {
   const test::PartFolder folder;
   const std::string path = folder.add("mushroom.stl", parts::mushroom());
-  core::Settings settings = supported(core::SupportPlace::kEverywhere);
-  settings.raft_layers = 2;
-  const Printed one = print(settings, path);
-  REQUIRE(one.error.empty());
-  CHECK(one.texts == print(settings, path, 3).texts);
-  const Region raft = one.slices.front().region;
-  for (const Road& road : one.roads[2]) {
-    for (const Point at : road.points) CHECK(raft.contains(at));
+  for (const SupportStyle style : kStyles) {
+    core::Settings settings = supported(core::SupportPlace::kEverywhere, style);
+    settings.raft_layers = 2;
+    const Printed one = print(settings, path);
+    REQUIRE(one.error.empty());
+    CHECK(one.texts == print(settings, path, 3).texts);
+    const Region raft = one.slices.front().region;
+    for (const Road& road : one.roads[2]) {
+      for (const Point at : road.points) CHECK(raft.contains(at));
+    }
+    CHECK(std::any_of(one.roads[2].begin(), one.roads[2].end(), is_support));
   }
-  CHECK(std::any_of(one.roads[2].begin(), one.roads[2].end(), is_support));
 }
 
 TEST_CASE("a part that leans out nowhere is printed at once, as without supports") {

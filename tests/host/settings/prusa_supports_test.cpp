@@ -48,6 +48,25 @@ TEST_CASE("a PrusaSlicer profile's supports are taken over") {
   CHECK_EQ(settings.support_interface_layers, 3);
   CHECK_FALSE(tells(profile, "xy_spacing"));
   CHECK_FALSE(tells(profile, "style"));
+  CHECK(settings.support_style == core::SupportStyle::kGrid);
+}
+
+TEST_CASE("tree supports of both kinds are taken for rind's") {
+  for (const std::string style : {"tree", "organic"}) {
+    CAPTURE(style);
+    const auto profile = loaded("support_material = 1\nsupport_material_style = " + style +
+                                "\nsupport_tree_angle = 35\nsupport_tree_tip_diameter = 1\n"
+                                "support_tree_branch_diameter = 3\n"
+                                "support_tree_branch_diameter_angle = 4\n");
+    const core::Settings& settings = profile.settings;
+    CHECK(settings.support_style == core::SupportStyle::kTree);
+    CHECK_EQ(settings.support_branch_angle_degrees, 35);
+    CHECK_EQ(settings.support_tip_diameter.mm(), 1);
+    CHECK_EQ(settings.support_branch_diameter.mm(), 3);
+    CHECK_EQ(settings.support_branch_diameter_angle_degrees, 4);
+    CHECK_FALSE(tells(profile, "style"));
+    CHECK_FALSE(tells(profile, "tree"));
+  }
 }
 
 TEST_CASE("from the bed only, by hand only, or not at all") {
@@ -98,8 +117,8 @@ TEST_CASE("distances become layers and shares of widths by the print's own heigh
 TEST_CASE("what rind's supports do not have is told") {
   const auto profile = loaded(
       "support_material = 1\nsupport_material_with_sheath = 0\ndont_support_bridges = 0\n"
-      "support_material_style = organic\nsupport_material_pattern = honeycomb\n");
-  for (const char* word : {"with_sheath", "dont_support_bridges", "style", "pattern"}) {
+      "support_material_pattern = honeycomb\n");
+  for (const char* word : {"with_sheath", "dont_support_bridges", "pattern"}) {
     CAPTURE(std::string(word));
     CHECK(tells(profile, word));
   }

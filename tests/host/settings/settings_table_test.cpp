@@ -349,6 +349,11 @@ TEST_CASE("settings that do not fit together") {
                    s.height_slowdown_acceleration = 0.5;
                  }),
                  "needs default_acceleration_mm_s2"));
+  CHECK(contains(message_with([](Settings& s) {
+                   s.support_style = core::SupportStyle::kTree;
+                   s.support_lookahead = 50;
+                 }),
+                 "needs support_style = grid"));
   // Whoever fills in the struct by hand is checked like who types.
   CHECK(contains(message_with([](Settings& s) { s.bed_x = Length(); }), "bed_x"));
   CHECK(contains(message_with([](Settings& s) { s.layer_height = Length(); }), "layer_height"));
