@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/booleans/boolean.h"          // unite
+#include "core/booleans/simplified.h"       // simplified
 #include "core/limits.h"                    // kCoordinateMax
 #include "core/offsets/voronoi_mountain.h"  // offset
 #include "core/slices/facet_slabs.h"        // FacetSlabs
@@ -14,6 +15,7 @@
 #include "host/part/mesh_survey.h"          // can_be_cut, is_degenerate
 #include "host/part/shrinkage.h"            // Enlargement
 #include "host/system/limits.h"             // kSortBytesMin
+#include "host/system/stage_clock.h"        // CpuTimer
 
 namespace host {
 namespace {
@@ -59,7 +61,8 @@ class MarkedRegions {
     if (slabs_) {
       Result<Region> found = slabs_->next();
       if (!found.ok() || found.value().empty()) return found;
-      return core::offset(found.value(), -reach_, kReachTolerance);
+      return core::offset(core::simplified(found.value(), kReachTolerance), -reach_,
+                          kReachTolerance);
     }
     if (ended_) return Region();
     Result<std::optional<Slice>> slice = sweep_->next();
@@ -95,6 +98,7 @@ class MarkedLayers : public LayerSource {
     }
     Result<std::optional<Slice>> slice = part_->next();
     if (!slice.ok() || !slice.value()) return slice;
+    const CpuTimer timer(seconds_);
     core::SupportMarks found;
     if (Status read = gather(enforced_, found.enforced); !read.ok()) return read.error();
     if (Status read = gather(blocked_, found.blocked); !read.ok()) return read.error();
@@ -104,11 +108,14 @@ class MarkedLayers : public LayerSource {
   }
 
   [[nodiscard]] std::int64_t spilled_bytes() const { return spilled_bytes_; }
+  // Processor time, besides the part's.
+  [[nodiscard]] double seconds() const { return seconds_; }
 
  private:
   using Regions = std::vector<std::unique_ptr<MarkedRegions>>;
 
   [[nodiscard]] Status start(MarkedFacets& marks) {
+    const CpuTimer timer(seconds_);
     const PartPlacing placing = placing_();
     const Length reach = kPaintReach + std::max(magnitude(settings_.contour_compensation),
                                                 magnitude(settings_.hole_compensation));
@@ -184,6 +191,7 @@ class MarkedLayers : public LayerSource {
   std::string name_;
   Regions enforced_, blocked_;
   std::int64_t spilled_bytes_ = 0;
+  double seconds_ = 0;
 };
 
 }  // namespace
@@ -196,6 +204,7 @@ OpenedPart with_marks(OpenedPart part, std::unique_ptr<MarkedFacets> marks,
   part.counters = [own = std::move(part.counters), source = layers.get()] {
     PartCounters counters = own();
     counters.spilled_bytes += source->spilled_bytes();
+    counters.slice_cpu_s += source->seconds();
     return counters;
   };
   part.layers = std::move(layers);
