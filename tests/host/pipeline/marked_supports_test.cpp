@@ -157,6 +157,23 @@ TEST_CASE("between heights that are off nothing is held, but what is enforced") 
   CHECK(supports_of({{ramp, "ModelPart"}}, settings).empty());
 }
 
+TEST_CASE("trees stand under what is marked, too") {
+  core::Settings settings = supported();
+  settings.support_style = core::SupportStyle::kTree;
+  const parts::Part tee = parts::tee();
+  const MarkedBody half = marked_block("SupportBlocker", 6, 20);
+  const Extent blocked = supports_of({{tee, "ModelPart"}, half}, settings);
+  REQUIRE_FALSE(blocked.empty());
+  // Branches spread by less than this.
+  CHECK_LT(blocked.high_y, 7.5);
+  settings.support_auto = false;
+  CHECK(supports_of({{tee, "ModelPart"}}, settings).empty());
+  const Extent enforced =
+      supports_of({{tee, "ModelPart"}, marked_block("SupportEnforcer", 6, 20)}, settings);
+  CHECK_GT(enforced.low_y, 4.5);
+  CHECK_GT(enforced.high_y, 10);
+}
+
 TEST_CASE("marks are the same for any number of threads") {
   const test::PartFolder folder;
   const std::string path = folder.add_text(
