@@ -243,6 +243,9 @@ TEST_CASE("supports go on, too: those from the bed depend on all layers below") 
     check_tails(settings, path, compute(settings, path, {}));
     settings.support_lookahead = 8;
     check_tails(settings, path, compute(settings, path, {}));
+    settings.support_lookahead = 0;
+    settings.support_style = core::SupportStyle::kTree;
+    check_tails(settings, path, compute(settings, path, {}));
   }
 }
 
