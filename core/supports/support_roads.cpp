@@ -36,6 +36,7 @@ class LayerFill {
     const std::vector<Region> lines =
         split.split(flatten(offsets->perimeters.front(), settings_.arc_tolerance));
     const DenseParts dense(*layer_.interface);
+    std::vector<Region> insides;
     for (std::size_t i = 0; i < planned.islands.size(); ++i) {
       Perimeters around =
           perimeters({split.islands()[i], {lines[i]}, cores[i], interiors[i]}, height_, settings_);
@@ -44,8 +45,9 @@ class LayerFill {
           planned.islands[i].push_back(of_kind(std::move(part), is_dense));
         }
       }
-      fill(around.interior, planned.islands[i]);
+      insides.push_back(std::move(around.interior));
     }
+    fill(split, insides, planned.islands);
     std::erase_if(planned.islands, [](const IslandRoads& roads) { return roads.empty(); });
     return printing_order(std::move(planned));
   }
@@ -77,19 +79,31 @@ class LayerFill {
     return road;
   }
 
-  void fill(const Region& inside, IslandRoads& roads) const {
-    if (inside.empty()) return;
-    if (layer_.index == 0 && settings_.raft_layers == 0) {
-      const Length spacing = perimeter_spacing(settings_, height_);
-      return add_rows(inside, Length::from_mm(spacing.mm() / settings_.raft_first_layer_density),
-                      false, roads);
-    }
-    const Region dense = intersect(inside, *layer_.interface);
+  // All islands at once: a tree's layer may have thousands.
+  void fill(const IslandSplit& split, const std::vector<Region>& insides,
+            std::vector<IslandRoads>& roads) const {
     const Length spacing = perimeter_spacing(settings_, height_);
-    Region loose = subtract(inside, dense);
+    if (layer_.index == 0 && settings_.raft_layers == 0) {
+      const Length distance = Length::from_mm(spacing.mm() / settings_.raft_first_layer_density);
+      for (std::size_t i = 0; i < insides.size(); ++i) {
+        add_rows(insides[i], distance, false, roads[i]);
+      }
+      return;
+    }
+    std::vector<Ring> rings;
+    for (const Region& inside : insides) {
+      rings.insert(rings.end(), inside.rings().begin(), inside.rings().end());
+    }
+    const Region all = Region::from_clean_rings(std::move(rings));
+    const Region dense = intersect(all, *layer_.interface);
+    Region loose = subtract(all, dense);
     if (layer_.branches) loose = subtract(loose, *layer_.branches);
-    add_rows(loose, spacing + settings_.support_spacing, false, roads);
-    add_rows(dense, spacing + settings_.support_interface_spacing, true, roads);
+    const std::vector<Region> loose_parts = split.split(std::move(loose));
+    const std::vector<Region> dense_parts = split.split(dense);
+    for (std::size_t i = 0; i < insides.size(); ++i) {
+      add_rows(loose_parts[i], spacing + settings_.support_spacing, false, roads[i]);
+      add_rows(dense_parts[i], spacing + settings_.support_interface_spacing, true, roads[i]);
+    }
   }
 
   void add_rows(const Region& region, Length distance, bool dense, IslandRoads& roads) const {
