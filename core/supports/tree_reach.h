@@ -8,10 +8,10 @@
 // A branch whose centre is outside avoided(n) has a place within one step that is outside
 // avoided(n−1): the pass from the top down needs no other knowledge of what is below it.
 //
-// Regions, not cells: a distance for each cell of 0.5 mm drifts with its stencil, and the bed's
-// whole area costs in every layer; contours cost where there are some. Every error is on the safe
-// side, and the growth of what is free is less than 1 % of a step short: what is inset is rounded
-// towards the part, and simplified after less of an inset than asked for. core/README.md has what
+// Regions, not cells: a distance for each cell of 0.5 mm places the part to half a cell only, and
+// the bed's whole area costs in every layer; contours cost where there are some. Every error is on
+// the safe side, and the growth of what is free is less than 1 % of a step short: arcs become
+// chords on the free side, and what is simplified is inset by as much less. core/README.md has what
 // 10,000 layers of 0.05 mm add up to.
 //
 // SOURCE: avoidance areas, as tree supports in Cura have them for some radii; here for the core of
