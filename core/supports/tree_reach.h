@@ -18,8 +18,6 @@
 // a branch only, which is why a branch may be thinner where there is no room (tree_fold.h).
 #pragma once
 
-#include <optional>
-
 #include "core/regions/region.h"         // Region
 #include "core/settings.h"               // Settings
 #include "core/supports/support_fold.h"  // SharedRegion

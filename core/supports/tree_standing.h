@@ -7,9 +7,8 @@
 // The pass from the top down can't know them. No core of a branch (tree_fold.h) is such a lobe.
 #pragma once
 
-#include <optional>
-
 #include "core/supports/support_fold.h"  // SharedRegion, SupportLayer
+#include "core/units.h"                  // Length
 
 namespace core {
 
