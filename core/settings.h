@@ -38,6 +38,9 @@ enum class SeamPosition { kAligned, kNearest, kRear, kRandom };
 // How the loose inside is filled.
 enum class LoosePattern { kLines, kGrid, kTriangles, kHoneycomb, kGyroid, kCubic, kConcentric };
 
+// What of the inside is made solid so that it holds up its own roof (supports/roof_fold.h).
+enum class LooseRoof { kOff, kCone };
+
 // How what is dense is filled.
 enum class SolidPattern { kRectilinear, kMonotonic, kConcentric };
 
@@ -90,6 +93,7 @@ struct Settings {
   double fill_angle_degrees = 45;  // of even layers; odd ones are turned by 90°
   Length loose_anchor = Length::from_units(3'000);  // how far loose roads reach into the wall
   LoosePattern loose_pattern = LoosePattern::kLines;
+  LooseRoof loose_roof = LooseRoof::kOff;
   int loose_every_layers = 1;  // whose inside is laid at once (loose_blocks.h)
   Length infill_anchor_max = Length::from_units(500'000);  // longest join of loose roads
   SolidPattern solid_pattern = SolidPattern::kRectilinear;

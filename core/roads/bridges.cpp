@@ -11,6 +11,7 @@
 #include "core/regions/point_location.h"    // PointLocation
 #include "core/roads/bridge_direction.h"    // best_direction
 #include "core/roads/bridge_rows.h"         // bridge_rows
+#include "core/roads/hollow_ends.h"         // has_hollow_inside
 #include "core/roads/unheld.h"              // unheld
 #include "core/trigonometry.h"              // cosine, sine
 
@@ -19,6 +20,8 @@ namespace {
 
 // Over the loose inside, strips narrower than this many roads are filled like the rest.
 constexpr double kOverLooseRoadsMin = 4;
+// Over a hollow inside there is nothing else to hold them.
+constexpr double kOverHollowRoadsMin = 1.5;
 
 // Rows over the loose inside overlap by this at least.
 constexpr Length kTouch = Length::from_units(50);
@@ -75,7 +78,8 @@ class BridgePlanner {
   void over_loose() {
     if (site_.below_loose.empty() || result_.rest.empty()) return;
     const Region over = intersect(result_.rest, site_.below_loose);
-    const Length half = scaled(width_, kOverLooseRoadsMin / 2);
+    const bool hollow = has_hollow_inside(settings_);
+    const Length half = scaled(width_, (hollow ? kOverHollowRoadsMin : kOverLooseRoadsMin) / 2);
     const Region core = over.empty() ? over : offset(over, half, settings_.arc_tolerance);
     if (core.empty()) return;
     const Length distance = perimeter_spacing(settings_, site_.height);
@@ -90,7 +94,8 @@ class BridgePlanner {
       const Region here = rings_near(room, box);
       const Vector direction =
           direction_over_loose({piece, here, rings_near(walls, box), {}, width_}, distance);
-      const BridgeArea area{piece, here, rings_near(held, box), {}, width_};
+      const bool empty = settings_.loose_density <= 0;
+      const BridgeArea area{piece, here, rings_near(empty ? walls : held, box), {}, width_};
       const BridgeRows rows = bridge_rows(area, direction, distance);
       if (rows.rows.empty()) continue;
       const std::size_t first = result_.roads.size();

@@ -10,6 +10,7 @@
 #include "core/offsets/voronoi_mountain.h"  // offset
 #include "core/roads/bridges.h"             // bridges
 #include "core/roads/brim.h"                // brim_roads
+#include "core/roads/hollow_ends.h"         // cut_hollow_ends
 #include "core/roads/island_split.h"        // IslandSplit
 #include "core/roads/loose_fill.h"          // loose_roads
 #include "core/roads/overhangs.h"           // mark_holds
@@ -194,6 +195,7 @@ LayerRoads RoadPlanner::plan(const SplitLayer& layer) const {
   for (IslandPlan& plan : plans) {
     append(solid_roads(plan.areas, slice, settings), plan.roads);
     if (!plan.loose.empty()) append(inside_roads(plan, layer, settings), plan.roads);
+    cut_hollow_ends(layer, settings, plan.roads);
     if (!plan.roads.empty()) planned.islands.push_back(std::move(plan.roads));
   }
   if (slice.index == 0) add_around(layer, settings, planned);

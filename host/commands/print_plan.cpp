@@ -38,6 +38,12 @@ bool lays_whole_print(const Options& options) {
   return options.subcommand != Subcommand::kShow || !options.output.section;
 }
 
+// The inside is empty, and the wall around it is as thin above as below.
+bool leaves_roofs_unheld(const core::Settings& settings) {
+  return settings.loose_density <= 0 && settings.loose_roof == core::LooseRoof::kOff &&
+         settings.style != core::BuildStyle::kRegular && !settings.spiral_vase;
+}
+
 }  // namespace
 
 core::Result<PrintPlan> open_print_plan(const Options& options, Reporter& reporter) {
@@ -62,8 +68,14 @@ core::Result<PrintPlan> open_print_plan(const Options& options, Reporter& report
     const std::size_t quarter = std::max(kSortBytesMin, options.memory_limit_bytes / 4);
     open.sort_bytes = std::min(open.sort_bytes, quarter);
   }
-  const bool whole = settings.value().supports != core::SupportPlace::kOff &&
-                     settings.value().support_lookahead == 0;
+  const bool supported = settings.value().supports != core::SupportPlace::kOff &&
+                         settings.value().support_lookahead == 0;
+  const bool whole = supported || settings.value().loose_roof != core::LooseRoof::kOff;
+  if (leaves_roofs_unheld(settings.value())) {
+    reporter.note("inside",
+                  "loose_density = 0: nothing holds what is laid over the inside; with "
+                  "loose_roof = cone the wall does");
+  }
   open.stream_pipes = !whole && (options.part.sorted == PipeSorted::kYes ||
                                  (options.part.sorted == PipeSorted::kAuto && sliced));
   open.order_is_sure = options.part.sorted == PipeSorted::kYes;

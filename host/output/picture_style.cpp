@@ -37,6 +37,13 @@ std::string wall_words(const core::Settings& settings) {
                      settings.wall_thickness.mm(), core::wall_layers(settings));
 }
 
+std::string made_dense(const core::Settings& settings) {
+  const std::string narrow = "too narrow to be filled loosely, made dense";
+  return settings.loose_roof == core::LooseRoof::kOff
+             ? narrow
+             : "made dense to hold the roof, or " + narrow.substr(0, narrow.find(','));
+}
+
 RegionWords region_words(const core::Settings& settings) {
   const std::string depth = fmt::format("{:g} mm", settings.wall_thickness.mm());
   const std::string reach = settings.wall_shape == core::WallShape::kBall
@@ -47,10 +54,9 @@ RegionWords region_words(const core::Settings& settings) {
   words.uncovered = fmt::format("region 2: a slice within {} above or below leaves it bare", reach);
   words.neighbours = fmt::format("region 3: a slice within {} has its edge too near", reach);
   words.loose = settings.spiral_vase ? "hollow" : "inside, filled loosely";
-  words.further = settings.spiral_vase ? "one road, and the floor"
-                  : settings.style == core::BuildStyle::kThinWall
-                      ? "too narrow to be filled loosely, made dense"
-                      : "filled densely";
+  words.further = settings.spiral_vase                            ? "one road, and the floor"
+                  : settings.style == core::BuildStyle::kThinWall ? made_dense(settings)
+                                                                  : "filled densely";
   return words;
 }
 

@@ -22,10 +22,9 @@
 #include "host/pipeline/layer_batch.h"
 #include "host/pipeline/layer_watch.h"
 #include "host/pipeline/ordered_stages.h"
+#include "host/pipeline/part_source.h"
 #include "host/pipeline/pauses_ahead.h"
 #include "host/pipeline/raft_stage.h"
-#include "host/pipeline/slice_intake.h"
-#include "host/pipeline/support_stage.h"
 #include "host/system/memory_budget.h"
 
 namespace host {
@@ -41,8 +40,9 @@ class Pipeline {
         signals_(signals),
         statistics_(statistics),
         raft_(print_plan.settings, print_plan.start),
-        intake_(plan_.part, plan_.part_path, settings_, print_plan.on_bad_layer, signals.warnings),
-        supports_(settings_, print_plan.spool_folder, [this] { return stopped(); }),
+        source_(print_plan, settings_, signals, [this] { return stopped(); }),
+        supports_(source_.supports()),
+        inside_(source_.inside()),
         watch_(signals.on_slow_layer, signals.slow_layer_s),
         cutter_(settings_),
         splitter_(settings_),
@@ -70,7 +70,7 @@ class Pipeline {
 
   core::Result<PipelineEnd> run_in_memory() {
     try {
-      if (core::Status read = read_rest(); !read.ok()) return read.error();
+      if (core::Status ready = prepare(); !ready.ok()) return ready.error();
       run_stages({.take = [this] { return take(); },
                   .cut = [this](LayerBatch& batch) { cut(batch); },
                   .split = [this](LayerBatch& batch) { split(batch); },
@@ -89,28 +89,13 @@ class Pipeline {
 
   // Counted from 1. Before the first layer, slices are taken for supports.
   [[nodiscard]] core::LayerIndex layer_at_hand() const {
-    return (statistics_.layers > 0 ? statistics_.layers : intake_.taken()) + 1;
+    return (statistics_.layers > 0 ? statistics_.layers : source_.taken()) + 1;
   }
 
-  core::Status read_rest() {
-    const bool whole = supports_.wants_all();
-    if (whole) {
-      core::Status made = supports_.make_spools(signals_.warnings);
-      if (!made.ok()) return made;
-    }
-    const bool waits = plan_.part.read_rest || whole;
-    if (waits && outputs_.on_motion && !plan_.start) commands_.preheat();
-    if (plan_.part.read_rest) {
-      core::Result<PartSummary> summary = plan_.part.read_rest();
-      if (!summary.ok()) return summary.error();
-      plan_.part.summary = std::move(summary).value();
-      plan_.part.read_rest = nullptr;
-      for (const std::string& warning : plan_.part.summary.warnings) signals_.warnings.put(warning);
-    }
-    signals_.layers.store(plan_.part.summary.layers);
-    if (plan_.part.summary.nothing_hangs) supports_.call_off();
-    if (!supports_.wants_all()) return {};
-    return supports_.prepare(intake_, signals_.preparation);
+  core::Status prepare() {
+    return source_.prepare([this] {
+      if (outputs_.on_motion && !plan_.start) commands_.preheat();
+    });
   }
 
   // Called in order. After the last slice it gives empty batches until the window is empty.
@@ -127,7 +112,7 @@ class Pipeline {
   core::Status take_slice(LayerBatch& batch) {
     TakenSlice taken;
     do {
-      core::Result<TakenSlice> next = supports_.next_slice(intake_, signals_.warnings);
+      core::Result<TakenSlice> next = source_.next_slice();
       if (!next.ok()) return next.error();
       taken = std::move(next).value();
       supports_.keep(taken.support, batch.supports);
@@ -174,11 +159,18 @@ class Pipeline {
     const LayerWatch::Look look(watch_, batch.slice->index, batch.slice->top(),
                                 size_of(batch.slice->region), batch.watched_s);
     ahead_.see(batch.slice->index, batch.offsets.offsets->corners);
-    std::optional<core::SplitLayer> settled =
-        splitter_.push({*std::move(batch.slice), std::move(batch.offsets.offsets)});
+    core::Layer layer{*std::move(batch.slice), std::move(batch.offsets.offsets)};
+    if (inside_.wanted()) return split_as_prepared(std::move(layer), batch);
+    std::optional<core::SplitLayer> settled = splitter_.push(std::move(layer));
     for (; settled; settled = splitter_.next()) {
       reserve(neighbours_.push(*std::move(settled)), batch);
     }
+  }
+
+  void split_as_prepared(core::Layer layer, LayerBatch& batch) {
+    core::Result<core::SplitLayer> split = inside_.split(std::move(layer));
+    if (!split.ok()) return void(batch.error = split.error());
+    reserve(neighbours_.push(std::move(split).value()), batch);
   }
 
   void reserve(std::optional<core::SplitLayer> settled, LayerBatch& batch) {
@@ -320,21 +312,14 @@ class Pipeline {
   }
 
   void close_statistics() {
-    const PartCounters used = plan_.part.counters();
-    StageClock& clock = statistics_.clock;
-    clock.set_seconds(Stage::kRead, used.read_cpu_s);
-    clock.set_seconds(Stage::kSort, used.sort_cpu_s);
-    clock.set_seconds(Stage::kSlice, used.slice_cpu_s);
-    statistics_.peak_held.triangles = used.peak_triangles_held;
-    statistics_.spilled_bytes = used.spilled_bytes + supports_.spooled_bytes();
-    clock.set_seconds(Stage::kSupport, supports_.seconds());
+    source_.tell(statistics_);
     statistics_.layers += counts_.raft_layers;
-    statistics_.bad_layers = intake_.bad_layers();
     statistics_.slow_layers = watch_.slow_layers();
     if (const auto told = slow_layers_text(statistics_.slow_layers, signals_.slow_layer_s)) {
       signals_.warnings.put(*told);
     }
-    const core::WallSplitter::Usage window = splitter_.usage();
+    const core::WallSplitter::Usage window =
+        inside_.wanted() ? inside_.window() : splitter_.usage();
     statistics_.peak_held.layers = static_cast<std::int64_t>(window.layers_held_peak);
     statistics_.peak_held.regions = static_cast<std::int64_t>(window.regions_held_peak);
     statistics_.region_operations = {window.operations, window.operations_worst};
@@ -361,8 +346,9 @@ class Pipeline {
   RaftStage raft_;
 
   // Of take().
-  SliceIntake intake_;
-  SupportStage supports_;      // split() uses what of it take() does not
+  PartSource source_;
+  SupportStage& supports_;  // split() uses what of them take() does not
+  InsideStage& inside_;
   LayerWatch watch_;           // of all stages
   core::OffsetCutter cutter_;  // cut() only reads its settings
   bool source_ended_ = false;

@@ -69,6 +69,9 @@ inline constexpr std::array kPartRows = {
             choice<&PrintSettings::loose_pattern>("lines", "grid", "triangles", "honeycomb",
                                                   "gyroid", "cubic", "concentric"),
             "", 0, 0, "pattern of the inside's fill"},
+    Setting{"loose_roof", choice<&PrintSettings::loose_roof>("off", "cone"), "", 0, 0,
+            "what holds roofs over the inside besides its roads: cone, the wall below them gets "
+            "thicker upwards, at overhang_angle_degrees, until bridge_max spans the rest"},
     Setting{"loose_every_layers", &PrintSettings::loose_every_layers, "", 1, kLooseEveryMax,
             "number of layers whose inside is laid at once, in the highest; the nozzle limits it"},
     Setting{"infill_anchor_max", &PrintSettings::infill_anchor_max, "mm", 0, 1'000,

@@ -148,6 +148,18 @@ TEST_CASE("five times the height, the same memory, with trees all the way up") {
   if (!kSanitized) CHECK_LT(high - low, 1'000'000);
 }
 
+TEST_CASE("thirty times the height, the same memory, where the inside holds up its own roof") {
+  const PartFolder folder;
+  const std::string settings =
+      "--set loose_roof=cone --set loose_density=0 --spool " + folder.file("");
+  const std::int64_t low = peak_rss(folder, folder.add("low.stl", parts::shelves(200)), settings);
+  const std::int64_t high =
+      peak_rss(folder, folder.add("high.stl", parts::shelves(6'000)), settings);
+  CAPTURE(low);
+  CAPTURE(high);
+  if (!kSanitized) CHECK_LT(high - low, 1'000'000);
+}
+
 TEST_CASE("a full disk and a folder that can't be written to end with code 3 and what to do") {
   const PartFolder folder;
   const std::string vase = folder.add("vase.stl", parts::vase(0.2));

@@ -262,3 +262,14 @@ TEST_CASE("what is marked and between which heights is held, too") {
   settings.support_height_range = {"4-5 off"};
   check_tails(settings, path, compute(settings, path, {}));
 }
+
+TEST_CASE("an inside that holds up its own roof is known from any layer on") {
+  const test::PartFolder folder;
+  const parts::Part part = parts::together({parts::box({20, 5, 0}, 24, 12, 4), parts::dome(8)});
+  const std::string path = folder.add("hollow.stl", part);
+  core::Settings settings = settings_of(core::WallShape::kBall, core::BuildStyle::kThinWall);
+  settings.loose_roof = core::LooseRoof::kCone;
+  settings.loose_density = 0;
+  settings.raft_layers = 1;
+  check_tails(settings, path, compute(settings, path, {}));
+}

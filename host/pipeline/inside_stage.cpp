@@ -1,0 +1,217 @@
+#include "host/pipeline/inside_stage.h"
+
+#include <fmt/format.h>
+
+#include <atomic>
+#include <utility>
+#include <vector>
+
+#include "core/booleans/boolean.h"         // subtract_within
+#include "core/check.h"                    // RIND_CHECK
+#include "core/offsets/slice_offsets.h"    // OffsetCutter
+#include "core/walls/wall_style.h"         // window_decides
+#include "host/pipeline/layer_batch.h"     // LayerBatch
+#include "host/pipeline/ordered_stages.h"  // run_stages
+
+namespace host {
+namespace {
+
+constexpr SpillUse kForInside{"the inside", "name another folder with --spool"};
+
+// Of the first pass: no perimeters are laid there, and no seams.
+core::Settings wall_alone(core::Settings settings) {
+  settings.perimeters = 0;
+  settings.seam = core::SeamPosition::kNearest;
+  return settings;
+}
+
+}  // namespace
+
+// Slices ─> offsets ─> window ─> two spools.
+class InsideStage::FirstPass {
+ public:
+  FirstPass(InsideStage& stage, const Source& source, const Stopped& stopped)
+      : stage_(stage),
+        source_(source),
+        stopped_(stopped),
+        cutter_(wall_alone(stage.settings_)),
+        splitter_(stage.settings_) {}
+
+  core::Status run(int threads) {
+    const auto nothing = [](LayerBatch&) {};
+    run_stages({.take = [this] { return take(); },
+                .cut = [this](LayerBatch& batch) { cut(batch); },
+                .split = [this](LayerBatch& batch) { split(batch); },
+                .plan = nothing,
+                .seams = nothing,
+                .order = nothing,
+                .give = [this](LayerBatch& batch) { give(batch); }},
+               threads);
+    stage_.window_ = splitter_.usage();
+    return error_ ? core::Status(*error_) : core::Status();
+  }
+
+ private:
+  std::unique_ptr<LayerBatch> take() {
+    if (ended_ || failed_ || stopped_()) return nullptr;
+    auto batch = std::make_unique<LayerBatch>();
+    const StageMeter meter(Stage::kSlice, batch->use);
+    core::Result<TakenSlice> taken = source_();
+    if (!taken.ok()) {
+      batch->error = taken.error();
+      ended_ = true;
+      return batch;
+    }
+    ended_ = !taken.value().slice;
+    if (ended_) return batch;
+    batch->slice = *std::move(taken.value().slice);
+    batch->pause = std::move(taken.value().pause);
+    batch->offsets = cutter_.reserve(*batch->slice);
+    return batch;
+  }
+
+  void cut(LayerBatch& batch) {
+    if (!batch.slice || !batch.offsets.to_fill) return;
+    const StageMeter meter(Stage::kOffset, batch.use);
+    batch.offset_retries = cutter_.fill(*batch.slice, *batch.offsets.offsets);
+  }
+
+  // In order.
+  void split(LayerBatch& batch) {
+    if (batch.error || failed_) return;
+    const StageMeter meter(Stage::kWindow, batch.use);
+    std::optional<core::SplitLayer> settled;
+    if (!batch.slice) {
+      while ((settled = splitter_.finish())) spool_inside(std::move(*settled), batch);
+      return;
+    }
+    SpooledLayer layer;
+    layer.index = batch.slice->index;
+    layer.bottom = batch.slice->bottom;
+    layer.height = batch.slice->height;
+    layer.defects = batch.slice->defects;
+    layer.note = batch.pause;
+    layer.regions.front() = std::make_shared<const core::Region>(batch.slice->region);
+    if (core::Status put = stage_.slices_->append(layer); !put.ok()) batch.error = put.error();
+    settled = splitter_.push({*std::move(batch.slice), std::move(batch.offsets.offsets)});
+    for (; settled; settled = splitter_.next()) spool_inside(std::move(*settled), batch);
+  }
+
+  void spool_inside(core::SplitLayer settled, LayerBatch& batch) {
+    SpooledLayer layer;
+    layer.index = settled.slice.index;
+    layer.bottom = settled.slice.bottom;
+    layer.height = settled.slice.height;
+    layer.regions.front() = std::make_shared<const core::Region>(std::move(settled.loose));
+    if (core::Status put = stage_.given_->append(layer); !put.ok()) batch.error = put.error();
+  }
+
+  // In order.
+  void give(LayerBatch& batch) {
+    stage_.offset_retries_ += batch.offset_retries;
+    stage_.use_.boolean_retries += batch.use.boolean_retries;
+    for (std::size_t i = 0; i < kStageCount; ++i) stage_.use_.seconds[i] += batch.use.seconds[i];
+    if (!batch.error || error_) return;
+    error_ = batch.error;
+    failed_ = true;
+  }
+
+  InsideStage& stage_;
+  const Source& source_;
+  const Stopped& stopped_;
+  core::OffsetCutter cutter_;
+  core::WallSplitter splitter_;
+  bool ended_ = false;
+  std::atomic<bool> failed_ = false;
+  std::optional<core::Error> error_;
+};
+
+bool InsideStage::wanted() const {
+  return settings_.loose_roof != core::LooseRoof::kOff && core::window_decides(settings_);
+}
+
+core::Status InsideStage::make_spools(WarningBox& warnings) {
+  for (std::optional<LayerSpool>* spool : {&slices_, &given_, &decided_}) {
+    core::Result<LayerSpool> made = LayerSpool::create(folder_, kForInside);
+    if (!made.ok()) return made.error();
+    *spool = std::move(made).value();
+  }
+  if (slices_->file().in_memory()) {
+    warnings.put(fmt::format(
+        "the inside: {} is kept in memory, and with it the slices that are put there; --spool DIR "
+        "puts them on a disk",
+        slices_->file().folder()));
+  }
+  return {};
+}
+
+core::Status InsideStage::prepare(const Source& source, int threads, const Stopped& stopped) {
+  RIND_CHECK(slices_.has_value());
+  core::Status passed = FirstPass(*this, source, stopped).run(threads);
+  if (!passed.ok() || stopped()) return passed;
+  if (core::Status folded = fold(stopped); !folded.ok()) return folded;
+  slices_->read_forwards();
+  decided_->read_backwards();
+  return {};
+}
+
+core::Status InsideStage::fold(const Stopped& stopped) {
+  const StageMeter meter(Stage::kWindow, use_);
+  core::RoofFold fold(settings_);
+  given_->read_backwards();
+  while (!stopped()) {
+    core::Result<std::optional<SpooledLayer>> layer = given_->previous();
+    if (!layer.ok()) return layer.error();
+    if (!layer.value()) break;
+    const SpooledLayer& found = *layer.value();
+    fold.push({found.index, found.bottom, found.height, found.regions.front(), nullptr});
+    if (core::Status taken = take_decided(fold); !taken.ok()) return taken;
+  }
+  if (stopped()) return {};  // layer 0 was not reached
+  fold.end();
+  return take_decided(fold);
+}
+
+core::Status InsideStage::take_decided(core::RoofFold& fold) {
+  while (std::optional<core::InsideLayer> found = fold.next()) {
+    SpooledLayer layer;
+    layer.index = found->index;
+    layer.regions.front() = std::move(found->loose);
+    if (core::Status put = decided_->append(layer); !put.ok()) return put;
+  }
+  return {};
+}
+
+core::Result<TakenSlice> InsideStage::next_slice() {
+  RIND_CHECK(slices_.has_value());
+  core::Result<std::optional<SpooledLayer>> layer = slices_->next();
+  if (!layer.ok()) return layer.error();
+  TakenSlice taken;
+  if (!layer.value()) return taken;
+  SpooledLayer& found = *layer.value();
+  taken.slice =
+      core::Slice{found.index, found.bottom, found.height, *found.regions.front(), found.defects};
+  taken.pause = std::move(found.note);
+  return taken;
+}
+
+core::Result<core::SplitLayer> InsideStage::split(core::Layer layer) {
+  RIND_CHECK(decided_.has_value());
+  while (!latest_ || latest_->index < layer.slice.index) {
+    core::Result<std::optional<SpooledLayer>> next = decided_->previous();
+    if (!next.ok()) return next.error();
+    RIND_CHECK(next.value().has_value());
+    latest_ = *std::move(next.value());
+  }
+  core::SplitLayer split;
+  static_cast<core::Layer&>(split) = std::move(layer);
+  split.loose = *latest_->regions.front();
+  split.solid = core::subtract_within(split.slice.region, split.loose);
+  return split;
+}
+
+std::int64_t InsideStage::spooled_bytes() const {
+  return slices_ ? slices_->bytes() + given_->bytes() + decided_->bytes() : 0;
+}
+
+}  // namespace host

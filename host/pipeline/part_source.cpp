@@ -1,0 +1,88 @@
+#include "host/pipeline/part_source.h"
+
+#include <cstddef>
+#include <string>
+#include <utility>
+
+namespace host {
+namespace {
+
+// An inside that holds up its roof needs all of the part anyway.
+core::Settings without_lookahead(core::Settings settings) {
+  if (InsideStage(settings, "").wanted()) settings.support_lookahead = 0;
+  return settings;
+}
+
+}  // namespace
+
+PartSource::PartSource(PrintPlan& print_plan, const core::Settings& settings,
+                       PipelineSignals& signals, const Stopped& stopped)
+    : plan_(print_plan),
+      signals_(signals),
+      settings_(without_lookahead(settings)),
+      stopped_(stopped),
+      intake_(plan_.part, plan_.part_path, settings_, print_plan.on_bad_layer, signals.warnings),
+      inside_(settings_, print_plan.spool_folder),
+      supports_(settings_, print_plan.spool_folder, stopped) {}
+
+core::Status PartSource::prepare(const std::function<void()>& preheat) {
+  if (core::Status made = make_spools(); !made.ok()) return made;
+  if (plan_.part.read_rest || supports_.wants_all() || inside_.wanted()) preheat();
+  if (core::Status read = read_rest(); !read.ok()) return read;
+  signals_.layers.store(plan_.part.summary.layers);
+  if (plan_.part.summary.nothing_hangs) supports_.call_off();
+  if (supports_.wants_all()) {
+    core::Status prepared = supports_.prepare(intake_, signals_.preparation);
+    if (!prepared.ok() || stopped_()) return prepared;
+  }
+  if (!inside_.wanted()) return {};
+  return inside_.prepare([this] { return next_supported(); }, plan_.threads, stopped_);
+}
+
+core::Status PartSource::make_spools() {
+  if (supports_.wants_all()) {
+    core::Status made = supports_.make_spools(signals_.warnings);
+    if (!made.ok()) return made;
+  }
+  return inside_.wanted() ? inside_.make_spools(signals_.warnings) : core::Status();
+}
+
+core::Status PartSource::read_rest() {
+  if (!plan_.part.read_rest) return {};
+  core::Result<PartSummary> summary = plan_.part.read_rest();
+  if (!summary.ok()) return summary.error();
+  plan_.part.summary = std::move(summary).value();
+  plan_.part.read_rest = nullptr;
+  for (const std::string& warning : plan_.part.summary.warnings) signals_.warnings.put(warning);
+  return {};
+}
+
+core::Result<TakenSlice> PartSource::next_supported() {
+  return supports_.next_slice(intake_, signals_.warnings);
+}
+
+core::Result<TakenSlice> PartSource::next_slice() {
+  return inside_.wanted() ? inside_.next_slice() : next_supported();
+}
+
+void PartSource::tell(GeometryStatistics& statistics) const {
+  const PartCounters used = plan_.part.counters();
+  StageClock& clock = statistics.clock;
+  clock.set_seconds(Stage::kRead, used.read_cpu_s);
+  clock.set_seconds(Stage::kSort, used.sort_cpu_s);
+  clock.set_seconds(Stage::kSlice, used.slice_cpu_s);
+  clock.set_seconds(Stage::kSupport, supports_.seconds());
+  statistics.peak_held.triangles = used.peak_triangles_held;
+  statistics.spilled_bytes =
+      used.spilled_bytes + supports_.spooled_bytes() + inside_.spooled_bytes();
+  statistics.bad_layers = intake_.bad_layers();
+  if (!inside_.wanted()) return;
+  for (const Stage stage : {Stage::kOffset, Stage::kWindow}) {
+    const double here = inside_.use().seconds[static_cast<std::size_t>(stage)];
+    clock.set_seconds(stage, clock.seconds(stage) + here);
+  }
+  statistics.retries.mountains += inside_.offset_retries();
+  statistics.retries.booleans += inside_.use().boolean_retries;
+}
+
+}  // namespace host
