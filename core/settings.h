@@ -36,7 +36,16 @@ enum class ArcUse {
 enum class SeamPosition { kAligned, kNearest, kRear, kRandom };
 
 // How the loose inside is filled.
-enum class LoosePattern { kLines, kGrid, kTriangles, kHoneycomb, kGyroid, kCubic, kConcentric };
+enum class LoosePattern {
+  kLines,
+  kGrid,
+  kTriangles,
+  kHoneycomb,
+  kGyroid,
+  kCubic,
+  kConcentric,
+  kLightning,  // branches under roofs alone (supports/lightning_fold.h)
+};
 
 // What of the inside is made solid so that it holds up its own roof (supports/roof_fold.h).
 enum class LooseRoof { kOff, kCone };

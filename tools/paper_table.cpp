@@ -14,6 +14,9 @@
 //               of 1.778 mm (0.070 in); every road at 20 mm/s, which is close to the paper's rate
 //     wall      the paper's cylinder, T layers, one perimeter
 //
+// Two more insides hold up their roof by themselves: an empty one whose wall is a cone
+// (loose_roof = cone, loose_density = 0), and a lightning fill.
+//
 // The density of the paper's loose fill is not known either. The second table shows how the ratios
 // of dense to thin-wall depend on the dimensions: larger parts save more.
 #include <fmt/core.h>
@@ -130,26 +133,41 @@ Cost build(const PartOnDisk& part, const core::Settings& settings) {
   return {statistics.time_s / 60, host::total_mm(statistics.filament_mm) / kMmPerInch};
 }
 
+core::Settings with_cone(core::Settings settings) {
+  settings.loose_roof = core::LooseRoof::kCone;
+  settings.loose_density = 0;
+  return settings;
+}
+
+core::Settings with_lightning(core::Settings settings) {
+  settings.loose_pattern = core::LoosePattern::kLightning;
+  return settings;
+}
+
 void print_styles(const PaperPart& paper, double density) {
   const PartOnDisk part(paper.part);
   const auto in_style = [&](BuildStyle style) {
     return build(part, machine(paper.wall_layers, style, density));
   };
   const Cost thin = in_style(BuildStyle::kThinWall);
-  const auto row = [&](const char* style, const Cost& ours, const Cost* theirs) {
+  const auto row = [&](const char* style, const Cost& ours, const Cost* theirs,
+                       const char* none = "") {
     fmt::print("| {}, T = {} | {} | {:.0f} | {:.0f} | {:.2f} | {:.2f} |", paper.name,
                paper.wall_layers, style, ours.minutes, ours.inches, ours.minutes / thin.minutes,
                ours.inches / thin.inches);
     if (theirs == nullptr) {
-      fmt::print(" no slice found | | | |\n");
+      fmt::print(" {} | | | |\n", none);
       return;
     }
     fmt::print(" {:.0f} | {:.0f} | {:.2f} | {:.2f} |\n", theirs->minutes, theirs->inches,
                theirs->minutes / paper.thin_wall.minutes, theirs->inches / paper.thin_wall.inches);
   };
   row("regular", in_style(BuildStyle::kRegular), &paper.regular);
-  row("fast", in_style(BuildStyle::kFast), nullptr);
+  row("fast", in_style(BuildStyle::kFast), nullptr, "no slice found");
   row("thin-wall", thin, &paper.thin_wall);
+  const core::Settings settings = machine(paper.wall_layers, BuildStyle::kThinWall, density);
+  row("cone, empty", build(part, with_cone(settings)), nullptr);
+  row("lightning", build(part, with_lightning(settings)), nullptr);
 }
 
 void print_dimensions(const std::string& dimensions, const PaperPart& paper, double density) {

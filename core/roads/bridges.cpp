@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-#include "core/booleans/boolean.h"          // clean, intersect, subtract
+#include "core/booleans/boolean.h"          // clean, intersect, subtract, unite
 #include "core/offsets/slice_offsets.h"     // perimeter_depth, perimeter_spacing
 #include "core/offsets/voronoi_mountain.h"  // offset
 #include "core/regions/point_location.h"    // PointLocation
@@ -86,7 +86,9 @@ class BridgePlanner {
     const Region region = intersect(grown(core, half + anchor_, settings_), result_.rest);
     const Region around = grown(core, half + anchor_ * 2 + width_, settings_);
     const Region room = intersect(site_.room, around), held = intersect(site_.below, around);
-    const Region walls = subtract(held, site_.below_loose);
+    const bool by_walls = hollow && !has_pattern(settings_);
+    Region walls = subtract(held, site_.below_loose);
+    if (site_.branches != nullptr) walls = unite(walls, intersect(*site_.branches, around));
     std::vector<Ring> covered;
     for (Island& island : islands(region)) {
       const Region piece = region_of(std::move(island));
@@ -94,8 +96,7 @@ class BridgePlanner {
       const Region here = rings_near(room, box);
       const Vector direction =
           direction_over_loose({piece, here, rings_near(walls, box), {}, width_}, distance);
-      const bool empty = settings_.loose_density <= 0;
-      const BridgeArea area{piece, here, rings_near(empty ? walls : held, box), {}, width_};
+      const BridgeArea area{piece, here, rings_near(by_walls ? walls : held, box), {}, width_};
       const BridgeRows rows = bridge_rows(area, direction, distance);
       if (rows.rows.empty()) continue;
       const std::size_t first = result_.roads.size();
@@ -110,7 +111,7 @@ class BridgePlanner {
     const double turned = settings_.fill_angle_degrees + (site_.layer % 2 == 0 ? 0 : 90);
     const double angle = turned * std::numbers::pi / 180;
     const Vector across{cosine(angle), sine(angle)};
-    const double density = settings_.loose_density;
+    const double density = has_pattern(settings_) ? settings_.loose_density : 0;
     // In no direction is the mean chord shorter than 2 · area / perimeter (Cauchy, Crofton).
     const double shortest_mm =
         2 * walls.region.area_mm2() / walls.region.perimeter_mm() - 2 * anchor_.mm();

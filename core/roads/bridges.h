@@ -49,6 +49,7 @@ struct BridgeSite {
   const Region& below_loose;  // of it, the inside
   LayerIndex layer = 0;
   Length height;
+  const Region* branches = nullptr;  // of it, what holds over its inside; null: nothing
 };
 
 // A piece of the wall over air, and the rows that bridge it.

@@ -5,8 +5,10 @@
 #include <cstddef>
 #include <utility>
 
+#include "core/booleans/boolean.h"        // subtract
 #include "core/regions/point_location.h"  // PointLocation
 #include "core/regions/polyline.h"        // between, distance_mm
+#include "core/roads/branch_roads.h"      // branch_beads
 
 namespace core {
 namespace {
@@ -53,10 +55,21 @@ std::size_t longest_in_air(const Trace& trace, const PointLocation& hollow) {
   return best;
 }
 
-// A closed road opened where it is in the air; false where it is not, for a long stretch.
-bool open_in_air(Trace& trace, const PointLocation& hollow) {
+double length_in_air_mm(const Trace& trace, std::size_t from, const PointLocation& hollow) {
+  const std::size_t steps = trace.points.size() - 1;
+  double mm = 0;
+  for (std::size_t i = 0; i < steps && hollow.contains(trace.points[(from + i) % steps]); ++i) {
+    mm += distance_mm(trace.points[(from + i) % steps], trace.points[(from + i + 1) % steps]);
+  }
+  return mm;
+}
+
+// A closed road opened where it is in the air; false where it is not, for a long stretch: held at
+// both ends, it spans bridge_max.
+bool open_in_air(Trace& trace, const PointLocation& hollow, Length bridge_max) {
   const std::size_t at = longest_in_air(trace, hollow);
   if (at + 1 >= trace.points.size()) return false;
+  if (length_in_air_mm(trace, at, hollow) <= bridge_max.mm()) return false;
   trace.points.pop_back();
   trace.widths.pop_back();
   const auto first = static_cast<std::ptrdiff_t>(at);
@@ -87,9 +100,9 @@ void cut_front(Trace& trace, std::size_t steps) {
 }
 
 // False where nothing is left of it.
-bool cut_ends(Road& road, const PointLocation& hollow) {
+bool cut_ends(Road& road, const PointLocation& hollow, Length bridge_max) {
   Trace trace = trace_of(road);
-  if (road.closed && !open_in_air(trace, hollow)) return true;
+  if (road.closed && !open_in_air(trace, hollow, bridge_max)) return true;
   bool any = false;
   for (int side = 0; side < 2; ++side) {
     const std::size_t steps = steps_in_air(trace, hollow);
@@ -107,15 +120,22 @@ bool cut_ends(Road& road, const PointLocation& hollow) {
 
 }  // namespace
 
+bool has_pattern(const Settings& settings) {
+  return settings.loose_density > 0 && settings.loose_pattern != LoosePattern::kLightning;
+}
+
 bool has_hollow_inside(const Settings& settings) {
-  return settings.loose_roof != LooseRoof::kOff || settings.loose_density <= 0;
+  return settings.loose_roof != LooseRoof::kOff || !has_pattern(settings);
 }
 
 void cut_hollow_ends(const SplitLayer& layer, const Settings& settings, std::vector<Road>& roads) {
   if (!has_hollow_inside(settings) || !layer.below_loose || layer.below_loose->empty()) return;
-  const PointLocation hollow(*layer.below_loose);
+  const PointLocation hollow(
+      layer.below_branches
+          ? subtract(*layer.below_loose, branch_beads(*layer.below_branches, settings))
+          : *layer.below_loose);
   const auto lost = [&](Road& road) {
-    return road.kind == RoadKind::kGapFill && !cut_ends(road, hollow);
+    return road.kind == RoadKind::kGapFill && !cut_ends(road, hollow, settings.bridge_max);
   };
   roads.erase(std::remove_if(roads.begin(), roads.end(), lost), roads.end());
 }

@@ -16,6 +16,9 @@ namespace core {
 // Longer stretches of gap fill in the air need to be held at both ends.
 inline constexpr double kHollowStretchMax_mm = 0.6;
 
+// Whether the inside has roads all over.
+[[nodiscard]] bool has_pattern(const Settings& settings);
+
 // Whether the inside is too empty for its roads to hold what is laid over it anywhere.
 [[nodiscard]] bool has_hollow_inside(const Settings& settings);
 

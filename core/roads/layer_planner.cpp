@@ -15,6 +15,10 @@ using Neighbour = std::shared_ptr<const Region>;
 
 bool alike(const Neighbour& a, const Neighbour& b) { return a == b || (a && b && *a == *b); }
 
+bool alike(const std::shared_ptr<const Branches>& a, const std::shared_ptr<const Branches>& b) {
+  return a == b || (a && b && *a == *b);
+}
+
 bool alike(const LooseBlock& a, const LooseBlock& b) {
   return alike(a.region, b.region) && a.layers == b.layers;
 }
@@ -25,7 +29,8 @@ bool alike(const SplitLayer& a, const SplitLayer& b) {
          a.slice.region == b.slice.region && alike(a.below, b.below) && alike(a.above, b.above) &&
          alike(a.below_loose, b.below_loose) && a.below_height == b.below_height &&
          a.corners_above == b.corners_above && alike(a.support_below, b.support_below) &&
-         alike(a.block, b.block);
+         alike(a.block, b.block) && alike(a.branches, b.branches) &&
+         alike(a.below_branches, b.below_branches);
 }
 
 // Above the floor of a vase or not, likewise.

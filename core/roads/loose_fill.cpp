@@ -50,6 +50,7 @@ std::unique_ptr<FillPattern> pattern_of(LoosePattern pattern) {
     case LoosePattern::kGyroid:
       return std::make_unique<GyroidPattern>();
     case LoosePattern::kConcentric:
+    case LoosePattern::kLightning:
       break;
   }
   return nullptr;

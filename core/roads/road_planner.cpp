@@ -8,6 +8,7 @@
 #include "core/booleans/simplified.h"       // simplified
 #include "core/offsets/offset_contours.h"   // flatten
 #include "core/offsets/voronoi_mountain.h"  // offset
+#include "core/roads/branch_roads.h"        // branch_roads
 #include "core/roads/bridges.h"             // bridges
 #include "core/roads/brim.h"                // brim_roads
 #include "core/roads/hollow_ends.h"         // cut_hollow_ends
@@ -62,8 +63,10 @@ Region lay_bridges(const SplitLayer& layer, Region wall, const Settings& setting
   const Region room = bridge_room(*layer.offsets, settings);
   const Region none;
   const Region& below_loose = layer.below_loose ? *layer.below_loose : none;
-  Bridges over = bridges({slice.region, room, *layer.below, below_loose, slice.index, slice.height},
-                         std::move(wall), settings);
+  const Region held = layer.below_branches ? branch_beads(*layer.below_branches, settings) : none;
+  Bridges over =
+      bridges({slice.region, room, *layer.below, below_loose, slice.index, slice.height, &held},
+              std::move(wall), settings);
   append(std::move(over.roads), roads);
   return std::move(over.rest);
 }
@@ -120,6 +123,7 @@ Region plan_perimeters(std::vector<IslandPlan>& plans, Length height, const Sett
 std::vector<Road> inside_roads(const IslandPlan& plan, const SplitLayer& layer,
                                const Settings& settings) {
   const Region& room = plan.room.empty() ? plan.loose : plan.room;
+  if (settings.loose_pattern == LoosePattern::kLightning) return {};
   const LooseBlock& block = layer.block;
   if (!block.region) return loose_roads(plan.loose, room, layer.slice, settings);
   const Region own =
@@ -191,6 +195,11 @@ LayerRoads RoadPlanner::plan(const SplitLayer& layer) const {
   }
   share_fill(split, solid_areas(std::move(wall), layer, settings), intersect(loose, interior),
              plans);
+  if (layer.branches) {
+    for (Road& road : branch_roads(*layer.branches, settings)) {
+      plans[split.island_of(road.points.front())].roads.push_back(std::move(road));
+    }
+  }
   LayerRoads planned;
   for (IslandPlan& plan : plans) {
     append(solid_roads(plan.areas, slice, settings), plan.roads);

@@ -30,6 +30,9 @@ constexpr Length kNearTolerance = Length::from_units(50);
 // What rounding may move a contour by, in each of the steps of a growth.
 constexpr Length kRounding = Length::from_units(2);
 
+// Lines of branches are not nearer to one another than this, whatever bridge_max is.
+constexpr Length kBranchSpacingMin = Length::from_units(10'000);
+
 // Strips are this share of the longest bridge.
 constexpr double kStripShare = 0.9;
 
@@ -47,6 +50,9 @@ Region grown_by(const Region& region, Length step) {
   if (by <= Length()) return region;
   return simplified(offset(region, -by, tolerance), tolerance);
 }
+
+// Whether the wall alone holds roofs.
+bool by_cones(const Settings& settings) { return settings.loose_roof != LooseRoof::kOff; }
 
 bool narrower(const Region& region, Length width) {
   const Length half = Length::from_units(width.units() / 2 + kRounding.units());
@@ -94,6 +100,15 @@ Length cone_step(const InsideLayer& above, const InsideLayer& below, const Setti
   const double step = planes * sine(angle) / cosine(angle);
   const double most = kStepWidthsMax * static_cast<double>(settings.road_width.units());
   return Length::from_units(static_cast<std::int64_t>(std::min(step, most)));
+}
+
+Length branch_spacing(const Settings& settings) {
+  return std::max(kBranchSpacingMin, scaled(settings.bridge_max, kBranchSpacing));
+}
+
+Length roof_step(const InsideLayer& above, const InsideLayer& below, const Settings& settings) {
+  const Length step = cone_step(above, below, settings);
+  return by_cones(settings) ? step : std::max(step, scaled(settings.road_width, kRowReachWidths));
 }
 
 RoofFold::RoofFold(const Settings& settings)
@@ -146,9 +161,11 @@ RoofFold::SharedRegion RoofFold::decide(Level& at, const Level& above, const Ins
   at.loose = given;
   const bool waited = !above.waits->empty();
   if (given->empty() || (given == above.given.loose && given == above.loose)) return none_;
-  const Length step = cone_step(above.given, at.given, settings_);
+  const Length step = roof_step(above.given, at.given, settings_);
   const Region solid = subtract(*given, *above.loose);
-  if (solid.empty() || (!waited && narrower(solid, step))) return none_;
+  if (solid.empty() ||
+      (!waited && narrower(solid, std::min(step, Length::from_units(rib_.units() / 2)))))
+    return none_;
   const Region grown = grown_by(*above.loose, step);
   Seeds found = seeds(at, above, below, grown);
   at.waits = found.waiting.empty()
@@ -163,6 +180,13 @@ RoofFold::SharedRegion RoofFold::decide(Level& at, const Level& above, const Ins
   return seed.empty() ? none_ : std::make_shared<const Region>(seed);
 }
 
+bool RoofFold::held_by_branches(const Box& box) const {
+  if (by_cones(settings_)) return false;
+  const std::int64_t spacing = branch_spacing(settings_).units();
+  return floor_div(box.max.x, spacing) != floor_div(box.min.x, spacing) ||
+         floor_div(box.max.y, spacing) != floor_div(box.min.y, spacing);
+}
+
 // What is solid between the hollows above and too thin to shrink by a step on both sides, with
 // what of the solid inside is near it.
 Region RoofFold::kept(const Region& loose, const Region& grown, const Region& solid,
@@ -172,7 +196,8 @@ Region RoofFold::kept(const Region& loose, const Region& grown, const Region& so
   std::vector<Ring> thin, corners;
   for (Island& island : islands(subtract(closed, loose))) {
     const Region piece = region_of(std::move(island));
-    if (!is_hair(piece)) append(piece, is_corner_bit(piece, radius) ? corners : thin);
+    if (is_hair(piece) || held_by_branches(piece.box())) continue;
+    append(piece, is_corner_bit(piece, radius) ? corners : thin);
   }
   if (!corners.empty()) {
     // Tips that would hang farther than twice the step are no corners.
@@ -184,6 +209,7 @@ Region RoofFold::kept(const Region& loose, const Region& grown, const Region& so
   }
   for (const Ring& ring : loose.rings()) {
     const double area = hole_area_mm2(ring);
+    if (held_by_branches(box_of(ring))) continue;
     if (area > 0 && area <= kPillarArea_mm2) thin.emplace_back(ring.rbegin(), ring.rend());
   }
   if (thin.empty()) return {};
@@ -225,7 +251,7 @@ void RoofFold::place(const Region& roof, const Region& around, const InsideLayer
     }
     const Region later = Region::from_clean_rings(std::move(met));
     const bool whole = !later.empty() && only_hairs(subtract(roof, later));
-    const Length step = cone_step(at, *below, settings_);
+    const Length step = roof_step(at, *below, settings_);
     if (whole && !narrower(subtract(later, roof), step) && can_be_bridged(later, around)) {
       append(roof, found.waiting);
       return;
@@ -247,6 +273,7 @@ bool RoofFold::can_be_bridged(const Region& roof, const Region& around) const {
 
 // At fixed places of the bed, so that walls stand on walls.
 Region RoofFold::cut_into_strips(const Region& roof) const {
+  if (!by_cones(settings_)) return roof;  // branches hold it
   const std::int64_t rib = rib_.units();
   const std::int64_t strip = scaled(settings_.bridge_max, kStripShare).units();
   if (strip < settings_.loose_width_min.units() || strip <= 0) return {};

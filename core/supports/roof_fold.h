@@ -17,6 +17,10 @@
 //
 // Loose becomes solid, never the other way.
 //
+// For a lightning fill (lightning_fold.h) the inside grows faster, by kRowReachWidths: a row of the
+// roof that reaches out so far and comes back is held. Branches do the rest: wide roofs are not cut
+// into strips, and of thin walls only those are kept that no branch passes under.
+//
 // Growth is at most kGrowthLoss of the step short of exact, and never more than exact; what is
 // carried down is simplified, so that points don't add up.
 //
@@ -29,6 +33,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/geometry.h"        // Box
 #include "core/regions/region.h"  // Region
 #include "core/settings.h"        // Settings
 #include "core/units.h"           // LayerIndex, Length
@@ -41,6 +46,13 @@ inline constexpr double kGrowthLoss = 0.01;
 // Most that a step is, in road widths, whatever the angle: a row along the edge of what is solid
 // keeps half of its width on the layer below.
 inline constexpr double kStepWidthsMax = 0.4;
+
+// The step with a lightning fill, in road widths.
+inline constexpr double kRowReachWidths = 0.9;
+
+// Distance of the lines of a lightning fill, as a share of bridge_max. Roads at 45° to both
+// directions are held every √2 times as far.
+inline constexpr double kBranchSpacing = 0.65;
 
 // Solid pieces between hollows, smaller than this, are kept down to the floor.
 inline constexpr double kPillarArea_mm2 = 4;
@@ -59,6 +71,13 @@ struct InsideLayer {
 // How far what is solid may reach out over what is loose: h · tan(overhang_angle), h: the distance
 // of the two layers' middles; at most kStepWidthsMax.
 [[nodiscard]] Length cone_step(const InsideLayer& above, const InsideLayer& below,
+                               const Settings& settings);
+
+// Distance of the lines of a lightning fill's branches.
+[[nodiscard]] Length branch_spacing(const Settings& settings);
+
+// The same with what the settings ask for: with a lightning fill, kRowReachWidths.
+[[nodiscard]] Length roof_step(const InsideLayer& above, const InsideLayer& below,
                                const Settings& settings);
 
 class RoofFold {
@@ -99,6 +118,8 @@ class RoofFold {
   [[nodiscard]] bool can_be_bridged(const Region& roof, const Region& around) const;
   [[nodiscard]] Region kept(const Region& loose, const Region& grown, const Region& solid,
                             Length step) const;
+  // Whether a line of branches passes through it.
+  [[nodiscard]] bool held_by_branches(const Box& box) const;
   [[nodiscard]] Region cut_into_strips(const Region& roof) const;
 
   Settings settings_;

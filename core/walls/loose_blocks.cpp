@@ -20,6 +20,7 @@ Length thickest_block(const Settings& settings) {
 }  // namespace
 
 int loose_block_layers(const Settings& settings) {
+  if (settings.loose_pattern == LoosePattern::kLightning) return 1;  // branches differ by layer
   const std::int64_t fit = thickest_block(settings).units() / settings.layer_height.units();
   return static_cast<int>(std::clamp<std::int64_t>(fit, 1, settings.loose_every_layers));
 }

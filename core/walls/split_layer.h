@@ -8,6 +8,7 @@
 #include "core/regions/corner_index.h"   // CornerIndex
 #include "core/regions/region.h"         // Region
 #include "core/units.h"                  // LayerIndex
+#include "core/walls/branch.h"           // Branches
 
 namespace core {
 
@@ -32,6 +33,9 @@ struct SplitLayer : Layer {
   std::shared_ptr<const Region> support{}, support_below{};
 
   LooseBlock block{};
+
+  // What holds roofs over the inside, in this layer and in the one below; null: none.
+  std::shared_ptr<const Branches> branches{}, below_branches{};
 
   // Of the slices above it, from the next one on: as many as CornersAhead knows. Null: none.
   std::vector<std::shared_ptr<const CornerIndex>> corners_above{};

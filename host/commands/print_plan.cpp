@@ -8,6 +8,7 @@
 #include "host/commands/commands.h"
 #include "host/commands/output_names.h"
 #include "host/files/output_file.h"
+#include "host/pipeline/inside_stage.h"  // holds_its_roof
 #include "host/pipeline/user_gcode.h"
 #include "host/printing/slow_layer_note.h"
 #include "host/settings/whole_settings.h"
@@ -40,7 +41,7 @@ bool lays_whole_print(const Options& options) {
 
 // The inside is empty, and the wall around it is as thin above as below.
 bool leaves_roofs_unheld(const core::Settings& settings) {
-  return settings.loose_density <= 0 && settings.loose_roof == core::LooseRoof::kOff &&
+  return settings.loose_density <= 0 && !holds_its_roof(settings) &&
          settings.style != core::BuildStyle::kRegular && !settings.spiral_vase;
 }
 
@@ -70,11 +71,11 @@ core::Result<PrintPlan> open_print_plan(const Options& options, Reporter& report
   }
   const bool supported = settings.value().supports != core::SupportPlace::kOff &&
                          settings.value().support_lookahead == 0;
-  const bool whole = supported || settings.value().loose_roof != core::LooseRoof::kOff;
+  const bool whole = supported || holds_its_roof(settings.value());
   if (leaves_roofs_unheld(settings.value())) {
     reporter.note("inside",
                   "loose_density = 0: nothing holds what is laid over the inside; with "
-                  "loose_roof = cone the wall does");
+                  "loose_roof = cone the wall does, with loose_pattern = lightning branches do");
   }
   open.stream_pipes = !whole && (options.part.sorted == PipeSorted::kYes ||
                                  (options.part.sorted == PipeSorted::kAuto && sliced));

@@ -10,6 +10,7 @@
 #include "core/check.h"                    // RIND_CHECK
 #include "core/offsets/slice_offsets.h"    // OffsetCutter
 #include "core/walls/wall_style.h"         // window_decides
+#include "host/part/branch_bytes.h"        // branch_bytes, branches_in
 #include "host/pipeline/layer_batch.h"     // LayerBatch
 #include "host/pipeline/ordered_stages.h"  // run_stages
 
@@ -17,6 +18,10 @@ namespace host {
 namespace {
 
 constexpr SpillUse kForInside{"the inside", "name another folder with --spool"};
+
+bool is_lightning(const core::Settings& settings) {
+  return settings.loose_pattern == core::LoosePattern::kLightning;
+}
 
 // Of the first pass: no perimeters are laid there, and no seams.
 core::Settings wall_alone(core::Settings settings) {
@@ -30,8 +35,9 @@ core::Settings wall_alone(core::Settings settings) {
 // Slices ─> offsets ─> window ─> two spools.
 class InsideStage::FirstPass {
  public:
-  FirstPass(InsideStage& stage, const Source& source, const Stopped& stopped)
+  FirstPass(InsideStage& stage, const Source& source, const Stopped& stopped, Told told)
       : stage_(stage),
+        told_(told),
         source_(source),
         stopped_(stopped),
         cutter_(wall_alone(stage.settings_)),
@@ -65,6 +71,7 @@ class InsideStage::FirstPass {
     ended_ = !taken.value().slice;
     if (ended_) return batch;
     batch->slice = *std::move(taken.value().slice);
+    told_.box.put({"inside: slicing", batch->slice->index + 1, told_.layers});
     batch->pause = std::move(taken.value().pause);
     batch->offsets = cutter_.reserve(*batch->slice);
     return batch;
@@ -117,6 +124,7 @@ class InsideStage::FirstPass {
   }
 
   InsideStage& stage_;
+  Told told_;
   const Source& source_;
   const Stopped& stopped_;
   core::OffsetCutter cutter_;
@@ -126,8 +134,12 @@ class InsideStage::FirstPass {
   std::optional<core::Error> error_;
 };
 
+bool holds_its_roof(const core::Settings& settings) {
+  return settings.loose_roof != core::LooseRoof::kOff || is_lightning(settings);
+}
+
 bool InsideStage::wanted() const {
-  return settings_.loose_roof != core::LooseRoof::kOff && core::window_decides(settings_);
+  return holds_its_roof(settings_) && core::window_decides(settings_);
 }
 
 core::Status InsideStage::make_spools(WarningBox& warnings) {
@@ -136,6 +148,9 @@ core::Status InsideStage::make_spools(WarningBox& warnings) {
     if (!made.ok()) return made.error();
     *spool = std::move(made).value();
   }
+  core::Result<RecordSpool> branches = RecordSpool::create(folder_, kForInside);
+  if (!branches.ok()) return branches.error();
+  branches_ = std::move(branches).value();
   if (slices_->file().in_memory()) {
     warnings.put(fmt::format(
         "the inside: {} is kept in memory, and with it the slices that are put there; --spool DIR "
@@ -145,35 +160,45 @@ core::Status InsideStage::make_spools(WarningBox& warnings) {
   return {};
 }
 
-core::Status InsideStage::prepare(const Source& source, int threads, const Stopped& stopped) {
+core::Status InsideStage::prepare(const Source& source, int threads, const Stopped& stopped,
+                                  Told told) {
   RIND_CHECK(slices_.has_value());
-  core::Status passed = FirstPass(*this, source, stopped).run(threads);
+  core::Status passed = FirstPass(*this, source, stopped, told).run(threads);
   if (!passed.ok() || stopped()) return passed;
-  if (core::Status folded = fold(stopped); !folded.ok()) return folded;
+  if (core::Status folded = fold(stopped, told); !folded.ok()) return folded;
+  told.box.clear();
   slices_->read_forwards();
   decided_->read_backwards();
+  branches_->go_to_end();
   return {};
 }
 
-core::Status InsideStage::fold(const Stopped& stopped) {
+core::Status InsideStage::fold(const Stopped& stopped, Told told) {
   const StageMeter meter(Stage::kWindow, use_);
   core::RoofFold fold(settings_);
+  core::LightningFold lightning(settings_);
   given_->read_backwards();
   while (!stopped()) {
     core::Result<std::optional<SpooledLayer>> layer = given_->previous();
     if (!layer.ok()) return layer.error();
     if (!layer.value()) break;
     const SpooledLayer& found = *layer.value();
+    if (told.layers <= found.index) told.layers = found.index + 1;  // the first one
+    told.box.put({"inside: from the top down", told.layers - found.index, told.layers});
     fold.push({found.index, found.bottom, found.height, found.regions.front(), nullptr});
-    if (core::Status taken = take_decided(fold); !taken.ok()) return taken;
+    if (core::Status taken = take_decided(fold, lightning); !taken.ok()) return taken;
   }
   if (stopped()) return {};  // layer 0 was not reached
   fold.end();
-  return take_decided(fold);
+  return take_decided(fold, lightning);
 }
 
-core::Status InsideStage::take_decided(core::RoofFold& fold) {
+core::Status InsideStage::take_decided(core::RoofFold& fold, core::LightningFold& lightning) {
   while (std::optional<core::InsideLayer> found = fold.next()) {
+    if (is_lightning(settings_)) {
+      const std::string bytes = branch_bytes(lightning.push(*found));
+      if (core::Status put = branches_->append(bytes); !put.ok()) return put;
+    }
     SpooledLayer layer;
     layer.index = found->index;
     layer.regions.front() = std::move(found->loose);
@@ -198,20 +223,37 @@ core::Result<TakenSlice> InsideStage::next_slice() {
 core::Result<core::SplitLayer> InsideStage::split(core::Layer layer) {
   RIND_CHECK(decided_.has_value());
   while (!latest_ || latest_->index < layer.slice.index) {
-    core::Result<std::optional<SpooledLayer>> next = decided_->previous();
-    if (!next.ok()) return next.error();
-    RIND_CHECK(next.value().has_value());
-    latest_ = *std::move(next.value());
+    if (core::Status up = step_up(); !up.ok()) return up.error();
   }
   core::SplitLayer split;
   static_cast<core::Layer&>(split) = std::move(layer);
   split.loose = *latest_->regions.front();
   split.solid = core::subtract_within(split.slice.region, split.loose);
+  split.branches = latest_branches_;
+  split.below_branches = branches_below_;
   return split;
 }
 
+core::Status InsideStage::step_up() {
+  core::Result<std::optional<SpooledLayer>> next = decided_->previous();
+  if (!next.ok()) return next.error();
+  RIND_CHECK(next.value().has_value());
+  latest_ = *std::move(next.value());
+  if (!is_lightning(settings_)) return {};
+  core::Result<std::optional<RecordSpool::Record>> record = branches_->previous();
+  if (!record.ok()) return record.error();
+  RIND_CHECK(record.value().has_value());
+  branches_below_ = std::move(latest_branches_);
+  latest_branches_ = std::make_shared<const core::Branches>(branches_in(record.value()->bytes));
+  return {};
+}
+
 std::int64_t InsideStage::spooled_bytes() const {
-  return slices_ ? slices_->bytes() + given_->bytes() + decided_->bytes() : 0;
+  std::int64_t bytes = branches_ ? branches_->size() : 0;
+  for (const std::optional<LayerSpool>* spool : {&slices_, &given_, &decided_}) {
+    if (*spool) bytes += (*spool)->bytes();
+  }
+  return bytes;
 }
 
 }  // namespace host

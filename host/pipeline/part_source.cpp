@@ -36,7 +36,8 @@ core::Status PartSource::prepare(const std::function<void()>& preheat) {
     if (!prepared.ok() || stopped_()) return prepared;
   }
   if (!inside_.wanted()) return {};
-  return inside_.prepare([this] { return next_supported(); }, plan_.threads, stopped_);
+  return inside_.prepare([this] { return next_supported(); }, plan_.threads, stopped_,
+                         {signals_.preparation, intake_.layers()});
 }
 
 core::Status PartSource::make_spools() {

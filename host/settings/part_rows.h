@@ -67,8 +67,10 @@ inline constexpr std::array kPartRows = {
             "overlap of the inside's roads into the wall, where their ends are not joined"},
     Setting{"loose_pattern",
             choice<&PrintSettings::loose_pattern>("lines", "grid", "triangles", "honeycomb",
-                                                  "gyroid", "cubic", "concentric"),
-            "", 0, 0, "pattern of the inside's fill"},
+                                                  "gyroid", "cubic", "concentric", "lightning"),
+            "", 0, 0,
+            "pattern of the inside's fill; lightning: branches from the wall, only under what "
+            "needs them"},
     Setting{"loose_roof", choice<&PrintSettings::loose_roof>("off", "cone"), "", 0, 0,
             "what holds roofs over the inside besides its roads: cone, the wall below them gets "
             "thicker upwards, at overhang_angle_degrees, until bridge_max spans the rest"},

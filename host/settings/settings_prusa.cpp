@@ -203,11 +203,12 @@ struct WordPair {
 };
 
 constexpr std::array kPatterns = {
-    WordPair{"rectilinear", "lines"}, WordPair{"alignedrectilinear", "lines"},
-    WordPair{"line", "lines"},        WordPair{"zig-zag", "lines"},
-    WordPair{"grid", "grid"},         WordPair{"triangles", "triangles"},
-    WordPair{"cubic", "cubic"},       WordPair{"honeycomb", "honeycomb"},
-    WordPair{"gyroid", "gyroid"},     WordPair{"concentric", "concentric"},
+    WordPair{"rectilinear", "lines"},   WordPair{"alignedrectilinear", "lines"},
+    WordPair{"line", "lines"},          WordPair{"zig-zag", "lines"},
+    WordPair{"grid", "grid"},           WordPair{"triangles", "triangles"},
+    WordPair{"cubic", "cubic"},         WordPair{"honeycomb", "honeycomb"},
+    WordPair{"gyroid", "gyroid"},       WordPair{"concentric", "concentric"},
+    WordPair{"lightning", "lightning"},
 };
 
 constexpr std::array kTopPatterns = {

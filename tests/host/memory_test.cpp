@@ -151,7 +151,7 @@ TEST_CASE("five times the height, the same memory, with trees all the way up") {
 TEST_CASE("thirty times the height, the same memory, where the inside holds up its own roof") {
   const PartFolder folder;
   const std::string settings =
-      "--set loose_roof=cone --set loose_density=0 --spool " + folder.file("");
+      "--set loose_roof=cone --set loose_pattern=lightning --spool " + folder.file("");
   const std::int64_t low = peak_rss(folder, folder.add("low.stl", parts::shelves(200)), settings);
   const std::int64_t high =
       peak_rss(folder, folder.add("high.stl", parts::shelves(6'000)), settings);

@@ -148,6 +148,28 @@ TEST_CASE("over an empty inside every road is held, none farther than bridge_max
   CHECK_GT(longest, 2 * settings.bridge_max.mm());
 }
 
+TEST_CASE("with branches every road over the inside is held at both ends, and little is laid") {
+  const test::PartFolder folder;
+  const std::string path = folder.add("part.stl", box_and_dome());
+  core::Settings settings = hollow();
+  settings.loose_roof = core::LooseRoof::kOff;
+  settings.loose_pattern = core::LoosePattern::kLightning;
+  const Printed printed = print(settings, path);
+  REQUIRE(printed.error.empty());
+  CHECK_GT(filament(printed, RoadKind::kLoose), 5);
+  for (std::size_t n = 1; n < printed.roads.size(); ++n) {
+    CAPTURE(n);
+    const InAir found = in_air(printed.roads[n], printed.roads[n - 1]);
+    CHECK_LE(found.longest, settings.bridge_max.mm());
+    CHECK_LE(found.longest_open, 0.8);
+  }
+  CHECK(printed.texts == print(settings, path, 5).texts);
+  settings.loose_pattern = core::LoosePattern::kLines;
+  settings.loose_density = 0.2;
+  const Printed lines = print(settings, path);
+  CHECK_LT(filament(printed, RoadKind::kLoose), 0.5 * filament(lines, RoadKind::kLoose));
+}
+
 TEST_CASE("loose becomes solid, never the reverse, and what stays loose is filled as before") {
   const test::PartFolder folder;
   const std::string path = folder.add("part.stl", box_and_dome());

@@ -268,8 +268,12 @@ TEST_CASE("an inside that holds up its own roof is known from any layer on") {
   const parts::Part part = parts::together({parts::box({20, 5, 0}, 24, 12, 4), parts::dome(8)});
   const std::string path = folder.add("hollow.stl", part);
   core::Settings settings = settings_of(core::WallShape::kBall, core::BuildStyle::kThinWall);
-  settings.loose_roof = core::LooseRoof::kCone;
-  settings.loose_density = 0;
   settings.raft_layers = 1;
-  check_tails(settings, path, compute(settings, path, {}));
+  for (const bool branches : {false, true}) {
+    CAPTURE(branches);
+    settings.loose_roof = branches ? core::LooseRoof::kOff : core::LooseRoof::kCone;
+    settings.loose_density = 0;
+    if (branches) settings.loose_pattern = core::LoosePattern::kLightning;
+    check_tails(settings, path, compute(settings, path, {}));
+  }
 }
