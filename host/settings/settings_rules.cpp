@@ -114,11 +114,17 @@ Status vase_has_no_supports(const PrintSettings& settings) {
   return bad("spiral_vase needs supports = off: a vase is laid in one go, without travel");
 }
 
-Status trees_know_the_part(const PrintSettings& settings) {
-  if (settings.support_lookahead == 0 || settings.support_style == core::SupportStyle::kGrid) {
+Status lookahead_is_enough(const PrintSettings& settings) {
+  if (settings.support_lookahead == 0 || settings.supports == core::SupportPlace::kOff) return {};
+  if (settings.support_style != core::SupportStyle::kGrid) {
+    return bad("support_lookahead needs support_style = grid: branches depend on the whole part");
+  }
+  if (settings.loose_roof == core::LooseRoof::kOff &&
+      settings.loose_pattern != core::LoosePattern::kLightning) {
     return {};
   }
-  return bad("support_lookahead needs support_style = grid: branches depend on the whole part");
+  return bad("support_lookahead needs an inside that is known as soon: loose_roof = off, and no "
+             "lightning, which both depend on the whole part");
 }
 
 // A height that layers may have besides layer_height, under the name of what says so.
@@ -250,7 +256,7 @@ Status actions_are_known(const PrintSettings& settings) {
 Status validate_settings(const PrintSettings& settings) {
   for (const auto rule :
        {every_value_in_range, wall_fits_window, roads_fit_nozzle, other_heights_fit,
-        vase_has_a_thin_wall, vase_has_no_supports, trees_know_the_part,
+        vase_has_a_thin_wall, vase_has_no_supports, lookahead_is_enough,
         accelerations_have_a_default, heights_of_slowdown_fit, part_has_a_place,
         support_heights_are_known, actions_are_known}) {
     Status status = rule(settings);

@@ -350,10 +350,17 @@ TEST_CASE("settings that do not fit together") {
                  }),
                  "needs default_acceleration_mm_s2"));
   CHECK(contains(message_with([](Settings& s) {
+                   s.supports = core::SupportPlace::kBed;
                    s.support_style = core::SupportStyle::kTree;
                    s.support_lookahead = 50;
                  }),
                  "needs support_style = grid"));
+  CHECK(contains(message_with([](Settings& s) {
+                   s.supports = core::SupportPlace::kBed;
+                   s.loose_roof = core::LooseRoof::kCone;
+                   s.support_lookahead = 50;
+                 }),
+                 "support_lookahead needs an inside"));
   // Whoever fills in the struct by hand is checked like who types.
   CHECK(contains(message_with([](Settings& s) { s.bed_x = Length(); }), "bed_x"));
   CHECK(contains(message_with([](Settings& s) { s.layer_height = Length(); }), "layer_height"));
