@@ -374,7 +374,7 @@ void SectionPicture::append_legend(std::string& svg) {
   for (const KindStyle& style : kKindStyles) {
     if (!kind_seen_[static_cast<std::size_t>(style.kind)]) continue;
     const std::size_t before = row / 2;  // columns
-    const double column = wide ? static_cast<double>(before) * 260 : 0;
+    const double column = wide ? static_cast<double>(before) * 215 : 0;
     const double down = wide ? static_cast<double>(row % 2) : static_cast<double>(row);
     append_legend_row(svg, bead_legend_left_ + column, bead_legend_top_ + down * kLegendRowPx,
                       style.colours, style.name);

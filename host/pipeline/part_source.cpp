@@ -5,21 +5,12 @@
 #include <utility>
 
 namespace host {
-namespace {
-
-// An inside that holds up its roof needs all of the part anyway.
-core::Settings without_lookahead(core::Settings settings) {
-  if (InsideStage(settings, "").wanted()) settings.support_lookahead = 0;
-  return settings;
-}
-
-}  // namespace
 
 PartSource::PartSource(PrintPlan& print_plan, const core::Settings& settings,
                        PipelineSignals& signals, const Stopped& stopped)
     : plan_(print_plan),
       signals_(signals),
-      settings_(without_lookahead(settings)),
+      settings_(settings),
       stopped_(stopped),
       intake_(plan_.part, plan_.part_path, settings_, print_plan.on_bad_layer, signals.warnings),
       inside_(settings_, print_plan.spool_folder),
