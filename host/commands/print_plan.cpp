@@ -30,13 +30,18 @@ core::Result<PrintSettings> load_settings_of(const Options& options, Reporter& r
 
 namespace {
 
-// Files of slices, and cuts, have the part alone.
+// Files of slices, and cuts, have no raft.
 bool lays_whole_print(const Options& options) {
   if (options.subcommand == Subcommand::kSlice) {
     return options.output.format == OutputFormat::kGcode ||
            options.output.format == OutputFormat::kCliRoads;
   }
   return options.subcommand != Subcommand::kShow || !options.output.section;
+}
+
+// Cuts have the part with its supports.
+bool lays_supports(const Options& options) {
+  return lays_whole_print(options) || options.subcommand == Subcommand::kShow;
 }
 
 // The inside is empty, and the wall around it is as thin above as below.
@@ -56,7 +61,7 @@ core::Result<PrintPlan> open_print_plan(const Options& options, Reporter& report
     of_part.raft_layers = 0;
     reporter.note("raft", "the raft is left out here: the layers are the part's alone");
   }
-  if (settings.value().supports != core::SupportPlace::kOff && !lays_whole_print(options)) {
+  if (settings.value().supports != core::SupportPlace::kOff && !lays_supports(options)) {
     settings.value().supports = core::SupportPlace::kOff;
     reporter.note("supports", "supports are left out here: the layers are the part's alone");
   }

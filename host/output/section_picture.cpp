@@ -113,13 +113,13 @@ void SectionPicture::place_panels(double width, bool beads) {
     page_height_ = bead_legend_top_ - kLegendRowPx;
     if (!beads) return;
     bead_legend_top_ += height + 2 * kLegendRowPx;
-    page_height_ = bead_legend_top_ + 2.2 * kLegendRowPx;
+    page_height_ = bead_legend_top_ + 3.2 * kLegendRowPx;
   } else if (layout_ == Layout::kPaired) {
     page_width_ = std::max(2 * width + 3 * kPadPx, 2 * kSideLegendPx);
     const double gap = std::floor((page_width_ - 2 * width) / 3);
     panels_.push_back({gap, top});
     panels_.push_back({2 * gap + width, top});
-    page_height_ = bead_legend_top_ + 2.2 * kLegendRowPx;
+    page_height_ = bead_legend_top_ + 3.2 * kLegendRowPx;
   } else {
     panels_.push_back({kPadPx, top});
     if (beads) panels_.push_back({2 * kPadPx + width, top});
@@ -373,9 +373,8 @@ void SectionPicture::append_legend(std::string& svg) {
   std::size_t row = 0;
   for (const KindStyle& style : kKindStyles) {
     if (!kind_seen_[static_cast<std::size_t>(style.kind)]) continue;
-    const std::size_t before = row / 2;  // columns
-    const double column = wide ? static_cast<double>(before) * 215 : 0;
-    const double down = wide ? static_cast<double>(row % 2) : static_cast<double>(row);
+    const double column = wide ? static_cast<double>(row / 3) * 215 : 0;
+    const double down = static_cast<double>(wide ? row % 3 : row);
     append_legend_row(svg, bead_legend_left_ + column, bead_legend_top_ + down * kLegendRowPx,
                       style.colours, style.name);
     ++row;

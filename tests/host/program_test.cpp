@@ -338,6 +338,23 @@ TEST_CASE("plan, show and settings tell what they should") {
   CHECK(says(again, "perimeters = 3"));
 }
 
+TEST_CASE("a cut shows supports, and each kind of road stands in its legend") {
+  const PartFolder folder;
+  const std::string part = folder.add("mushroom.stl", parts::mushroom());
+  const std::string svg = folder.file("cut.svg");
+  const ProgramRun run = rind("show " + part + " --section Y=50% -o " + svg + " --quiet" +
+                              " --set supports=everywhere");
+  CAPTURE(run.output);
+  REQUIRE_EQ(run.exit_code, 0);
+  const std::string picture = content(svg);
+  CHECK_EQ(test::svg_fault(picture), "");
+  for (const char* kind :
+       {"outer perimeter", "bridge over loose", ">support<", "support interface"}) {
+    CAPTURE(kind);
+    CHECK_NE(picture.find(kind), std::string::npos);
+  }
+}
+
 TEST_CASE("a cut through a part ten times as tall holds no more layers") {
   const PartFolder folder;
   const std::string stats = folder.file("stats.json"), svg = folder.file("cut.svg");
