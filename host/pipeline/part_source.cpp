@@ -16,14 +16,14 @@ PartSource::PartSource(PrintPlan& print_plan, const core::Settings& settings,
       inside_(settings_, print_plan.spool_folder),
       supports_(settings_, print_plan.spool_folder, stopped) {}
 
-core::Status PartSource::prepare(const std::function<void()>& preheat) {
+core::Status PartSource::prepare(const std::function<void()>& preheat, LayerWatch& watch) {
   if (core::Status made = make_spools(); !made.ok()) return made;
   if (plan_.part.read_rest || supports_.wants_all() || inside_.wanted()) preheat();
   if (core::Status read = read_rest(); !read.ok()) return read;
   signals_.layers.store(plan_.part.summary.layers);
   if (plan_.part.summary.nothing_hangs) supports_.call_off();
   if (supports_.wants_all()) {
-    core::Status prepared = supports_.prepare(intake_, signals_.preparation);
+    core::Status prepared = supports_.prepare(intake_, signals_.preparation, watch);
     if (!prepared.ok() || stopped_()) return prepared;
   }
   if (!inside_.wanted()) return {};
@@ -64,6 +64,7 @@ void PartSource::tell(GeometryStatistics& statistics) const {
   clock.set_seconds(Stage::kSort, used.sort_cpu_s);
   clock.set_seconds(Stage::kSlice, used.slice_cpu_s);
   clock.set_seconds(Stage::kSupport, supports_.seconds());
+  clock.set_worst_layer(Stage::kSupport, supports_.worst_layer_s());
   statistics.peak_held.triangles = used.peak_triangles_held;
   statistics.spilled_bytes =
       used.spilled_bytes + supports_.spooled_bytes() + inside_.spooled_bytes();

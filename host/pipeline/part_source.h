@@ -11,6 +11,7 @@
 #include "core/settings.h"                // Settings
 #include "core/units.h"                   // LayerIndex
 #include "host/pipeline/inside_stage.h"   // InsideStage
+#include "host/pipeline/layer_watch.h"    // LayerWatch
 #include "host/pipeline/pipeline.h"       // PrintPlan, PipelineSignals
 #include "host/pipeline/slice_intake.h"   // SliceIntake, TakenSlice
 #include "host/pipeline/statistics.h"     // GeometryStatistics
@@ -28,8 +29,9 @@ class PartSource {
              const Stopped& stopped);
 
   // `preheat` is called once, if the first slice has to wait; temporary files are made before.
-  // Returns early when asked to stop. Errors: of the part, of the disk.
-  [[nodiscard]] core::Status prepare(const std::function<void()>& preheat);
+  // `watch` sees layers whose supports take long. Returns early when asked to stop. Errors: of the
+  // part, of the disk.
+  [[nodiscard]] core::Status prepare(const std::function<void()>& preheat, LayerWatch& watch);
 
   // From the bed up. Errors: of the part, of the disk. REQUIRES: prepare() was fine.
   [[nodiscard]] core::Result<TakenSlice> next_slice();

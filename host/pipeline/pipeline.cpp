@@ -93,9 +93,10 @@ class Pipeline {
   }
 
   core::Status prepare() {
-    return source_.prepare([this] {
+    const auto preheat = [this] {
       if (outputs_.on_motion && !plan_.start) commands_.preheat();
-    });
+    };
+    return source_.prepare(preheat, watch_);
   }
 
   // Called in order. After the last slice it gives empty batches until the window is empty.

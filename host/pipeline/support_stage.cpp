@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "core/check.h"                // RIND_CHECK
@@ -39,10 +40,10 @@ core::Status SupportStage::make_spools(WarningBox& warnings) {
   return {};
 }
 
-core::Status SupportStage::prepare(SliceIntake& intake, PreparationBox& told) {
+core::Status SupportStage::prepare(SliceIntake& intake, PreparationBox& told, LayerWatch& watch) {
   RIND_CHECK(slices_.has_value());
   if (core::Status spooled = spool_slices(intake, told); !spooled.ok()) return spooled;
-  if (core::Status folded = fold(intake.taken(), told); !folded.ok()) return folded;
+  if (core::Status folded = fold(intake.taken(), told, watch); !folded.ok()) return folded;
   told.clear();
   slices_->read_forwards();
   supports_->read_backwards();
@@ -92,7 +93,7 @@ core::Result<TakenSlice> SupportStage::next_slice(SliceIntake& intake, WarningBo
   return taken;
 }
 
-core::Status SupportStage::fold(core::LayerIndex layers, PreparationBox& told) {
+core::Status SupportStage::fold(core::LayerIndex layers, PreparationBox& told, LayerWatch& watch) {
   const CpuTimer timer(seconds_);
   const auto slice_of = [](const SpooledLayer& layer) {
     return core::FoldSlice{layer.index, layer.bottom, layer.height, layer.regions.front(),
@@ -102,24 +103,30 @@ core::Status SupportStage::fold(core::LayerIndex layers, PreparationBox& told) {
     core::TreeFold fold(settings_);
     return fold_down(
         fold, [&](const SpooledLayer& layer) { fold.push(slice_of(layer), layer.regions[3]); },
-        layers, told);
+        layers, told, watch);
   }
   core::SupportFold fold(settings_);
   return fold_down(
-      fold, [&](const SpooledLayer& layer) { fold.push(slice_of(layer)); }, layers, told);
+      fold, [&](const SpooledLayer& layer) { fold.push(slice_of(layer)); }, layers, told, watch);
 }
 
 template <typename Fold, typename Push>
 core::Status SupportStage::fold_down(Fold& fold, const Push& push, core::LayerIndex layers,
-                                     PreparationBox& told) {
+                                     PreparationBox& told, LayerWatch& watch) {
   slices_->read_backwards();
   while (!stopped_()) {
     core::Result<std::optional<SpooledLayer>> layer = slices_->previous();
     if (!layer.ok()) return layer.error();
     if (!layer.value()) break;
-    told.put({"supports: from the top down", layers - layer.value()->index, layers});
-    push(*layer.value());
+    const SpooledLayer& found = *layer.value();
+    told.put({"supports: from the top down", layers - found.index, layers});
+    double watched_s = 0;
+    const LayerWatch::Look look(watch, found.index, found.bottom + found.height,
+                                found.regions.front().get(), watched_s);
+    const double before_s = thread_cpu_seconds();
+    push(found);
     if (core::Status taken = take_decided(fold); !taken.ok()) return taken;
+    worst_layer_s_ = std::max(worst_layer_s_, thread_cpu_seconds() - before_s);
   }
   if (stopped_()) return {};  // layer 0 was not reached
   fold.end();

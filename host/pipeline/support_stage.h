@@ -28,6 +28,7 @@
 #include "core/supports/tree_standing.h"  // TreeStanding
 #include "core/walls/split_layer.h"       // SplitLayer
 #include "host/part/layer_spool.h"        // LayerSpool
+#include "host/pipeline/layer_watch.h"    // LayerWatch
 #include "host/pipeline/preparation.h"    // PreparationBox
 #include "host/pipeline/slice_intake.h"   // SliceIntake, TakenSlice
 #include "host/pipeline/support_ahead.h"  // SupportAhead
@@ -65,11 +66,12 @@ class SupportStage {
     ahead_.reset();
   }
 
-  // Takes all of the part's slices, and finds where supports stand; tells of each layer. Returns
-  // early when asked to stop. Errors: of the intake, of the disk.
+  // Takes all of the part's slices, and finds where supports stand; tells of each layer, and has
+  // `watch` see those that take long. Returns early when asked to stop. Errors: of the intake, of
+  // the disk.
   // COSTS: slicing, which then is done, and the fold.
   // REQUIRES: the spools are made; called once, before the first slice was taken.
-  [[nodiscard]] core::Status prepare(SliceIntake& intake, PreparationBox& told);
+  [[nodiscard]] core::Status prepare(SliceIntake& intake, PreparationBox& told, LayerWatch& watch);
 
   // The next slice up. Errors: of the intake, of the disk. REQUIRES: prepared, if all of the part
   // is needed.
@@ -88,15 +90,16 @@ class SupportStage {
   void fill(core::SupportPlan& plan) const { planner_.fill(plan); }
 
   [[nodiscard]] std::int64_t spooled_bytes() const;
-  // Processor time of the fold.
+  // Processor time of the fold; of its worst layer, 0 with support_lookahead.
   [[nodiscard]] double seconds() const { return ahead_ ? ahead_->seconds() : seconds_; }
+  [[nodiscard]] double worst_layer_s() const { return worst_layer_s_; }
 
  private:
   [[nodiscard]] core::Status spool_slices(SliceIntake& intake, PreparationBox& told);
   template <typename Fold, typename Push>
   [[nodiscard]] core::Status fold_down(Fold& fold, const Push& push, core::LayerIndex layers,
-                                       PreparationBox& told);
-  [[nodiscard]] core::Status fold(core::LayerIndex layers, PreparationBox& told);
+                                       PreparationBox& told, LayerWatch& watch);
+  [[nodiscard]] core::Status fold(core::LayerIndex layers, PreparationBox& told, LayerWatch& watch);
   template <typename Fold>  // SupportFold, TreeFold
   [[nodiscard]] core::Status take_decided(Fold& fold);
   [[nodiscard]] bool trees() const { return settings_.support_style == core::SupportStyle::kTree; }
@@ -117,7 +120,7 @@ class SupportStage {
   core::TreeStanding standing_;
   std::deque<core::SupportLayer> recent_;  // the gap's, the latest last
   core::SupportPlanner planner_;
-  double seconds_ = 0;
+  double seconds_ = 0, worst_layer_s_ = 0;
 };
 
 }  // namespace host

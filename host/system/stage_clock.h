@@ -53,6 +53,8 @@ class StageClock {
   // Replaces the stage's total by one that was measured elsewhere, more finely than by enter().
   void set_seconds(Stage stage, double seconds) { total_[index(stage)] = seconds; }
 
+  void set_worst_layer(Stage stage, double seconds) { worst_[index(stage)] = seconds; }
+
   [[nodiscard]] double seconds(Stage stage) const { return total_[index(stage)]; }
   [[nodiscard]] double worst_layer_ms(Stage stage) const { return worst_[index(stage)] * 1e3; }
 

@@ -236,6 +236,10 @@ TEST_CASE("a part that leans out nowhere is printed at once, as without supports
   const Printed printed = print(settings, path);
   // Each layer is told twice: as it is cut, and as it is looked at from above.
   CHECK_EQ(printed.preparations, 2 * printed.slices.size());
+  const host::StageClock& clock = printed.statistics.clock;
+  CHECK_GT(clock.worst_layer_ms(host::Stage::kSupport), 0);
+  CHECK_LE(clock.worst_layer_ms(host::Stage::kSupport),
+           1e3 * clock.seconds(host::Stage::kSupport) + 1e-6);
 }
 
 TEST_CASE("with enough layers known ahead, a print is the same, and needs no spool") {
