@@ -25,20 +25,28 @@ void run_in_turn(const OrderedStages& stages) {
 }
 
 // TBB hands batches from thread to thread. The thread sanitizer does not see into TBB: there, it
-// is shown each hand-over by a lock.
+// is shown each hand-over by a lock, before and after the work, also when that throws.
+class HandOver {
+ public:
+  HandOver() { show(); }
+  ~HandOver() { show(); }
+  HandOver(const HandOver&) = delete;
+  HandOver& operator=(const HandOver&) = delete;
+
+ private:
+  static void show() {
 #ifdef RIND_THREAD_SANITIZER
-std::mutex hand_over_lock;
-void hand_over() { const std::lock_guard lock(hand_over_lock); }
-#else
-void hand_over() {}
+    static std::mutex shown;
+    const std::lock_guard lock(shown);
 #endif
+  }
+};
 
 using Work = std::function<void(LayerBatch&)>;
 
 void work_on(LayerBatch& batch, const Work& work) {
-  hand_over();
+  const HandOver hand_over;
   work(batch);
-  hand_over();
 }
 
 // The batches under way. TBB carries plain pointers to them: what it holds between two stages when
@@ -69,17 +77,16 @@ auto stage(tbb::filter_mode mode, const Work& work) {
 void run_at_once(const OrderedStages& stages, int threads) {
   BatchPlaces places(batches_max(threads));
   const auto take = [&](tbb::flow_control& control) {
-    hand_over();
+    const HandOver hand_over;
     LayerBatch* batch = places.put(stages.take());
     if (batch == nullptr) control.stop();
-    hand_over();
     return batch;
   };
   const auto give = [&stages](LayerBatch* batch) { work_on(*batch, stages.give); };
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   static_cast<std::size_t>(threads));
   tbb::task_arena arena(threads);
-  hand_over();
+  const HandOver hand_over;
   arena.execute([&] {
     tbb::parallel_pipeline(
         static_cast<std::size_t>(batches_max(threads)),
@@ -91,7 +98,6 @@ void run_at_once(const OrderedStages& stages, int threads) {
             stage(tbb::filter_mode::parallel, stages.order) &
             tbb::make_filter<LayerBatch*, void>(tbb::filter_mode::serial_in_order, give));
   });
-  hand_over();
 }
 
 }  // namespace

@@ -123,8 +123,9 @@ Status lookahead_is_enough(const PrintSettings& settings) {
       settings.loose_pattern != core::LoosePattern::kLightning) {
     return {};
   }
-  return bad("support_lookahead needs an inside that is known as soon: loose_roof = off, and no "
-             "lightning, which both depend on the whole part");
+  return bad(
+      "support_lookahead needs an inside that is known as soon: loose_roof = off, and no "
+      "lightning, which both depend on the whole part");
 }
 
 // A height that layers may have besides layer_height, under the name of what says so.
