@@ -1,8 +1,7 @@
 #include "core/supports/bed_columns.h"
 
-#include <memory>
-
-#include "core/booleans/boolean.h"  // intersect
+#include "core/booleans/boolean.h"          // intersect
+#include "core/supports/support_regions.h"  // shared
 
 namespace core {
 
@@ -12,8 +11,8 @@ SupportLayer BedColumns::standing(const SupportLayer& layer) {
     result = *last_standing_;
     result.index = layer.index;
   } else if (below_) {
-    result.region = std::make_shared<const Region>(intersect(*layer.region, *below_));
-    result.interface = std::make_shared<const Region>(intersect(*layer.interface, *below_));
+    result.region = shared(intersect(*layer.region, *below_));
+    result.interface = shared(intersect(*layer.interface, *below_));
   }
   below_ = result.region;
   last_ = layer;

@@ -15,6 +15,7 @@
 #include "core/roads/bridge_rows.h"         // BridgeArea, bridge_rows
 #include "core/roads/bridges.h"             // kBridgeAnchorWidths, kBridgeTrials
 #include "core/roads/unheld.h"              // is_hair
+#include "core/supports/support_regions.h"  // scaled
 #include "core/trigonometry.h"              // cosine, sine
 #include "core/walls/regularise.h"          // regularise_loose
 
@@ -35,8 +36,6 @@ constexpr Length kBranchSpacingMin = Length::from_units(10'000);
 
 // Strips are this share of the longest bridge.
 constexpr double kStripShare = 0.9;
-
-Length scaled(Length length, double factor) { return Length::from_mm(length.mm() * factor); }
 
 void append(const Region& region, std::vector<Ring>& rings) {
   rings.insert(rings.end(), region.rings().begin(), region.rings().end());

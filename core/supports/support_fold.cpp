@@ -8,12 +8,10 @@
 #include "core/check.h"                     // RIND_CHECK
 #include "core/offsets/voronoi_mountain.h"  // offset
 #include "core/supports/marked_hanging.h"   // marked_hanging
+#include "core/supports/support_regions.h"  // grown, kSupportTolerance, scaled, shared
 
 namespace core {
 namespace {
-
-// What is laid is simplified and offset this exactly.
-constexpr Length kSupportTolerance = Length::from_units(200);
 
 // Demand narrower than this share of the narrowest road is opened away.
 constexpr double kOpeningWidths = 1;
@@ -26,15 +24,6 @@ constexpr double kNearShare = 0.5;
 constexpr double kNarrowGrowth = 0.3;
 constexpr Length kNarrowSlack = Length::from_units(500);
 constexpr double kNarrowLength_mm = 0.8;
-
-SharedRegion shared(Region region) { return std::make_shared<const Region>(std::move(region)); }
-
-Length scaled(Length length, double factor) { return Length::from_mm(length.mm() * factor); }
-
-Region grown(const Region& region, Length by) {
-  if (region.empty() || by <= Length()) return region;
-  return offset(region, -by, kSupportTolerance);
-}
 
 Region opened(const Region& region, Length by) {
   if (region.empty()) return region;

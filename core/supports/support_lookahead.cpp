@@ -1,18 +1,16 @@
 #include "core/supports/support_lookahead.h"
 
 #include <algorithm>
-#include <memory>
 #include <utility>
 
 #include "core/booleans/boolean.h"          // intersect, subtract, unite
 #include "core/booleans/simplified.h"       // simplified
 #include "core/check.h"                     // RIND_CHECK
 #include "core/offsets/voronoi_mountain.h"  // offset
+#include "core/supports/support_regions.h"  // grown, kSupportTolerance, shared
 
 namespace core {
 namespace {
-
-constexpr Length kFootingTolerance = Length::from_units(200);
 
 // Layers under a block that its lowest layer's supports depend on.
 LayerIndex layers_below(const Settings& settings) {
@@ -100,7 +98,7 @@ bool SupportLookahead::is_missing(const Region& wanted, const Region& laid) cons
   const Region missing = subtract(wanted, laid);
   if (missing.empty()) return false;
   const Length half = Length::from_units(settings_.road_width_min.units() / 2);
-  return !offset(missing, half, kFootingTolerance).empty();
+  return !offset(missing, half, kSupportTolerance).empty();
 }
 
 void SupportLookahead::find_cut(const SupportLayer& wanted) {
@@ -116,8 +114,7 @@ void SupportLookahead::find_cut(const SupportLayer& wanted) {
 Region SupportLookahead::footing(LayerIndex index) const {
   Region all;
   if (const FoldSlice* under = slice(index - 1)) {
-    all = offset(simplified(*under->region, kFootingTolerance), -settings_.support_xy_distance,
-                 kFootingTolerance);
+    all = grown(simplified(*under->region, kSupportTolerance), settings_.support_xy_distance);
   }
   if (const FoldSlice* under = slice(index - 1 - settings_.support_bottom_gap_layers)) {
     all = unite(all, *under->region);
@@ -129,8 +126,8 @@ SupportLayer SupportLookahead::standing(const SupportLayer& layer) {
   if (settings_.supports == SupportPlace::kBed) return columns_.standing(layer);
   if (!cut_) return layer;
   const Region under = unite(*laid_->region, footing(layer.index));
-  return {layer.index, std::make_shared<const Region>(intersect(*layer.region, under)),
-          std::make_shared<const Region>(intersect(*layer.interface, under))};
+  return {layer.index, shared(intersect(*layer.region, under)),
+          shared(intersect(*layer.interface, under))};
 }
 
 }  // namespace core

@@ -10,6 +10,7 @@
 #include "core/check.h"                     // RIND_CHECK
 #include "core/offsets/voronoi_mountain.h"  // offset
 #include "core/regions/point_location.h"    // PointLocation
+#include "core/supports/support_regions.h"  // grown, kSupportTolerance, shared
 #include "core/supports/tree_reach.h"       // blocked_for_branches, branch_core, branch_step
 #include "core/supports/tree_standing.h"    // branch_overhang
 #include "core/supports/tree_tips.h"        // tip_places
@@ -18,9 +19,6 @@
 namespace core {
 namespace {
 
-// What is laid is simplified and offset this exactly.
-constexpr Length kTreeTolerance = Length::from_units(200);
-
 // A branch is laid as a polygon of so many corners, its radius in whole multiples of this, so that
 // straight ones stay the same for some layers.
 constexpr int kDiscCorners = 24;
@@ -28,15 +26,6 @@ constexpr double kRadiusGrain = 500;
 
 // A tip is left out where there is a branch within this share of their spacing.
 constexpr double kTipNearShare = 0.6;
-
-SharedRegion shared(Region region) { return std::make_shared<const Region>(std::move(region)); }
-
-Length scaled(Length length, double factor) { return Length::from_mm(length.mm() * factor); }
-
-Region grown(const Region& region, Length by) {
-  if (region.empty() || by <= Length()) return region;
-  return offset(region, -by, kTreeTolerance);
-}
 
 Ring disc(Point centre, double radius) {
   Ring ring;
@@ -73,7 +62,7 @@ TreeFold::TreeFold(const Settings& settings)
       roofs_(settings),
       nodes_(settings),
       beyond_bed_(
-          offset(blocked_for_branches({}, settings), branch_core(settings), kTreeTolerance)) {}
+          offset(blocked_for_branches({}, settings), branch_core(settings), kSupportTolerance)) {}
 
 void TreeFold::push(FoldSlice slice, SharedRegion avoided) {
   roofs_.push(slice);
@@ -121,7 +110,7 @@ Length TreeFold::tip_reach() const {
 // A roof over what branches may reach.
 Region TreeFold::within_reach(const Level& at, const Region& roof) const {
   if (settings_.supports != SupportPlace::kBed || roof.empty()) return roof;
-  return subtract(roof, offset(*at.avoided, tip_reach(), kTreeTolerance));
+  return subtract(roof, offset(*at.avoided, tip_reach(), kSupportTolerance));
 }
 
 SupportLayer TreeFold::decide(const Level& at, SupportLayer roof) {
@@ -161,7 +150,7 @@ void TreeFold::look(const Level& at) {
   if (avoided_of_ != at.avoided) {
     avoided_of_ = at.avoided;
     avoided_ = std::make_unique<TreeObstacle>(*at.avoided);
-    cut_ = offset(*at.avoided, branch_core(settings_), kTreeTolerance);
+    cut_ = offset(*at.avoided, branch_core(settings_), kSupportTolerance);
   }
   if (settings_.supports == SupportPlace::kBed || blocked_of_ == at.slice.region) return;
   blocked_of_ = at.slice.region;
@@ -220,8 +209,8 @@ Region TreeFold::laid_on_part(const Level& at) {
   const LayerIndex index = at.slice.index;
   const Region discs = branches(at, false);
   if (discs.empty()) return {};
-  const Region simple = simplified(*at.slice.region, kTreeTolerance);
-  Region around = unite(grown(simple, settings_.support_xy_distance + kTreeTolerance * 2),
+  const Region simple = simplified(*at.slice.region, kSupportTolerance);
+  Region around = unite(grown(simple, settings_.support_xy_distance + kSupportTolerance * 2),
                         slices_between(index - settings_.support_bottom_gap_layers, index - 1));
   around = unite(around, beyond_bed_);
   const PointLocation where(around);

@@ -1,11 +1,9 @@
 #include "core/supports/tree_standing.h"
 
-#include <memory>
-#include <utility>
-
 #include "core/booleans/boolean.h"           // intersect, subtract, unite
 #include "core/offsets/voronoi_mountain.h"   // offset
 #include "core/regions/contour_proximity.h"  // stays_near
+#include "core/supports/support_regions.h"   // kSupportTolerance, shared
 
 namespace core {
 namespace {
@@ -14,10 +12,6 @@ namespace {
 constexpr Length kLaidSlack = Length::from_units(600);
 // How far apart the places of a contour are that are looked at.
 constexpr Length kSampled = Length::from_units(500);
-constexpr Length kTolerance = Length::from_units(200);
-
-SharedRegion shared(Region region) { return std::make_shared<const Region>(std::move(region)); }
-
 }  // namespace
 
 Length branch_overhang(Length step) { return step * 2 + kLaidSlack; }
@@ -33,7 +27,7 @@ SupportLayer TreeStanding::trimmed(const SupportLayer& layer) const {
   const Length reach = branch_overhang(layer.step);
   if (layer.branches == below_ || stays_near(*layer.branches, *below_, reach, kSampled))
     return layer;
-  Region ground = offset(*below_, -reach, kTolerance);
+  Region ground = offset(*below_, -reach, kSupportTolerance);
   if (layer.feet) ground = unite(ground, *layer.feet);
   const Region lobes = subtract(*layer.branches, ground);
   if (lobes.empty()) return layer;

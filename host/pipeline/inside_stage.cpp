@@ -13,6 +13,7 @@
 #include "host/part/branch_bytes.h"        // branch_bytes, branches_in
 #include "host/pipeline/layer_batch.h"     // LayerBatch
 #include "host/pipeline/ordered_stages.h"  // run_stages
+#include "host/pipeline/slice_spool.h"     // next_slice, spooled
 
 namespace host {
 namespace {
@@ -92,13 +93,9 @@ class InsideStage::FirstPass {
       while ((settled = splitter_.finish())) spool_inside(std::move(*settled), batch);
       return;
     }
-    SpooledLayer layer;
-    layer.index = batch.slice->index;
-    layer.bottom = batch.slice->bottom;
-    layer.height = batch.slice->height;
-    layer.defects = batch.slice->defects;
-    layer.note = batch.pause;
-    layer.regions.front() = std::make_shared<const core::Region>(batch.slice->region);
+    const core::Slice& slice = *batch.slice;
+    const SpooledLayer layer =
+        spooled(slice, std::make_shared<const core::Region>(slice.region), std::move(batch.pause));
     if (core::Status put = stage_.slices_->append(layer); !put.ok()) batch.error = put.error();
     settled = splitter_.push({*std::move(batch.slice), std::move(batch.offsets.offsets)});
     for (; settled; settled = splitter_.next()) spool_inside(std::move(*settled), batch);
@@ -209,15 +206,7 @@ core::Status InsideStage::take_decided(core::RoofFold& fold, core::LightningFold
 
 core::Result<TakenSlice> InsideStage::next_slice() {
   RIND_CHECK(slices_.has_value());
-  core::Result<std::optional<SpooledLayer>> layer = slices_->next();
-  if (!layer.ok()) return layer.error();
-  TakenSlice taken;
-  if (!layer.value()) return taken;
-  SpooledLayer& found = *layer.value();
-  taken.slice =
-      core::Slice{found.index, found.bottom, found.height, *found.regions.front(), found.defects};
-  taken.pause = std::move(found.note);
-  return taken;
+  return host::next_slice(*slices_);
 }
 
 core::Result<core::SplitLayer> InsideStage::split(core::Layer layer) {

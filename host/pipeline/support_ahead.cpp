@@ -20,9 +20,11 @@ core::Result<TakenSlice> SupportAhead::next(SliceIntake& intake,
     if (const auto cut = lookahead_.take_cut()) {
       warnings.put(fmt::format(
           "supports: what hangs above layer {} was not known when the layers below {:.1f} mm were "
-          "laid, so nothing holds it; support_lookahead = {} or more would hold it, and 0 reads "
+          "laid, so nothing holds it; support_lookahead = {} or more would hold {}, and 0 reads "
           "the whole part first",
-          cut->index + settings_.support_lookahead, cut->bottom.mm(), cut->known + 1));
+          cut->index + settings_.support_lookahead, cut->bottom.mm(), cut->known + 1,
+          settings_.supports == core::SupportPlace::kBed ? "what of it is over the bed alone"
+                                                         : "it"));
     }
   }
   if (!support) return TakenSlice{};

@@ -5,10 +5,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/check.h"                // RIND_CHECK
-#include "core/supports/tree_fold.h"   // TreeFold
-#include "core/supports/tree_reach.h"  // TreeReach
-#include "host/system/stage_clock.h"   // CpuTimer
+#include "core/check.h"                 // RIND_CHECK
+#include "core/supports/tree_fold.h"    // TreeFold
+#include "core/supports/tree_reach.h"   // TreeReach
+#include "host/pipeline/slice_spool.h"  // next_slice, spooled
+#include "host/system/stage_clock.h"    // CpuTimer
 
 namespace host {
 namespace {
@@ -58,17 +59,12 @@ core::Status SupportStage::spool_slices(SliceIntake& intake, PreparationBox& tol
     if (!taken.value().slice) break;
     told.put({"supports: slicing", intake.taken(), intake.layers()});
     core::Slice& slice = *taken.value().slice;
-    SpooledLayer layer;
-    layer.index = slice.index;
-    layer.bottom = slice.bottom;
-    layer.height = slice.height;
-    layer.defects = slice.defects;
-    layer.note = std::move(taken.value().pause);
+    auto region = std::make_shared<const core::Region>(std::move(slice.region));
+    SpooledLayer layer = spooled(slice, region, std::move(taken.value().pause));
     if (trees()) {
       const CpuTimer timer(seconds_);
-      layer.regions[3] = reach.push(slice.region, slice.height);
+      layer.regions[3] = reach.push(*region, slice.height);
     }
-    layer.regions.front() = std::make_shared<const core::Region>(std::move(slice.region));
     if (slice.marks) {
       layer.regions[1] = {slice.marks, &slice.marks->enforced};
       layer.regions[2] = {slice.marks, &slice.marks->blocked};
@@ -82,15 +78,7 @@ core::Result<TakenSlice> SupportStage::next_slice(SliceIntake& intake, WarningBo
   if (!wanted()) return intake.next();
   if (ahead_) return ahead_->next(intake, stopped_, warnings);
   RIND_CHECK(slices_.has_value());
-  core::Result<std::optional<SpooledLayer>> layer = slices_->next();
-  if (!layer.ok()) return layer.error();
-  TakenSlice taken;
-  if (!layer.value()) return taken;
-  SpooledLayer& found = *layer.value();
-  taken.slice =
-      core::Slice{found.index, found.bottom, found.height, *found.regions.front(), found.defects};
-  taken.pause = std::move(found.note);
-  return taken;
+  return host::next_slice(*slices_);
 }
 
 core::Status SupportStage::fold(core::LayerIndex layers, PreparationBox& told, LayerWatch& watch) {

@@ -1,6 +1,8 @@
 // A whole print through the pipeline, with all that it gave.
 #pragma once
 
+#include <doctest/doctest.h>
+
 #include <string>
 #include <utility>
 #include <variant>
@@ -65,6 +67,41 @@ inline Printed print(const core::Settings& settings, const std::string& path, in
   printed.layers_told = signals.layers.load();
   printed.warnings = signals.warnings.take();
   return printed;
+}
+
+// How often a print asks whether to stop if it is told to after so many times, and how it ends.
+struct StoppedPrint {
+  int asked = 0;
+  host::PipelineEnd end = host::PipelineEnd::kDone;
+};
+
+inline StoppedPrint print_stopped(const core::Settings& settings, const std::string& path,
+                                  int stop_after) {
+  core::Result<host::OpenedPart> part = host::open_whole_part(path, settings);
+  REQUIRE(part.ok());
+  host::PrintPlan print_plan{settings, std::move(part).value(), "part"};
+  host::PipelineOutputs outputs;
+  outputs.on_motion = [](const core::Motion&, const auto&) { return true; };
+  host::PipelineSignals signals;
+  StoppedPrint print;
+  signals.stop_asked = [&] { return print.asked++ >= stop_after; };
+  host::GeometryStatistics statistics;
+  const auto end = host::run_pipeline(print_plan, outputs, signals, statistics);
+  REQUIRE(end.ok());
+  print.end = end.value();
+  return print;
+}
+
+// A print that looks through its part before the first layer is asked once for each slice that is
+// taken, and once for each that is folded: `times` or more.
+inline void check_stops(const core::Settings& settings, const std::string& path, int times) {
+  const StoppedPrint whole = print_stopped(settings, path, 1'000'000);
+  CHECK(whole.end == host::PipelineEnd::kDone);
+  REQUIRE_GT(whole.asked, times);
+  for (int after = 0; after < times; after += 3) {
+    CAPTURE(after);
+    CHECK(print_stopped(settings, path, after).end == host::PipelineEnd::kStopped);
+  }
 }
 
 }  // namespace print_test

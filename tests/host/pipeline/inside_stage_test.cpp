@@ -208,26 +208,7 @@ TEST_CASE("the same commands for any number of threads, with supports, on a raft
 TEST_CASE("a print that is stopped while the inside is sought ends in good order, whenever") {
   const test::PartFolder folder;
   const std::string path = folder.add("part.stl", parts::box({2, 2, 0}, 16, 16, 6));
-  const auto run = [&](int stop_after) {
-    host::PrintPlan print_plan = print_test::open(hollow(), path);
-    host::PipelineOutputs outputs;
-    outputs.on_motion = [](const core::Motion&, const auto&) { return true; };
-    host::PipelineSignals signals;
-    int calls = 0;
-    signals.stop_asked = [&] { return calls++ >= stop_after; };
-    host::GeometryStatistics statistics;
-    const auto end = host::run_pipeline(print_plan, outputs, signals, statistics);
-    REQUIRE(end.ok());
-    return std::pair(calls, end.value());
-  };
-  const auto whole = run(1'000'000);
-  CHECK(whole.second == host::PipelineEnd::kDone);
-  // It is asked once for each slice that is taken, and once for each that is folded.
-  REQUIRE_GT(whole.first, 65);
-  for (int after = 0; after < 65; after += 3) {
-    CAPTURE(after);
-    CHECK(run(after).second == host::PipelineEnd::kStopped);
-  }
+  print_test::check_stops(hollow(), path, 65);
 }
 
 TEST_CASE("an inside's spool that can't be made ends the print with its folder and a remedy") {

@@ -290,27 +290,7 @@ TEST_CASE("with too few, what can't be held is told, and no support begins in th
 TEST_CASE("a print that is stopped while supports are sought ends in good order, whenever") {
   const test::PartFolder folder;
   const std::string path = folder.add("shelf.stl", shelf());
-  // How often it is asked whether to stop, and how it ended.
-  const auto run = [&](int stop_after) {
-    host::PrintPlan print_plan = print_test::open(supported(core::SupportPlace::kBed), path);
-    host::PipelineOutputs outputs;
-    outputs.on_motion = [](const core::Motion&, const auto&) { return true; };
-    host::PipelineSignals signals;
-    int calls = 0;
-    signals.stop_asked = [&] { return calls++ >= stop_after; };
-    host::GeometryStatistics statistics;
-    const auto end = host::run_pipeline(print_plan, outputs, signals, statistics);
-    REQUIRE(end.ok());
-    return std::pair(calls, end.value());
-  };
-  const auto whole = run(1'000'000);
-  CHECK(whole.second == host::PipelineEnd::kDone);
-  // It is asked once for each slice that is taken, and once for each that is folded.
-  REQUIRE_GT(whole.first, 140);
-  for (int after = 0; after < 140; after += 3) {
-    CAPTURE(after);
-    CHECK(run(after).second == host::PipelineEnd::kStopped);
-  }
+  print_test::check_stops(supported(core::SupportPlace::kBed), path, 140);
 }
 
 TEST_CASE("a part that begins in the air has a skirt around its supports, and a raft under them") {
