@@ -27,7 +27,7 @@ void SupportLookahead::push(FoldSlice slice) {
   RIND_CHECK(!ended_);
   RIND_CHECK(slices_.empty() ? slice.index == 0 : slice.index == known() + 1);
   slices_.push_back(std::move(slice));
-  if (known() + 1 >= block_ + 2 * settings_.support_lookahead) decide_block();
+  if (known() + 1 >= block_ + 2 * LayerIndex{settings_.support_lookahead}) decide_block();
 }
 
 void SupportLookahead::end() {

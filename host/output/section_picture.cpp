@@ -373,7 +373,8 @@ void SectionPicture::append_legend(std::string& svg) {
   std::size_t row = 0;
   for (const KindStyle& style : kKindStyles) {
     if (!kind_seen_[static_cast<std::size_t>(style.kind)]) continue;
-    const double column = wide ? static_cast<double>(row / 3) * 215 : 0;
+    const std::size_t before = row / 3;  // columns
+    const double column = wide ? static_cast<double>(before) * 215 : 0;
     const double down = static_cast<double>(wide ? row % 3 : row);
     append_legend_row(svg, bead_legend_left_ + column, bead_legend_top_ + down * kLegendRowPx,
                       style.colours, style.name);
