@@ -43,6 +43,9 @@ inline constexpr std::size_t kHeightBandsMax = 8'192;
 static_assert(std::has_single_bit(kHeightBinsMax) && std::has_single_bit(kFlatBinsMax));
 static_assert(5 * kHeightRangesMax < kHeightBandsMax);
 
+// Corners of the bed's outline. The round beds of PrusaSlicer's printers have 60 and 72.
+inline constexpr std::size_t kBedCornersMax = 1'000;
+
 // How often a contour is turned when Boost's Voronoi diagram of it fails its checks, before the
 // offset is made the slow way. One turn nearly always does.
 inline constexpr int kDiagramTurnsMax = 4;

@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "core/units.h"  // Length
+#include "core/geometry.h"  // Point
+#include "core/units.h"     // Length
 
 namespace core {
 
@@ -253,6 +254,8 @@ struct Settings {
   Length bed_y = Length::from_units(3'000'000);
   Length bed_origin_x;  // the printer's coordinates of the bed's front left corner
   Length bed_origin_y;
+  // Its outline in the printer's coordinates (bed.h); empty: the rectangle of the four above.
+  std::vector<Point> bed_shape;
   Length axis_z;       // 0: not limited
   bool centre = true;  // on the bed; otherwise at part_x, part_y
   Length part_x;       // from the bed's front left corner to the lowest x and y of the part

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/bed.h"                       // Bed
 #include "core/booleans/boolean.h"          // subtract, unite
 #include "core/booleans/simplified.h"       // simplified
 #include "core/offsets/voronoi_mountain.h"  // offset
@@ -40,6 +41,11 @@ Region border(const Settings& settings) {
   const std::int64_t inset = (branch_core(settings) + settings.road_width).units();
   if (x <= 2 * inset || y <= 2 * inset) return {};
   const std::int64_t out = kBorder.units();
+  if (!settings.bed_shape.empty()) {
+    const Region bed = Region::from_clean_rings({Bed(settings).outline()});
+    return subtract(Region::from_clean_rings({rectangle(-out, -out, x + out, y + out)}),
+                    offset(bed, Length::from_units(inset), kBlockedTolerance));
+  }
   Ring hole = rectangle(inset, inset, x - inset, y - inset);
   std::reverse(hole.begin() + 1, hole.end());
   return Region::from_clean_rings({rectangle(-out, -out, x + out, y + out), std::move(hole)});

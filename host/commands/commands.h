@@ -8,8 +8,9 @@
 #include "host/pipeline/pipeline.h"        // PrintPlan
 #include "host/pipeline/print_settings.h"  // PrintSettings
 #include "host/pipeline/statistics.h"
-#include "host/printing/progress.h"  // Reporter
-#include "host/settings/options.h"   // Options
+#include "host/printing/progress.h"        // Reporter
+#include "host/settings/options.h"         // Options
+#include "host/settings/whole_settings.h"  // WholeSettings
 
 namespace host {
 
@@ -23,7 +24,8 @@ int settings_command(const Options& options, Reporter& reporter);
 int formats_command(const Options& options, Reporter& reporter);
 
 // Profile, then the command line's assignments, then the check that all fit together.
-[[nodiscard]] core::Result<PrintSettings> load_settings_of(const Options& options,
+// G-code that waits for the part is not in the settings.
+[[nodiscard]] core::Result<WholeSettings> load_settings_of(const Options& options,
                                                            Reporter& reporter);
 
 // Settings and part, both checked; but a print may have the rest of its part still to read

@@ -18,17 +18,44 @@
 
 namespace host {
 
-core::Result<PrintSettings> load_settings_of(const Options& options, Reporter& reporter) {
+core::Result<WholeSettings> load_settings_of(const Options& options, Reporter& reporter) {
   core::Result<WholeSettings> whole = whole_settings(options.settings);
   if (!whole.ok()) return whole.error();
   const PrintSettings& settings = whole.value().settings;
   if (core::Status status = check_user_gcode(settings); !status.ok()) return status.error();
   for (const std::string& note : whole.value().notes) reporter.note("profile", note);
+  if (!whole.value().pending.empty()) return whole;
   for (const std::string& note : user_gcode_notes(settings)) reporter.note("warning", note);
-  return settings;
+  return whole;
 }
 
 namespace {
+
+// The top of the highest layer, which may lie above the part's.
+core::Length top_of(const OpenedPart& part, const core::Settings& settings) {
+  const core::LayerIndex raft = settings.raft_layers;
+  const core::LayerIndex layers = part.summary.layers - raft;
+  if (!part.placing || layers <= 0) return part.summary.height;
+  const core::LayerHeights heights = part.placing().heights;
+  return core::raft_lift(settings) + heights.bottom(layers - 1) + heights.height(layers - 1);
+}
+
+// Fills in what the user's G-code asks of the part.
+core::Status fill_gcode(const Options& options, const OpenedPart& part, WholeSettings& whole,
+                        Reporter& reporter) {
+  if (whole.pending.empty()) return {};
+  const PartSummary& summary = part.summary;
+  PartFacts facts{part_title(options.part.path), core::Length(), summary.layers, summary.box};
+  if (summary.layers > 0) facts.top = top_of(part, whole.settings);
+  const std::size_t told = whole.notes.size();
+  if (core::Status filled = fill_for_part(options.settings, facts, whole); !filled.ok()) {
+    return filled;
+  }
+  if (core::Status fine = check_user_gcode(whole.settings); !fine.ok()) return fine;
+  for (std::size_t i = told; i < whole.notes.size(); ++i) reporter.note("profile", whole.notes[i]);
+  for (const std::string& note : user_gcode_notes(whole.settings)) reporter.note("warning", note);
+  return {};
+}
 
 // Files of slices, and cuts, have no raft.
 bool lays_whole_print(const Options& options) {
@@ -53,16 +80,17 @@ bool leaves_roofs_unheld(const core::Settings& settings) {
 }  // namespace
 
 core::Result<PrintPlan> open_print_plan(const Options& options, Reporter& reporter) {
-  core::Result<PrintSettings> settings = load_settings_of(options, reporter);
-  if (!settings.ok()) return settings.error();
-  if (settings.value().raft_layers > 0 && !lays_whole_print(options)) {
-    core::Settings& of_part = settings.value();
+  core::Result<WholeSettings> whole = load_settings_of(options, reporter);
+  if (!whole.ok()) return whole.error();
+  PrintSettings& settings = whole.value().settings;
+  if (settings.raft_layers > 0 && !lays_whole_print(options)) {
+    core::Settings& of_part = settings;
     of_part = core::settings_above_raft(of_part);
     of_part.raft_layers = 0;
     reporter.note("raft", "the raft is left out here: the layers are the part's alone");
   }
-  if (settings.value().supports != core::SupportPlace::kOff && !lays_supports(options)) {
-    settings.value().supports = core::SupportPlace::kOff;
+  if (settings.supports != core::SupportPlace::kOff && !lays_supports(options)) {
+    settings.supports = core::SupportPlace::kOff;
     reporter.note("supports", "supports are left out here: the layers are the part's alone");
   }
   const bool prints =
@@ -74,16 +102,16 @@ core::Result<PrintPlan> open_print_plan(const Options& options, Reporter& report
     const std::size_t quarter = std::max(kSortBytesMin, options.memory_limit_bytes / 4);
     open.sort_bytes = std::min(open.sort_bytes, quarter);
   }
-  const bool supported = settings.value().supports != core::SupportPlace::kOff &&
-                         settings.value().support_lookahead == 0;
-  const bool whole = supported || holds_its_roof(settings.value());
-  if (leaves_roofs_unheld(settings.value())) {
+  const bool supported =
+      settings.supports != core::SupportPlace::kOff && settings.support_lookahead == 0;
+  const bool read_whole = supported || holds_its_roof(settings);
+  if (leaves_roofs_unheld(settings)) {
     reporter.note("inside",
                   "loose_density = 0: nothing holds what is laid over the inside; with "
                   "loose_roof = cone the wall does, with loose_pattern = lightning branches do");
   }
-  open.stream_pipes = !whole && (options.part.sorted == PipeSorted::kYes ||
-                                 (options.part.sorted == PipeSorted::kAuto && sliced));
+  open.stream_pipes = !read_whole && (options.part.sorted == PipeSorted::kYes ||
+                                      (options.part.sorted == PipeSorted::kAuto && sliced));
   open.order_is_sure = options.part.sorted == PipeSorted::kYes;
   // The height was confirmed when the print was started.
   open.tall = options.part.tall || options.subcommand == Subcommand::kResume;
@@ -91,19 +119,17 @@ core::Result<PrintPlan> open_print_plan(const Options& options, Reporter& report
   if (on_bad_layer == OnBadLayer::kPause && !prints) on_bad_layer = OnBadLayer::kStop;
   const bool ends = on_bad_layer == OnBadLayer::kStop;
   if (prints) open.plane_check = ends ? PlaneCheck::kRefuse : PlaneCheck::kWarn;
-  // A print reads the rest of the part while it heats.
-  core::Result<OpenedPart> part = prints
-                                      ? open_part(options.part.path, settings.value(), open)
-                                      : open_whole_part(options.part.path, settings.value(), open);
+  // A print reads the rest of the part while it heats, unless its G-code asks for it.
+  const bool rest_later = prints && whole.value().pending.empty();
+  core::Result<OpenedPart> part = rest_later ? open_part(options.part.path, settings, open)
+                                             : open_whole_part(options.part.path, settings, open);
   if (!part.ok()) return part.error();
   const PartSummary& summary = part.value().summary;
   for (const std::string& warning : summary.warnings) reporter.note("warning", warning);
-  return PrintPlan{std::move(settings).value(),
-                   std::move(part).value(),
-                   part_title(options.part.path),
-                   on_bad_layer,
-                   options.part.on_floating,
-                   options.part.spool,
+  core::Status filled = fill_gcode(options, part.value(), whole.value(), reporter);
+  if (!filled.ok()) return filled.error();
+  return PrintPlan{std::move(settings), std::move(part).value(),  part_title(options.part.path),
+                   on_bad_layer,        options.part.on_floating, options.part.spool,
                    options.threads};
 }
 

@@ -38,7 +38,7 @@ Result<PrintSettings> settings_in(const JournalHead& head) {
 
 // Whether the setting decides only where the nozzle may be parked, and no command of the print.
 bool is_of_space(const std::string& key) {
-  return key == "bed_x" || key == "bed_y" || key == "axis_z";
+  return key == "bed_x" || key == "bed_y" || key == "bed_shape" || key == "axis_z";
 }
 
 // The print's settings, and over them those that the user names again. These must be equal, but for

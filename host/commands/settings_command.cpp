@@ -7,6 +7,7 @@
 
 #include "host/commands/commands.h"
 #include "host/settings/settings_table.h"
+#include "host/settings/settings_text.h"  // sendable_lines, write_lines
 
 namespace host {
 namespace {
@@ -39,9 +40,17 @@ std::string table_of(const std::vector<SettingRow>& rows) {
 }  // namespace
 
 int settings_command(const Options& options, Reporter& reporter) {
-  const core::Result<PrintSettings> settings = load_settings_of(options, reporter);
-  if (!settings.ok()) return fail(settings.error(), reporter);
-  const std::vector<SettingRow> rows = describe_settings(settings.value());
+  const core::Result<WholeSettings> whole = load_settings_of(options, reporter);
+  if (!whole.ok()) return fail(whole.error(), reporter);
+  std::vector<SettingRow> rows = describe_settings(whole.value().settings);
+  // What waits for a part is shown as it stands in the profile.
+  for (const PendingGcode& gcode : whole.value().pending) {
+    const core::Result<std::vector<std::string>> lines = sendable_lines(gcode.lines);
+    if (!lines.ok()) continue;
+    for (SettingRow& row : rows) {
+      if (row.key == gcode.key) row.value = row.plain_value = write_lines(lines.value());
+    }
+  }
   return show_result(options.json ? json_of(rows) : table_of(rows), reporter);
 }
 

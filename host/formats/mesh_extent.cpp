@@ -4,8 +4,33 @@
 
 namespace host {
 
+void Reach::add(core::Point point) {
+  const bool first = points_.empty();
+  if (first) points_.assign(2 * kReachDirections.size(), point);
+  for (std::size_t i = 0; i < kReachDirections.size(); ++i) {
+    const core::Point direction = kReachDirections[i];
+    const std::int64_t along =
+        std::int64_t{direction.x} * point.x + std::int64_t{direction.y} * point.y;
+    if (first || along > highest_[i]) {
+      highest_[i] = along;
+      points_[2 * i] = point;
+    }
+    if (first || along < lowest_[i]) {
+      lowest_[i] = along;
+      points_[2 * i + 1] = point;
+    }
+  }
+}
+
+void Reach::add(const Reach& other) {
+  for (const core::Point point : other.points_) add(point);
+}
+
 void MeshExtent::add(const core::Triangle& triangle) {
-  for (const core::Vertex& corner : triangle.corners) box.add(core::Point{corner.x, corner.y});
+  for (const core::Vertex& corner : triangle.corners) {
+    box.add(core::Point{corner.x, corner.y});
+    reach.add(core::Point{corner.x, corner.y});
+  }
   lowest_z = std::min(lowest_z, triangle.lowest_z());
   highest_z = std::max(highest_z, triangle.highest_z());
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/bed.h"     // Bed
 #include "core/limits.h"  // kCoordinateMax
 #include "core/units.h"   // kUnitsPerMm
 
@@ -58,6 +59,16 @@ core::Status check_on_bed(const MeshExtent& extent, const Shift& shift,
     return refused("the part would lie at " + mm_text(left) + " … " + mm_text(right) + ", " +
                    mm_text(front) + " … " + mm_text(back) + " mm on a bed of " + bed +
                    "; change part_x and part_y, or centre it");
+  }
+  if (!settings.bed_shape.empty()) {
+    const core::Bed outline(settings);
+    for (const core::Point point : extent.reach.points()) {
+      const core::Point at = shifted(point, shift);
+      if (outline.holds(at)) continue;
+      return refused("the part would lie at " + mm_text(at.x) + ", " + mm_text(at.y) +
+                     " mm from the corner of a bed of " + bed +
+                     ", which is beyond its outline; scale or move the part, or check bed_shape");
+    }
   }
   if (right > core::kCoordinateMax || back > core::kCoordinateMax) {
     return refused("the part would lie farther than " + mm_text(core::kCoordinateMax) +

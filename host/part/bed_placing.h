@@ -28,7 +28,8 @@ struct Shift {
 [[nodiscard]] core::Box shifted(const core::Box& box, const Shift& shift);
 
 // kOutOfBounds if the mesh is larger than the bed or the axis, or would lie outside. The message
-// starts with `name` and gives the mesh's dimensions and what to do.
+// starts with `name` and gives the mesh's dimensions and what to do. On a bed that is no rectangle,
+// the mesh's farthest points are checked here, and its roads later (layer_rules.h).
 [[nodiscard]] core::Status check_on_bed(const MeshExtent& extent, const Shift& shift,
                                         const core::Settings& settings, const std::string& name);
 

@@ -52,6 +52,7 @@ void common(const MeshExtent& other, MeshExtent& into) {
   into.box.max = {std::min(into.box.max.x, other.box.max.x),
                   std::min(into.box.max.y, other.box.max.y)};
   if (into.box.min.x > into.box.max.x || into.box.min.y > into.box.max.y) into.box = {};
+  into.reach = {};  // what they have in common may reach less far
   into.lowest_z = std::max(into.lowest_z, other.lowest_z);
   into.highest_z = std::min(into.highest_z, other.highest_z);
 }
@@ -140,13 +141,17 @@ class BooleanLayers : public LayerSource {
   [[nodiscard]] MeshExtent extent_of(const ShellNode& node) const {
     if (node.kind == Kind::kOperand) return operands_[node.operand]->extent;
     MeshExtent extent = extent_of(tree_->nodes[node.inputs[0]]);
-    if (node.kind == Kind::kDifference) return extent;
+    if (node.kind == Kind::kDifference) {
+      extent.reach = {};
+      return extent;
+    }
     for (std::size_t i = 1; i < node.inputs.size(); ++i) {
       const MeshExtent other = extent_of(tree_->nodes[node.inputs[i]]);
       if (node.kind == Kind::kIntersection) {
         common(other, extent);
       } else if (!is_flat(other)) {
         extent.box.add(other.box);
+        extent.reach.add(other.reach);
         extent.lowest_z = std::min(extent.lowest_z, other.lowest_z);
         extent.highest_z = std::max(extent.highest_z, other.highest_z);
       }

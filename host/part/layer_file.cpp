@@ -32,6 +32,9 @@ core::Region moved(const core::Region& region, const Shift& shift) {
 
 void add(const Slice& slice, MeshExtent& extent) {
   extent.box.add(slice.region.box());
+  for (const core::Ring& ring : slice.region.rings()) {
+    for (const core::Point point : ring) extent.reach.add(point);
+  }
   extent.lowest_z = std::min(extent.lowest_z, slice.bottom.units());
   extent.highest_z = std::max(extent.highest_z, slice.top().units());
 }

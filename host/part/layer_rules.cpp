@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "core/bed.h"              // Bed
 #include "core/limits.h"           // kWallLayersMax
 #include "core/motions/arc_fit.h"  // kArcSegmentsMin
 #include "core/units.h"            // Length
@@ -33,6 +34,12 @@ LeavingRoad leaving_road(core::RoadKind kind) {
     default:
       return {"a road", "move the part or set bed_x and bed_y"};
   }
+}
+
+core::Box grown(core::Box box, std::int64_t reach) {
+  const auto by = static_cast<std::int32_t>(reach);
+  if (box.empty()) return box;
+  return {{box.min.x - by, box.min.y - by}, {box.max.x + by, box.max.y + by}};
 }
 
 }  // namespace
@@ -68,23 +75,24 @@ core::Error no_road_fits(const std::string& part, const core::Settings& settings
 
 core::Status check_on_bed(const std::string& part, const core::Slice& slice,
                           const std::vector<core::Road>& roads, const core::Settings& settings) {
+  const core::Bed bed(settings);
   for (const core::Road& road : roads) {
     // An arc may bulge beyond its road's points; the nozzle must stay above the bed even then.
     const bool may_bulge =
         settings.arcs != core::ArcUse::kOff && road.points.size() >= core::kArcSegmentsMin;
     const std::int64_t bulge = may_bulge ? settings.arc_fit_tolerance.units() : 0;
     const std::int64_t reach = std::max(widest(road).units() / 2, bulge);
+    if (bed.holds(grown(core::box_of(road.points), reach))) continue;
     for (const core::Point point : road.points) {
-      const bool inside = point.x >= reach && point.x + reach <= settings.bed_x.units() &&
-                          point.y >= reach && point.y + reach <= settings.bed_y.units();
-      if (inside) continue;
+      if (bed.holds(point, core::Length::from_units(reach))) continue;
       const LeavingRoad leaving = leaving_road(road.kind);
       return core::Error{
           core::ErrorCode::kOutOfBounds,
           fmt::format(
-              "{}, layer {}: {} at ({:.2f}, {:.2f}) mm leaves the bed of {:g} x {:g} mm; {}", part,
-              slice.index + 1, leaving.name, core::Length::from_units(point.x).mm(),
+              "{}, layer {}: {} at ({:.2f}, {:.2f}) mm leaves the bed of {:g} x {:g} mm{}; {}",
+              part, slice.index + 1, leaving.name, core::Length::from_units(point.x).mm(),
               core::Length::from_units(point.y).mm(), settings.bed_x.mm(), settings.bed_y.mm(),
+              settings.bed_shape.empty() ? "" : ", which is no rectangle (bed_shape)",
               leaving.remedy)};
     }
   }

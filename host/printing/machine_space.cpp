@@ -28,13 +28,14 @@ double mm(std::int32_t units) { return Length::from_units(units).mm(); }
 }  // namespace
 
 MachineSpace space_of(const core::Settings& settings) {
-  return {settings.bed_x, settings.bed_y, settings.axis_z, false};
+  return {settings.bed_x, settings.bed_y, settings.axis_z, false, settings.bed_shape};
 }
 
 core::Settings with_space(core::Settings settings, const MachineSpace& space) {
   settings.bed_x = space.bed_x;
   settings.bed_y = space.bed_y;
   settings.axis_z = space.axis_z;
+  settings.bed_shape = space.bed_shape;
   return settings;
 }
 

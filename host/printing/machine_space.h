@@ -4,8 +4,9 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
-#include "core/geometry.h"                     // Box
+#include "core/geometry.h"                     // Box, Point
 #include "core/result.h"                       // Status
 #include "core/settings.h"                     // Settings
 #include "firmware_link/wire/command.h"        // Move
@@ -16,8 +17,9 @@ namespace host {
 struct MachineSpace {
   core::Length bed_x;
   core::Length bed_y;
-  core::Length axis_z;   // 0: not limited
-  bool guessed = false;  // the user has not said how large the bed is
+  core::Length axis_z;                   // 0: not limited
+  bool guessed = false;                  // the user has not said how large the bed is
+  std::vector<core::Point> bed_shape{};  // as in the settings
 };
 
 [[nodiscard]] MachineSpace space_of(const core::Settings& settings);

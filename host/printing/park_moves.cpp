@@ -10,6 +10,7 @@
 #include <utility>
 #include <variant>
 
+#include "core/bed.h"                        // Bed
 #include "core/check.h"                      // RIND_CHECK
 #include "core/motions/park_place.h"         // kParkEdge, park_place
 #include "firmware_link/wire/gcode_words.h"  // commands_in
@@ -42,6 +43,16 @@ ParkingPosition from_bed_origin(ParkingPosition position, const core::Settings& 
   return position;
 }
 
+// The place, or one beside it that is on a bed that is no rectangle.
+ParkingPosition on_outline(ParkingPosition position, core::Length edge,
+                           const core::Settings& settings) {
+  const core::Point at =
+      core::Bed(settings).place_near({static_cast<std::int32_t>(position.x_um * kUnitsPerUm),
+                                      static_cast<std::int32_t>(position.y_um * kUnitsPerUm)},
+                                     edge);
+  return {at.x / kUnitsPerUm, at.y / kUnitsPerUm};
+}
+
 std::int64_t gap(std::int64_t at, std::int64_t low, std::int64_t high) {
   return std::max<std::int64_t>({low - at, at - high, 0});
 }
@@ -72,9 +83,14 @@ ParkingPosition parking_position(const core::Settings& settings, const core::Box
       farthest = std::max(farthest, way);
     }
   }
+  const bool asked_x = settings.park_x >= core::Length();
+  const bool asked_y = settings.park_y >= core::Length();
   const core::Point asked = core::park_place(settings);
-  if (settings.park_x >= core::Length()) best.x_um = asked.x / kUnitsPerUm;
-  if (settings.park_y >= core::Length()) best.y_um = asked.y / kUnitsPerUm;
+  if (asked_x) best.x_um = asked.x / kUnitsPerUm;
+  if (asked_y) best.y_um = asked.y / kUnitsPerUm;
+  if (!settings.bed_shape.empty() && !(asked_x && asked_y)) {
+    best = on_outline(best, asked_x || asked_y ? core::Length() : core::kParkEdge, settings);
+  }
   return from_bed_origin(best, settings);
 }
 

@@ -1,35 +1,32 @@
-// Fills in PrusaSlicer's placeholders in a user's G-code.
+// Fills in the placeholders in a profile's G-code, and in a user's own.
 //
-//     M104 S[first_layer_temperature]              M104 S{first_layer_temperature[0]}
-//     M104 S[first_layer_temperature_0]            M104 S{first_layer_temperature[initial_tool]}
+//     M104 S[first_layer_temperature]              M104 S{first_layer_temperature[0] - 20}
+//     M104 S[first_layer_temperature_0]            G1 Z{min(max_layer_z + 5, max_print_height)}
+//     {if max_layer_z < 50}G1 Z50{elsif layer_height < 0.1}G1 Z60{else}G1 Z70{endif}
 //
-// Only plain placeholders are filled in: a name, and an index into its values. Conditions and
-// arithmetic ({if …}, {a+1}) are errors.
+// gcode_expression.h says what may stand in braces. A name in brackets is written as the profile
+// has it. A condition may reach over lines. Everything is bounded: kExpandedBytesMax,
+// kExpressionDepthMax, and no loops.
 #pragma once
 
-#include <cstddef>
-#include <functional>
-#include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include "core/result.h"  // Result
+#include "core/result.h"                     // Result
+#include "host/settings/gcode_expression.h"  // VariableLookup
 
 namespace host {
 
-// The text for a name; nullopt if the name is not known or has too few values.
-using PlaceholderValue =
-    std::function<std::optional<std::string>(std::string_view name, std::size_t index)>;
-
 enum class GcodeOrigin {
-  kProfile,  // PrusaSlicer's: anything in braces or brackets is a placeholder
+  kProfile,  // PrusaSlicer's and its relatives': anything in braces or brackets is a placeholder
+  kCura,     // names in braces alone, which may have an extruder's number behind a comma
   kOwn,      // braces may also hold an expression for the controller (RepRapFirmware): kept
 };
 
-// The lines without comments, with all placeholders filled in. The error names a placeholder that
-// can't be.
+// The lines without comments and empty lines, with all placeholders filled in. Conditions count in
+// comments, too, as they do in PrusaSlicer; other placeholders there are left alone. The error has
+// line and column, and names the placeholder.
 [[nodiscard]] core::Result<std::vector<std::string>> fill_placeholders(
-    const std::vector<std::string>& lines, const PlaceholderValue& value, GcodeOrigin origin);
+    const std::vector<std::string>& lines, const VariableLookup& lookup, GcodeOrigin origin);
 
 }  // namespace host

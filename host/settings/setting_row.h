@@ -13,6 +13,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/geometry.h"                 // Point
 #include "core/limits.h"                   // kCoordinateMax
 #include "core/units.h"                    // Length, kUnitsPerMm
 #include "host/pipeline/print_settings.h"  // PrintSettings
@@ -43,11 +44,14 @@ constexpr Choice choice(Names... names) {
 // A number for each step of what the layer below holds; one number is written for four equal ones.
 using OverhangSteps = std::array<double, core::kOverhangSteps>;
 
+// The bed's outline: corners in the printer's coordinates.
+using BedCorners = std::vector<core::Point>;
+
 // The setting's field. Its type decides how values are written.
 using SettingMember =
     std::variant<core::Length PrintSettings::*, double PrintSettings::*, int PrintSettings::*,
                  bool PrintSettings::*, std::string PrintSettings::*, SettingLines PrintSettings::*,
-                 OverhangSteps PrintSettings::*, Choice>;
+                 OverhangSteps PrintSettings::*, BedCorners PrintSettings::*, Choice>;
 
 // A word for a number with a special meaning.
 struct NumberWord {

@@ -14,6 +14,7 @@
 #include <system_error>
 #include <utility>
 
+#include "host/settings/bed_setting.h"
 #include "host/settings/own_accelerations.h"
 #include "host/settings/prusa_supports.h"
 #include "host/settings/settings_prusa.h"
@@ -132,11 +133,11 @@ core::Status apply_ours(const Line& line, LoadedSettings& loaded) {
 void leave_out(const Line& line, const std::string& place, LoadedSettings& loaded) {
   loaded.ignored.push_back(fmt::format("{} = {}", line.key, line.value));
   if (line.key == "bed_shape") {
+    const Result<BedCorners> corners = read_bed_shape(line.value);
     loaded.unreadable.push_back(
-        {place + ": bed_shape is no rectangle along the axes, and rind prints on no other bed yet; "
-                 "for a rectangle within it set bed_x, bed_y, bed_origin_x and bed_origin_y",
-         {"bed_x", "bed_y"},
-         rectangle_of_bed(line.value)});
+        {fmt::format("{}: bed_shape: {}; set bed_shape, or bed_x and bed_y", place,
+                     corners.ok() ? "a corner is missing" : corners.error().message),
+         {"bed_x", "bed_y"}});
     return;
   }
   loaded.left_out.push_back(fmt::format("{} = {}: rind's own value is used", line.key, line.value));
@@ -146,7 +147,7 @@ core::Status apply_prusa(const Line& line, const std::string& name, LoadedSettin
   loaded.values.insert_or_assign(line.key, line.value);
   const std::string place = fmt::format("{}:{}", name, line.number);
   if (is_gcode_setting(line.key)) {
-    loaded.gcode.push_back({line.key, place, line.value});
+    loaded.gcode.push_back({line.key, place, line.value, GcodeOrigin::kProfile});
     ++loaded.set_count;
     return {};
   }

@@ -16,10 +16,10 @@
 #include <string_view>
 #include <vector>
 
-#include "core/result.h"                   // Result
-#include "host/pipeline/print_settings.h"  // PrintSettings
-#include "host/settings/prusa_left_out.h"  // ProfileValues
-#include "host/settings/settings_prusa.h"  // SettingText
+#include "core/result.h"                       // Result
+#include "host/pipeline/print_settings.h"      // PrintSettings
+#include "host/settings/gcode_placeholders.h"  // GcodeOrigin
+#include "host/settings/prusa_left_out.h"      // ProfileValues
 
 namespace host {
 
@@ -28,9 +28,8 @@ inline constexpr std::size_t kSettingsBytesMax = 1 << 20;
 
 // A necessary setting that could not be read.
 struct Unreadable {
-  std::string what;                  // a message that starts with line and key
-  std::vector<std::string> keys;     // our settings that replace it, if the user sets all of them
-  std::vector<SettingText> instead;  // the most similar settings; empty: the defaults
+  std::string what;               // a message that starts with line and key
+  std::vector<std::string> keys;  // our settings that replace it, if the user sets all of them
 };
 
 // G-code with its placeholders still in it.
@@ -38,6 +37,7 @@ struct RawGcode {
   std::string key;
   std::string place;  // "file:line"
   std::string text;   // with "\n" between the lines
+  GcodeOrigin origin = GcodeOrigin::kProfile;
 };
 
 struct LoadedSettings {

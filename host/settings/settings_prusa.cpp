@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "core/result.h"
-#include "host/settings/prusa_bed.h"
+#include "host/settings/bed_setting.h"
 #include "host/settings/settings_text.h"
 
 namespace host {
@@ -144,7 +144,7 @@ constexpr std::array kAliases = {
     Alias{"retract_before_wipe", "retraction_before_wipe", Kind::kShare},
     Alias{"avoid_crossing_perimeters", "avoid_crossing_perimeters"},
     Alias{"avoid_crossing_perimeters_max_detour", "avoid_crossing_max_detour", Kind::kLimit},
-    Alias{"bed_shape", "bed_x", Kind::kBed},
+    Alias{"bed_shape", "bed_shape", Kind::kBed},
     Alias{"max_print_height", "axis_z", Kind::kLimit},
     Alias{"temperature", "nozzle_celsius"},
     Alias{"first_layer_temperature", "nozzle_first_layer_celsius"},
@@ -181,12 +181,11 @@ constexpr std::array<std::string_view, 14> kHallmarks = {"top_solid_layers",
 // The lowest speed that a setting can have.
 constexpr const char* kSlowestSpeed = "0.1";
 
-Translated bed_settings(const std::optional<BedRectangle>& bed) {
-  if (!bed) return {};
-  return {{"bed_x", write_number(bed->width)},
-          {"bed_y", write_number(bed->depth)},
-          {"bed_origin_x", write_number(bed->left)},
-          {"bed_origin_y", write_number(bed->front)}};
+// Empty if it can't be read.
+Translated bed_settings(std::string_view outline) {
+  const core::Result<BedCorners> corners = read_bed_shape(outline);
+  if (!corners.ok() || corners.value().empty()) return {};
+  return {{"bed_shape", std::string(outline)}};
 }
 
 Translated brim_settings(std::string_view type) {
@@ -247,7 +246,7 @@ Translated translate_word(const Names& names, std::string_view ours, std::string
 
 Translated translate(const Alias& alias, std::string_view text) {
   const std::string ours(alias.ours);
-  if (alias.kind == Kind::kBed) return bed_settings(rectangular_bed(text));
+  if (alias.kind == Kind::kBed) return bed_settings(text);
   if (alias.kind == Kind::kGcode) {
     return {{ours, std::string(text)}};
   }
@@ -317,10 +316,6 @@ std::optional<Translated> from_prusa(std::string_view key, std::string_view text
     if (alias.theirs == key) return translate(alias, trimmed(text));
   }
   return std::nullopt;
-}
-
-Translated rectangle_of_bed(std::string_view text) {
-  return bed_settings(rectangle_within_bed(trimmed(text)));
 }
 
 std::vector<std::string_view> prusa_keys() {

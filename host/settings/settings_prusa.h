@@ -15,15 +15,11 @@ struct SettingText {
 };
 
 // Our settings for one of theirs. An empty list: the key is known, but this value has no
-// counterpart (an automatic width or speed, a percentage of another setting, a bed that is no
-// rectangle along the axes). Nullopt: the key has no counterpart. G-code keeps its placeholders.
+// counterpart (an automatic width or speed, a percentage of another setting, a bed that
+// is no outline). Nullopt: the key has no counterpart. G-code keeps its placeholders.
 // From a list with a value for each extruder, the first is used.
 [[nodiscard]] std::optional<std::vector<SettingText>> from_prusa(std::string_view key,
                                                                  std::string_view text);
-
-// For a bed_shape without a counterpart: settings for a rectangle within the bed. Empty if none is
-// certain.
-[[nodiscard]] std::vector<SettingText> rectangle_of_bed(std::string_view text);
 
 // PrusaSlicer's keys that from_prusa() knows.
 [[nodiscard]] std::vector<std::string_view> prusa_keys();

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/bed.h"  // Bed
 #include "core/limits.h"
 #include "core/motions/height_actions.h"    // read_height_action
 #include "core/raft_heights.h"              // raft_lift, settings_above_raft
@@ -222,6 +223,15 @@ Status part_has_a_place(const PrintSettings& settings) {
     return bad(fmt::format("park_x = {} mm, park_y = {} mm is not on the bed of {} by {} mm",
                            settings.park_x.mm(), settings.park_y.mm(), settings.bed_x.mm(),
                            settings.bed_y.mm()));
+  }
+  const core::Point park{static_cast<std::int32_t>(settings.park_x.units()),
+                         static_cast<std::int32_t>(settings.park_y.units())};
+  const bool named = settings.park_x >= core::Length() && settings.park_y >= core::Length();
+  if (named && !core::Bed(settings).holds(park)) {
+    return bad(
+        fmt::format("park_x = {} mm, park_y = {} mm is beyond the outline of the bed "
+                    "(bed_shape)",
+                    settings.park_x.mm(), settings.park_y.mm()));
   }
   if (settings.axis_z == core::Length()) return {};
   if (settings.axis_z < settings.layer_height) {

@@ -14,6 +14,7 @@
 #include "core/check.h"
 #include "core/limits.h"
 #include "core/units.h"
+#include "host/settings/bed_setting.h"
 #include "host/settings/setting_names.h"
 #include "host/settings/settings_prusa.h"
 #include "host/settings/settings_rows.h"
@@ -76,6 +77,9 @@ std::string range_text(const Setting& setting) {
   if (std::holds_alternative<OverhangSteps S::*>(setting.member)) {
     return fmt::format("{}; one number, or {} with commas between them", number_range_text(setting),
                        core::kOverhangSteps);
+  }
+  if (std::holds_alternative<BedCorners S::*>(setting.member)) {
+    return fmt::format("rectangle, or 3 … {} corners as 0x0,250x0,250x210", core::kBedCornersMax);
   }
   if (std::holds_alternative<Lines S::*>(setting.member)) {
     return fmt::format("up to {:g} lines of {} bytes", setting.max, kVerbatimBytesMax);
@@ -179,6 +183,12 @@ Status assign(PrintSettings& settings, const Setting& setting, std::string_view 
           },
           [&](OverhangSteps S::*field) { return assign_steps(settings.*field, setting, text); },
           [&](const Choice& c) { return choose(settings, c, setting, text); },
+          [&](BedCorners S::* /*field*/) -> Status {
+            const core::Result<BedCorners> corners = read_bed_shape(text);
+            if (!corners.ok()) return explain(setting, corners.error());
+            set_bed_shape(settings, corners.value());
+            return {};
+          },
           [&](std::string S::*field) -> Status {
             const std::string_view words = trimmed(text);
             if (!is_printable(words) || words.size() > kWordsBytesMax) {
@@ -206,6 +216,7 @@ std::string value_text(const PrintSettings& settings, const Setting& setting,
                  [&](Length S::*f) { return number_text(setting, (settings.*f).mm(), use); },
                  [&](OverhangSteps S::*f) { return steps_text(settings.*f); },
                  [&](const Choice& c) { return std::string(c.names[c.get(settings)]); },
+                 [&](BedCorners S::*f) { return write_bed_shape(settings.*f); },
                  [&](std::string S::*f) { return settings.*f; },
                  [&](Lines S::*f) { return write_lines(settings.*f); }},
       setting.member);
@@ -230,7 +241,14 @@ std::optional<std::string_view> Setting::word_for(double number) const {
 Status set_setting(PrintSettings& settings, std::string_view key, std::string_view text) {
   std::string name(trimmed(key));
   std::replace(name.begin(), name.end(), '-', '_');
-  if (const Setting* setting = find(name)) return assign(settings, *setting, text);
+  if (const Setting* setting = find(name)) {
+    const bool of_bed = name.starts_with("bed_") && !settings.bed_shape.empty();
+    if (!of_bed) return assign(settings, *setting, text);
+    const PrintSettings before = settings;
+    Status status = assign(settings, *setting, text);
+    if (status.ok()) follow_bed(name, before, settings);
+    return status;
+  }
   const std::optional<std::vector<SettingText>> translated = from_prusa(name, text);
   if (!translated.has_value()) {
     return bad(unknown_setting(trimmed(key), name));

@@ -28,6 +28,22 @@ std::string lower(std::string_view text) {
   return result;
 }
 
+// Conditions that stand in the comment ("; up{endif}") stay.
+std::string without_comment(std::string_view line) {
+  const std::size_t start = std::min(line.find(';'), line.size());
+  std::string kept(line.substr(0, start));
+  for (std::size_t at = line.find('{', start); at < line.size(); at = line.find('{', at + 1)) {
+    const std::size_t end = line.find('}', at);
+    if (end == std::string_view::npos) break;
+    const std::string_view all = line.substr(at, end + 1 - at);
+    const std::string_view content = trimmed(all.substr(1));
+    const bool keep = content.starts_with("if ") || content.starts_with("elsif ") ||
+                      content == "else}" || content == "endif}";
+    if (keep) kept += all;
+  }
+  return kept;
+}
+
 }  // namespace
 
 std::string_view trimmed(std::string_view text) {
@@ -104,11 +120,14 @@ bool is_printable(std::string_view text) {
 core::Result<std::vector<std::string>> sendable_lines(const std::vector<std::string>& lines) {
   std::vector<std::string> sent;
   for (const std::string& raw : lines) {
-    const std::string_view line = trimmed(std::string_view(raw).substr(0, raw.find(';')));
+    const std::string text = without_comment(raw);
+    const std::string_view line = trimmed(text);
     if (line.empty()) continue;
-    if (line.size() > kVerbatimBytesMax) {
+    const bool filled_in = line.find_first_of("{[") == std::string_view::npos;
+    const std::size_t most = filled_in ? kVerbatimBytesMax : kPlaceholderLineBytesMax;
+    if (line.size() > most) {
       return bad(fmt::format("line \"{}…\" has {} bytes, a controller takes {}", line.substr(0, 20),
-                             line.size(), kVerbatimBytesMax));
+                             line.size(), most));
     }
     if (!is_printable(line)) {
       return bad(

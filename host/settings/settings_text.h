@@ -17,6 +17,8 @@ namespace host {
 
 // A line of the user's G-code: the longest that the link can number and send.
 inline constexpr std::size_t kVerbatimBytesMax = firmware_link::kTextBytesMax;
+// Such a line while placeholders stand in it.
+inline constexpr std::size_t kPlaceholderLineBytesMax = 2'000;
 // Lines of start or end G-code.
 inline constexpr std::size_t kVerbatimLinesMax = 1'000;
 

@@ -3,16 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <iterator>
+#include <memory>
 #include <optional>
 #include <set>
+#include <utility>
 
-#include "core/slices/height_ranges.h"  // first_layer_height
+#include "firmware_link/wire/refused_commands.h"  // refused_in
+#include "host/pipeline/user_gcode.h"             // allowed_commands
 #include "host/settings/gcode_placeholders.h"
 #include "host/settings/prusa_supports.h"
 #include "host/settings/settings_file.h"
-#include "host/settings/settings_prusa.h"
 #include "host/settings/settings_table.h"
 #include "host/settings/settings_text.h"
 
@@ -32,81 +33,73 @@ std::string with_underscores(std::string key) {
   return key;
 }
 
-// Placeholders whose values are neither in the profile nor settings.
-std::optional<std::string> known_besides(std::string_view name, std::size_t index,
-                                         const PrintSettings& settings) {
-  const double x = settings.bed_origin_x.mm(), y = settings.bed_origin_y.mm();
-  const double width = settings.bed_x.mm(), depth = settings.bed_y.mm();
-  const auto pair = [index](double first, double second) -> std::optional<std::string> {
-    if (index > 1) return std::nullopt;
-    return write_number(index == 0 ? first : second);
-  };
-  if (name == "print_bed_min") return pair(x, y);
-  if (name == "print_bed_max") return pair(x + width, y + depth);
-  if (name == "print_bed_size") return pair(width, depth);
-  if (index > 0) return std::nullopt;
-  if (name == "num_extruders" || name == "num_printing_extruders") return "1";
-  constexpr std::array<std::string_view, 7> kNone = {"initial_tool",
-                                                     "initial_extruder",
-                                                     "current_extruder",
-                                                     "total_toolchanges",
-                                                     "current_object_idx",
-                                                     "has_wipe_tower",
-                                                     "has_single_extruder_multi_material_priming"};
-  if (std::find(kNone.begin(), kNone.end(), name) != kNone.end()) return "0";
-  return std::nullopt;
-}
-
-// The index-th of a profile's values, "215,210" or "PLA;PETG"; the first if there are fewer, as in
-// PrusaSlicer.
-std::optional<std::string> element(std::string_view list, std::size_t index) {
-  const char between = list.find(';') != std::string_view::npos ? ';' : ',';
-  std::string_view rest = list;
-  for (; index > 0; --index) {
-    const std::size_t end = rest.find(between);
-    if (end == std::string_view::npos) break;
-    rest.remove_prefix(end + 1);
-  }
-  const std::string_view one = first_value(index == 0 ? rest : list);
-  if (one.find('\\') != std::string_view::npos) return std::nullopt;
-  return std::string(one);
-}
-
-// Values of placeholders: from the settings, then from the profile, then others.
-class Known {
- public:
-  Known(const PrintSettings& settings, const ProfileValues& values)
-      : settings_(settings), values_(values) {
-    for (const SettingRow& row : describe_settings(settings)) rows_[row.key] = row.plain_value;
-    // As they are used, where the settings say "auto".
-    rows_["first_layer_height"] = write_number(core::first_layer_height(settings).mm());
-    rows_["bed_first_layer_celsius"] = write_number(core::bed_first_layer_celsius(settings));
-  }
-
-  [[nodiscard]] std::optional<std::string> value(std::string_view name, std::size_t index) const {
-    // G-code may hold placeholders itself.
-    if (is_gcode_setting(name)) return std::nullopt;
-    if (index == 0) {
-      if (const auto row = rows_.find(ours_for(name).value_or(name)); row != rows_.end()) {
-        return row->second;
-      }
-    }
-    if (const auto said = values_.find(name); said != values_.end()) {
-      return element(said->second, index);
-    }
-    return known_besides(name, index, settings_);
-  }
-
- private:
-  const PrintSettings& settings_;
-  const ProfileValues& values_;
-  ProfileValues rows_;
-};
-
-Lines& lines_of(PrintSettings& settings, std::string_view key) {
+Lines& gcode_lines(PrintSettings& settings, std::string_view key) {
   if (key == "start_gcode") return settings.start_gcode;
   if (key == "at_height") return settings.at_height;
   return key == "pause_gcode" ? settings.pause_gcode : settings.end_gcode;
+}
+
+std::string place_of(const PendingGcode& gcode) {
+  return gcode.place.empty() ? gcode.key : gcode.place + ": " + gcode.key;
+}
+
+// A profile's lines that may not be sent are taken out and named.
+Lines without_refused(const Lines& lines, const PendingGcode& gcode, WholeSettings& whole) {
+  const Result<Lines> allowed = allowed_commands(whole.settings.allow_gcode);
+  Lines sent;
+  for (const std::string& line : lines) {
+    const auto refused =
+        allowed.ok() ? firmware_link::refused_in(line, allowed.value()) : std::nullopt;
+    if (!refused) {
+      sent.push_back(line);
+      continue;
+    }
+    const std::string remedy =
+        refused->never ? "" : fmt::format("; --allow-gcode {} keeps it", refused->command);
+    whole.notes.push_back(fmt::format("{}: '{}' is taken out: {} {}{}", place_of(gcode), line,
+                                      refused->command, refused->reason, remedy));
+  }
+  return sent;
+}
+
+// Fills in the placeholders. What only a part gives makes the lines wait for it; without a part
+// none are sent.
+Status fill(const PendingGcode& gcode, const PartFacts* part, WholeSettings& whole) {
+  static const ProfileValues kNoValues;
+  const ProfileValues& profile = whole.profile ? whole.profile->values : kNoValues;
+  const PlaceholderValues values(whole.settings, profile, part);
+  const VariableLookup lookup = [&values](std::string_view name, std::size_t index) {
+    return values.find(name, index);
+  };
+  Lines& lines = gcode_lines(whole.settings, gcode.key);
+  Result<Lines> filled = fill_placeholders(gcode.lines, lookup, gcode.origin);
+  if (!filled.ok() && values.lacked_part()) {
+    whole.pending.push_back(gcode);
+    lines.clear();
+    return {};
+  }
+  if (filled.ok()) filled = sendable_lines(filled.value());
+  if (!filled.ok()) {
+    return Error{ErrorCode::kBadSetting,
+                 fmt::format("{}: {}", place_of(gcode), filled.error().message)};
+  }
+  lines = gcode.origin == GcodeOrigin::kOwn ? std::move(filled).value()
+                                            : without_refused(filled.value(), gcode, whole);
+  return {};
+}
+
+// A profile's lines that are not understood are an error, or rind's own are sent.
+Status fill_or_leave_out(const PendingGcode& gcode, bool lax, const PartFacts* part,
+                         WholeSettings& whole) {
+  Status filled = fill(gcode, part, whole);
+  if (filled.ok() || gcode.origin == GcodeOrigin::kOwn) return filled;
+  if (!lax) return Error{ErrorCode::kBadSetting, filled.error().message + kLax};
+  PrintSettings defaults;
+  Lines& lines = gcode_lines(whole.settings, gcode.key);
+  lines = gcode_lines(defaults, gcode.key);
+  whole.notes.push_back(fmt::format("{}; it is left out, and rind's own is sent ({})",
+                                    filled.error().message, write_lines(lines)));
+  return {};
 }
 
 class Assembly {
@@ -121,6 +114,7 @@ class Assembly {
       if (!loaded.ok()) return loaded.error();
       loaded_ = std::move(loaded).value();
       whole_.settings = loaded_.settings;
+      whole_.profile = std::make_shared<const LoadedSettings>(loaded_);
     }
     for (const auto& [key, value] : request_.assignments) {
       if (Status set = set_setting(whole_.settings, key, value); !set.ok()) return set.error();
@@ -144,20 +138,14 @@ class Assembly {
 
   Status take_unreadable() {
     for (const Unreadable& one : loaded_.unreadable) {
-      if (std::all_of(one.keys.begin(), one.keys.end(),
+      if (assigned("bed_shape") ||
+          std::all_of(one.keys.begin(), one.keys.end(),
                       [this](const std::string& key) { return assigned(key); })) {
         continue;
       }
       if (!request_.lax) return Error{ErrorCode::kBadSetting, one.what + kLax};
-      std::string instead;
-      for (const SettingText& setting : one.instead) {
-        if (assigned(setting.key)) continue;
-        Status set = set_setting(whole_.settings, setting.key, setting.text);
-        if (!set.ok()) return set;
-        instead += fmt::format("{}{} = {}", instead.empty() ? "" : ", ", setting.key, setting.text);
-      }
-      if (instead.empty()) instead = "rind's own is used";
-      whole_.notes.push_back(fmt::format("{}; it is left out: {}", one.what, instead));
+      whole_.notes.push_back(
+          fmt::format("{}; it is left out, and rind's own bed is used", one.what));
     }
     return {};
   }
@@ -165,38 +153,19 @@ class Assembly {
   Status fill_gcode() {
     for (const RawGcode& raw : loaded_.gcode) {
       if (assigned(raw.key)) continue;
-      Result<Lines> lines = read(raw);
-      if (lines.ok()) {
-        lines_of(whole_.settings, raw.key) = std::move(lines).value();
-        continue;
+      const PendingGcode gcode{raw.key, raw.place, unescaped_lines(raw.text), raw.origin};
+      if (Status filled = fill_or_leave_out(gcode, request_.lax, nullptr, whole_); !filled.ok()) {
+        return filled;
       }
-      const std::string what = fmt::format("{}: {}: {}", raw.place, raw.key, lines.error().message);
-      if (!request_.lax) return Error{ErrorCode::kBadSetting, what + kLax};
-      whole_.notes.push_back(fmt::format("{}; it is left out, and rind's own is sent ({})", what,
-                                         write_lines(lines_of(whole_.settings, raw.key))));
     }
-    const Known known(whole_.settings, loaded_.values);
     for (const char* key : {"start_gcode", "at_height", "pause_gcode", "end_gcode"}) {
-      Lines& lines = lines_of(whole_.settings, key);
-      Result<Lines> filled = fill_placeholders(lines, lookup(known), GcodeOrigin::kOwn);
-      if (!filled.ok()) {
-        return Error{ErrorCode::kBadSetting, fmt::format("{}: {}", key, filled.error().message)};
-      }
-      lines = std::move(filled).value();
+      const bool pends = std::any_of(whole_.pending.begin(), whole_.pending.end(),
+                                     [key](const PendingGcode& one) { return one.key == key; });
+      if (pends) continue;
+      const PendingGcode own{key, "", gcode_lines(whole_.settings, key), GcodeOrigin::kOwn};
+      if (Status filled = fill(own, nullptr, whole_); !filled.ok()) return filled;
     }
     return {};
-  }
-
-  [[nodiscard]] Result<Lines> read(const RawGcode& raw) const {
-    const Known known(whole_.settings, loaded_.values);
-    Result<Lines> filled =
-        fill_placeholders(unescaped_lines(raw.text), lookup(known), GcodeOrigin::kProfile);
-    if (!filled.ok()) return filled.error();
-    return sendable_lines(filled.value());
-  }
-
-  [[nodiscard]] static PlaceholderValue lookup(const Known& known) {
-    return [&known](std::string_view name, std::size_t index) { return known.value(name, index); };
   }
 
   void name_left_out() {
@@ -217,6 +186,15 @@ class Assembly {
 
 Result<WholeSettings> whole_settings(const SettingsRequest& request) {
   return Assembly(request).assemble();
+}
+
+Status fill_for_part(const SettingsRequest& request, const PartFacts& part, WholeSettings& whole) {
+  const std::vector<PendingGcode> pending = std::exchange(whole.pending, {});
+  for (const PendingGcode& gcode : pending) {
+    Status filled = fill_or_leave_out(gcode, request.lax, &part, whole);
+    if (!filled.ok()) return filled;
+  }
+  return {};
 }
 
 }  // namespace host

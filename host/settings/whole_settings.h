@@ -6,12 +6,16 @@
 // them.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "core/result.h"                   // Result
-#include "host/pipeline/print_settings.h"  // PrintSettings
+#include "core/result.h"                       // Result
+#include "host/pipeline/print_settings.h"      // PrintSettings
+#include "host/settings/gcode_placeholders.h"  // GcodeOrigin
+#include "host/settings/placeholder_values.h"  // PartFacts
+#include "host/settings/settings_file.h"       // LoadedSettings
 
 namespace host {
 
@@ -21,11 +25,25 @@ struct SettingsRequest {
   std::vector<std::pair<std::string, std::string>> assignments;  // in the order they were typed
 };
 
+// G-code whose placeholders ask for what only a part gives (max_layer_z).
+struct PendingGcode {
+  std::string key;
+  std::string place;  // "file:line"; empty for the user's own
+  std::vector<std::string> lines;
+  GcodeOrigin origin = GcodeOrigin::kProfile;
+};
+
 struct WholeSettings {
-  PrintSettings settings;          // ENSURES: validate_settings() is fine
-  std::vector<std::string> notes;  // what the profile's print would have and this one has not
+  PrintSettings settings;             // ENSURES: validate_settings() is fine
+  std::vector<std::string> notes;     // what the profile's print would have and this one has not
+  std::vector<PendingGcode> pending;  // not in `settings` before fill_for_part()
+  std::shared_ptr<const LoadedSettings> profile;  // null without one
 };
 
 [[nodiscard]] core::Result<WholeSettings> whole_settings(const SettingsRequest& request);
+
+// Fills in what waits for a part. Nothing pends afterwards.
+core::Status fill_for_part(const SettingsRequest& request, const PartFacts& part,
+                           WholeSettings& whole);
 
 }  // namespace host

@@ -49,3 +49,26 @@ TEST_CASE("a bead that leaves the bed by a unit is told, one that touches its ed
     CHECK_NE(refused.error().message.find("leaves the bed of 100 x 100 mm"), std::string::npos);
   }
 }
+
+TEST_CASE(
+    "a bead that leaves the outline of a bed is told, between its box's corner and its edge") {
+  core::Settings settings;
+  settings.bed_x = settings.bed_y = Length::from_mm(100);
+  settings.bed_shape = {{500'000, 0}, {1'000'000, 500'000}, {500'000, 1'000'000}, {0, 500'000}};
+  core::Road road{core::RoadKind::kSolid, Length::from_mm(0.4), false, {{500'000, 500'000}}};
+  const auto check = [&](core::Point end) {
+    road.points.resize(1);
+    road.points.push_back(end);
+    return host::check_on_bed("part.stl", slice_of(0.2), {road}, settings);
+  };
+  // 0.2 mm from the sloping edge x + y = 150 mm.
+  CHECK(check({748'585, 748'585}).ok());
+  CHECK(check({500'000, 997'171}).ok());
+  for (const core::Point end : {core::Point{748'588, 748'588}, core::Point{900'000, 900'000},
+                                core::Point{500'000, 997'175}, core::Point{100'000, 100'000}}) {
+    CAPTURE(end.x);
+    const core::Status refused = check(end);
+    REQUIRE_FALSE(refused.ok());
+    CHECK_NE(refused.error().message.find("no rectangle (bed_shape)"), std::string::npos);
+  }
+}

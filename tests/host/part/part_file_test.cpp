@@ -149,6 +149,25 @@ TEST_CASE("a part as large as the bed fits, whichever way it is rounded") {
   CHECK(part.summary.box.max.x <= 200'001);
 }
 
+TEST_CASE("on a bed that is no rectangle, a part is placed and checked by its own outline") {
+  const test::TemporaryFolder folder;
+  Settings settings;
+  settings.bed_x = settings.bed_y = Length::from_mm(100);
+  settings.bed_origin_x = settings.bed_origin_y = Length::from_mm(-50);
+  settings.bed_shape = {{0, -500'000}, {500'000, 0}, {0, 500'000}, {-500'000, 0}};
+  OpenedPart part = opened(folder, parts::box({0, 0, 0}, 40, 40, 1), settings);
+  CHECK_EQ(part.summary.box, core::Box{{300'000, 300'000}, {700'000, 700'000}});
+  // Its corners would be off the bed, all of its sides on it.
+  const std::string wide = folder.write("wide.stl", binary(parts::box({0, 0, 0}, 60, 60, 1)));
+  check_refused(wide, settings, ErrorCode::kOutOfBounds, {"beyond its outline", "bed_shape"});
+  settings.centre = false;
+  settings.part_x = settings.part_y = Length::from_mm(25);
+  CHECK(opened(folder, parts::box({0, 0, 0}, 50, 50, 1), settings).summary.layers == 5);
+  settings.part_x = Length::from_mm(24);
+  check_refused(folder.write("left.stl", binary(parts::box({0, 0, 0}, 50, 50, 1))), settings,
+                ErrorCode::kOutOfBounds, {"beyond its outline"});
+}
+
 TEST_CASE("files that can't be read") {
   const test::TemporaryFolder folder;
   const Settings settings;
