@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/booleans/boolean.h"          // intersect, subtract, unite
-#include "core/booleans/simplified.h"       // simplified
-#include "core/check.h"                     // RIND_CHECK
-#include "core/offsets/voronoi_mountain.h"  // offset
-#include "core/supports/marked_hanging.h"   // marked_hanging
-#include "core/supports/support_regions.h"  // grown, kSupportTolerance, scaled, shared
+#include "core/booleans/boolean.h"           // intersect, subtract, unite
+#include "core/booleans/simplified.h"        // simplified
+#include "core/check.h"                      // RIND_CHECK
+#include "core/offsets/voronoi_mountain.h"   // offset
+#include "core/supports/marked_hanging.h"    // marked_hanging
+#include "core/supports/pieces_that_meet.h"  // pieces_that_meet
+#include "core/supports/support_regions.h"   // grown, kSupportTolerance, scaled, shared
 
 namespace core {
 namespace {
@@ -24,6 +25,10 @@ constexpr double kNearShare = 0.5;
 constexpr double kNarrowGrowth = 0.3;
 constexpr Length kNarrowSlack = Length::from_units(500);
 constexpr double kNarrowLength_mm = 0.8;
+
+void append(const Region& region, std::vector<Ring>& rings) {
+  rings.insert(rings.end(), region.rings().begin(), region.rings().end());
+}
 
 Region opened(const Region& region, Length by) {
   if (region.empty()) return region;
@@ -49,19 +54,24 @@ Region narrow_pieces(const Region& region, Length width) {
   for (Island& island : islands(subtract(region, wide))) {
     const Region whole = region_of(std::move(island));
     if (whole.perimeter_mm() < 2 * kNarrowLength_mm) continue;
-    pieces.insert(pieces.end(), whole.rings().begin(), whole.rings().end());
+    append(whole, pieces);
   }
   return Region::from_clean_rings(std::move(pieces));
 }
 
 Region without_small(const Region& region, double area_min_mm2, const Region& but) {
   if (area_min_mm2 <= 0) return region;
-  std::vector<Ring> kept;
+  std::vector<Ring> kept, small;
+  std::vector<Region> pieces;
   for (Island& island : islands(region)) {
-    const Region whole = region_of(std::move(island));
-    if (whole.area_mm2() < area_min_mm2 && intersect(whole, but).empty()) continue;
-    kept.insert(kept.end(), whole.rings().begin(), whole.rings().end());
+    Region whole = region_of(std::move(island));
+    const bool is_small = whole.area_mm2() < area_min_mm2;
+    append(whole, is_small ? small : kept);
+    if (is_small) pieces.push_back(std::move(whole));
   }
+  if (pieces.empty()) return region;
+  const Region common = intersect(Region::from_clean_rings(std::move(small)), but);
+  for (const Region& piece : pieces_that_meet(std::move(pieces), common)) append(piece, kept);
   return Region::from_clean_rings(std::move(kept));
 }
 

@@ -72,4 +72,9 @@ bool SupportHeights::hold_at(Length bottom) const {
   return std::prev(after)->on;
 }
 
+bool SupportHeights::hold_anywhere() const {
+  return elsewhere_ || std::any_of(ranges_.begin(), ranges_.end(),
+                                   [](const SupportRange& range) { return range.on; });
+}
+
 }  // namespace core

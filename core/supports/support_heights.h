@@ -38,6 +38,8 @@ class SupportHeights {
 
   // Whether a layer with that bottom is held by itself. COSTS: O(log ranges).
   [[nodiscard]] bool hold_at(Length bottom) const;
+  // Whether any layer may be.
+  [[nodiscard]] bool hold_anywhere() const;
 
  private:
   bool elsewhere_;

@@ -35,6 +35,12 @@ void MeshExtent::add(const core::Triangle& triangle) {
   highest_z = std::max(highest_z, triangle.highest_z());
 }
 
+void MeshExtent::add(const MeshExtent& other) {
+  box.add(other.box);
+  lowest_z = std::min(lowest_z, other.lowest_z);
+  highest_z = std::max(highest_z, other.highest_z);
+}
+
 bool MeshExtent::holds(const core::Triangle& triangle) const {
   return std::all_of(triangle.corners.begin(), triangle.corners.end(), [this](const auto& corner) {
     return corner.x >= box.min.x && corner.x <= box.max.x && corner.y >= box.min.y &&

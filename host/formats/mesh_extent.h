@@ -40,6 +40,7 @@ struct MeshExtent {
   std::int64_t highest_z = std::numeric_limits<std::int64_t>::min();
 
   void add(const core::Triangle& triangle);
+  void add(const MeshExtent& other);
   [[nodiscard]] bool holds(const core::Triangle& triangle) const;
 };
 

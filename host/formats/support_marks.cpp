@@ -27,6 +27,7 @@ core::Status FacetSpool::add(const core::Triangle& facet) {
     spool_ = std::move(spool).value();
     spool_->go_to_start();
   }
+  extent_.add(facet);
   std::array<char, sizeof(core::Triangle)> bytes{};
   std::memcpy(bytes.data(), &facet, sizeof(facet));
   return spool_->append({bytes.data(), bytes.size()});
@@ -40,6 +41,14 @@ core::Result<std::optional<core::Triangle>> FacetSpool::next() {
   core::Triangle facet;
   std::memcpy(&facet, record.value()->bytes.data(), sizeof(facet));
   return std::optional<core::Triangle>(facet);
+}
+
+MeshExtent MarkedFacets::bodies_extent() const {
+  MeshExtent all;
+  for (const FacetSpool& bodies : bodies_) {
+    if (!bodies.empty()) all.add(bodies.extent());
+  }
+  return all;
 }
 
 std::string MarkCounts::text() const {

@@ -10,9 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "core/geometry.h"            // Triangle
-#include "core/result.h"              // Result, Status
-#include "host/files/record_spool.h"  // RecordSpool
+#include "core/geometry.h"             // Triangle
+#include "core/result.h"               // Result, Status
+#include "host/files/record_spool.h"   // RecordSpool
+#include "host/formats/mesh_extent.h"  // MeshExtent
 
 namespace host {
 
@@ -37,8 +38,14 @@ class FacetSpool {
   // The next one, in the order in which they were added; nullopt at the end.
   [[nodiscard]] core::Result<std::optional<core::Triangle>> next();
 
+  // Whether none was ever added.
+  [[nodiscard]] bool empty() const { return !spool_; }
+  // Of all that were added.
+  [[nodiscard]] const MeshExtent& extent() const { return extent_; }
+
  private:
   std::optional<RecordSpool> spool_;
+  MeshExtent extent_;
 };
 
 class MarkedFacets {
@@ -47,6 +54,18 @@ class MarkedFacets {
   [[nodiscard]] FacetSpool& bodies(SupportMark mark) { return bodies_[index(mark)]; }
   // Painted ones, or pieces of them.
   [[nodiscard]] FacetSpool& painted(SupportMark mark) { return painted_[index(mark)]; }
+
+  // Whether anything is enforced.
+  [[nodiscard]] bool enforces() const {
+    return !bodies_[index(SupportMark::kEnforcer)].empty() ||
+           !painted_[index(SupportMark::kEnforcer)].empty();
+  }
+  // Of the bodies.
+  [[nodiscard]] MeshExtent bodies_extent() const;
+
+  // Of what is printed of the plate, as the file places it; empty if it is not known, or if there
+  // are no bodies, beside which alone it matters.
+  MeshExtent printed;
 
   // Painting that could not be read; its facets are taken as not painted. To follow the file's
   // name.

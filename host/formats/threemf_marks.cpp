@@ -25,6 +25,9 @@ class MarkGatherer {
     if (Status taken = bodies(MeshRole::kBlocker, SupportMark::kBlocker); !taken.ok()) {
       return taken.error();
     }
+    if (!facets_->bodies_extent().box.empty()) {
+      if (Status taken = printed(); !taken.ok()) return taken.error();
+    }
     store_.clear_items();
     if (damaged_ > 0) {
       facets_->warnings.push_back(counted(damaged_) +
@@ -53,7 +56,9 @@ class MarkGatherer {
     return {};
   }
 
-  [[nodiscard]] Status bodies(MeshRole role, SupportMark mark) {
+  // Of all items' triangles with that role.
+  template <typename Take>  // Status(const core::Triangle&)
+  [[nodiscard]] Status each(MeshRole role, const Take& take) {
     if (Status added = add_items(role); !added.ok()) return added;
     while (true) {
       MeshStore::Next next = store_.next();
@@ -61,9 +66,21 @@ class MarkGatherer {
         return core::Error{core::ErrorCode::kBadPart, std::move(next.error)};
       }
       if (!next.triangle) return {};
-      Status kept = facets_->bodies(mark).add(*next.triangle);
-      if (!kept.ok()) return kept;
+      if (Status taken = take(*next.triangle); !taken.ok()) return taken;
     }
+  }
+
+  [[nodiscard]] Status bodies(MeshRole role, SupportMark mark) {
+    return each(role, [this, mark](const core::Triangle& triangle) {
+      return facets_->bodies(mark).add(triangle);
+    });
+  }
+
+  [[nodiscard]] Status printed() {
+    return each(MeshRole::kSolid, [this](const core::Triangle& triangle) -> Status {
+      facets_->printed.add(triangle);
+      return {};
+    });
   }
 
   [[nodiscard]] Status painted() {

@@ -13,7 +13,8 @@
 namespace host {
 
 // ENSURES: the store has no items. REQUIRES: all objects are known, and add_item() accepts all
-// items. COSTS: one pass over what is marked. Errors do not name the file.
+// items. COSTS: one pass over what is marked; over all that is printed, too,
+// if there are bodies. Errors do not name the file.
 [[nodiscard]] core::Result<std::unique_ptr<MarkedFacets>> gather_marks(
     const std::vector<ThreeMfItem>& items, MeshStore& store);
 

@@ -83,6 +83,7 @@ class ThreeMfReader : public TriangleSource {
     tree_->name = archive_.name();
     Result<std::unique_ptr<MarkedFacets>> marks = marked_facets();
     if (!marks.ok()) return marks.error();
+    if (marks.value()) marks.value()->printed = {};  // what is left of it is not known
     tree_->mark_counts = mark_counts();
     tree_->marked_facets = std::move(marks).value();
     tree_->warnings = std::move(warnings_);

@@ -32,6 +32,40 @@ constexpr Length kReachTolerance = Length::from_units(100);
 // Kinds of marked facets, each with a sorter: two of bodies, two of painted ones.
 constexpr std::size_t kSorters = 4;
 
+core::Error refused(const std::string& name, const std::string& cause) {
+  return {core::ErrorCode::kOutOfBounds, name + ": " + cause};
+}
+
+Status check_near(const core::Box& box, const Shift& shift, const std::string& name) {
+  for (const core::Point corner : {box.min, box.max}) {
+    const std::int64_t x = corner.x + shift.x, y = corner.y + shift.y;
+    if (std::max(std::abs(x), std::abs(y)) <= core::kCoordinateMax) continue;
+    return refused(name, "what marks where supports are to be reaches farther than " +
+                             mm_text(core::kCoordinateMax) +
+                             " mm from the bed's corner; make it smaller");
+  }
+  return {};
+}
+
+// Of the bodies, enlarged; painted facets are the part's own.
+Status check_near(const core::Box& bodies, const core::Settings& settings, const Shift& shift,
+                  const std::string& name) {
+  const Result<core::Box> larger = Enlargement(settings).of(bodies);
+  if (!larger.ok()) return refused(name, larger.error().message);
+  return check_near(larger.value(), shift, name);
+}
+
+// Before anything is read, where it is known where the part will be.
+Status check_so_far(const MarkedFacets& marks, const core::Box& bodies,
+                    const core::Settings& settings, const std::string& name) {
+  if (marks.printed.box.empty()) return {};
+  const Result<core::Box> larger = Enlargement(settings).of(marks.printed.box);
+  if (!larger.ok()) return {};  // told of the part itself
+  MeshExtent printed = marks.printed;
+  printed.box = larger.value();
+  return check_near(bodies, settings, shift_to_bed(printed, settings), name);
+}
+
 // Some marked facets, from the file's order to regions.
 class MarkedRegions {
  public:
@@ -50,8 +84,9 @@ class MarkedRegions {
     return sorter_.finish();
   }
 
-  [[nodiscard]] Status start_painted(const core::LayerHeights& heights, Length reach) {
+  [[nodiscard]] Status start_painted(const core::LayerHeights& heights, Length reach, Length gap) {
     reach_ = reach;
+    half_gap_ = Length::from_units(gap.units() / 2);
     slabs_.emplace(heights, [this] { return sorter_.next(); });
     return sorter_.finish();
   }
@@ -61,8 +96,10 @@ class MarkedRegions {
     if (slabs_) {
       Result<Region> found = slabs_->next();
       if (!found.ok() || found.value().empty()) return found;
-      return core::offset(core::simplified(found.value(), kReachTolerance), -reach_,
-                          kReachTolerance);
+      // Wider by half a gap, and back.
+      const Region wide = core::offset(core::simplified(found.value(), kReachTolerance),
+                                       -(reach_ + half_gap_), kReachTolerance);
+      return core::offset(core::simplified(wide, kReachTolerance), half_gap_, kReachTolerance);
     }
     if (ended_) return Region();
     Result<std::optional<Slice>> slice = sweep_->next();
@@ -75,7 +112,7 @@ class MarkedRegions {
   MeshSorter sorter_;
   std::optional<core::PlaneSweep> sweep_;  // of bodies
   std::optional<core::FacetSlabs> slabs_;  // of painted facets
-  Length reach_;
+  Length reach_, half_gap_;
   bool ended_ = false;
 };
 
@@ -136,7 +173,7 @@ class MarkedLayers : public LayerSource {
         into.push_back(std::move(bodies));
       }
       if (!painted->empty()) {
-        Status started = painted->start_painted(placing.heights, reach);
+        Status started = painted->start_painted(placing.heights, reach, settings_.road_width);
         if (!started.ok()) return started;
         spilled_bytes_ += painted->spilled_bytes();
         into.push_back(std::move(painted));
@@ -156,22 +193,14 @@ class MarkedLayers : public LayerSource {
       if (!next.ok()) return next.error();
       if (!next.value()) return {};
       const Result<Triangle> larger = enlargement.of(*next.value());
-      if (!larger.ok()) return refused(larger.error().message);
+      if (!larger.ok()) return refused(name_, larger.error().message);
       const Triangle& triangle = larger.value();
       if (bodies ? !can_be_cut(triangle) : is_degenerate(triangle)) continue;
-      for (const core::Vertex& corner : triangle.corners) {
-        const std::int64_t x = corner.x + shift.x, y = corner.y + shift.y;
-        if (std::max(std::abs(x), std::abs(y)) <= core::kCoordinateMax) continue;
-        return refused("what marks where supports are to be reaches farther than " +
-                       mm_text(core::kCoordinateMax) +
-                       " mm from the bed's corner; make it smaller");
-      }
+      core::Box box;
+      for (const core::Vertex& corner : triangle.corners) box.add(core::Point{corner.x, corner.y});
+      if (Status near = check_near(box, shift, name_); !near.ok()) return near;
       if (Status added = into.add(shifted(triangle, shift)); !added.ok()) return added;
     }
-  }
-
-  [[nodiscard]] core::Error refused(const std::string& cause) const {
-    return {core::ErrorCode::kOutOfBounds, name_ + ": " + cause};
   }
 
   [[nodiscard]] static Status gather(const Regions& regions, Region& into) {
@@ -196,9 +225,22 @@ class MarkedLayers : public LayerSource {
 
 }  // namespace
 
-OpenedPart with_marks(OpenedPart part, std::unique_ptr<MarkedFacets> marks,
-                      const core::Settings& settings, std::size_t sort_bytes,
-                      const std::string& name) {
+Result<OpenedPart> with_marks(OpenedPart part, std::unique_ptr<MarkedFacets> marks,
+                              const core::Settings& settings, std::size_t sort_bytes,
+                              const std::string& name) {
+  part.enforced = marks->enforces();
+  if (const core::Box bodies = marks->bodies_extent().box; !bodies.empty()) {
+    if (Status near = check_so_far(*marks, bodies, settings, name); !near.ok()) return near.error();
+    if (part.read_rest) {
+      part.read_rest = [read = std::move(part.read_rest), placing = part.placing, bodies, settings,
+                        name]() -> Result<PartSummary> {
+        Result<PartSummary> summary = read();
+        if (!summary.ok()) return summary;
+        Status near = check_near(bodies, settings, placing().shift, name);
+        return near.ok() ? std::move(summary) : near.error();
+      };
+    }
+  }
   auto layers = std::make_unique<MarkedLayers>(std::move(part.layers), part.placing,
                                                std::move(marks), settings, sort_bytes, name);
   part.counters = [own = std::move(part.counters), source = layers.get()] {

@@ -5,6 +5,8 @@
 //     bodies         ──> MeshSorter ──> PlaneSweep ─────> region ─┤
 //     painted facets ──> MeshSorter ──> FacetSlabs ─────> region ─┘  a little wider
 //
+// Gaps in paint that are narrower than a road are closed: of speckles, thousands would be crumbs.
+//
 // Marks are placed on the bed as the part is, and don't count for where it is placed. They hold for
 // all bodies of the plate.
 #pragma once
@@ -28,11 +30,13 @@ namespace host {
 // would be left at their edges.
 inline constexpr core::Length kPaintReach = core::Length::from_units(1'000);
 
-// The part with its marks. `name`: of the file, for messages. Errors of the slices, besides the
-// part's: of the disk; a mark that reaches too far. REQUIRES: part.placing is there.
+// The part with its marks. `name`: of the file, for messages. Errors: a body that reaches too far;
+// beside negative parts, whose place is known later, it is an error of read_rest(). Errors of the
+// slices, besides the part's: of the disk. REQUIRES: part.placing is there.
 // COSTS: sorts in `sort_bytes` at most; memory for the facets that cross a plane.
-[[nodiscard]] OpenedPart with_marks(OpenedPart part, std::unique_ptr<MarkedFacets> marks,
-                                    const core::Settings& settings, std::size_t sort_bytes,
-                                    const std::string& name);
+[[nodiscard]] core::Result<OpenedPart> with_marks(OpenedPart part,
+                                                  std::unique_ptr<MarkedFacets> marks,
+                                                  const core::Settings& settings,
+                                                  std::size_t sort_bytes, const std::string& name);
 
 }  // namespace host

@@ -84,6 +84,7 @@ struct OpenedPart {
   std::function<PartCounters()> counters;  // valid as long as `layers`
   // Of a mesh. REQUIRES: it was read (read_rest). Valid as long as `layers`.
   std::function<PartPlacing()> placing;
+  bool enforced = false;  // the file marks where supports are enforced, and they are used
 };
 
 }  // namespace host

@@ -86,8 +86,8 @@ struct Marks {
   std::unique_ptr<MarkedFacets> facets;  // nullptr: none, or there are no supports
 };
 
-OpenedPart marked(OpenedPart part, Marks marks, const core::Settings& settings,
-                  const OpenOptions& options, const std::string& name) {
+Result<OpenedPart> marked(OpenedPart part, Marks marks, const core::Settings& settings,
+                          const OpenOptions& options, const std::string& name) {
   if (!marks.counts.any()) return part;
   if (settings.supports == core::SupportPlace::kOff) {
     return with_warnings(std::move(part),
@@ -96,8 +96,10 @@ OpenedPart marked(OpenedPart part, Marks marks, const core::Settings& settings,
   std::vector<std::string> texts;
   for (const std::string& text : marks.facets->warnings)
     texts.push_back(fmt::format("{}: {}", name, text));
-  part = with_marks(std::move(part), std::move(marks.facets), settings, options.sort_bytes, name);
-  return with_warnings(std::move(part), std::move(texts));
+  Result<OpenedPart> with =
+      with_marks(std::move(part), std::move(marks.facets), settings, options.sort_bytes, name);
+  if (!with.ok()) return with;
+  return with_warnings(std::move(with).value(), std::move(texts));
 }
 
 // An archive holds a mesh, slices, or booleans of meshes.

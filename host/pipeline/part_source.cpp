@@ -4,6 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "core/supports/support_heights.h"  // SupportHeights
+
 namespace host {
 
 PartSource::PartSource(PrintPlan& print_plan, const core::Settings& settings,
@@ -17,6 +19,9 @@ PartSource::PartSource(PrintPlan& print_plan, const core::Settings& settings,
       supports_(settings_, print_plan.spool_folder, stopped) {}
 
 core::Status PartSource::prepare(const std::function<void()>& preheat, LayerWatch& watch) {
+  if (!plan_.part.enforced && !core::SupportHeights(settings_).hold_anywhere()) {
+    supports_.call_off();
+  }
   if (core::Status made = make_spools(); !made.ok()) return made;
   if (plan_.part.read_rest || supports_.wants_all() || inside_.wanted()) preheat();
   if (core::Status read = read_rest(); !read.ok()) return read;

@@ -43,6 +43,12 @@ TEST_CASE("a range holds from its beginning up to below its end") {
   CHECK_FALSE(none.hold_at(Length::from_mm(5)));
   CHECK(none.hold_at(Length::from_mm(12.5)));
   CHECK_FALSE(none.hold_at(Length::from_mm(12.5001)));
+  CHECK(heights.hold_anywhere());
+  CHECK(none.hold_anywhere());
+  settings.support_height_range = {"0-20 off"};
+  CHECK_FALSE(SupportHeights(settings).hold_anywhere());
+  settings.support_auto = true;
+  CHECK(SupportHeights(settings).hold_anywhere());
 }
 
 TEST_CASE("what is no range is refused, with its line and what is expected") {

@@ -157,6 +157,29 @@ TEST_CASE("between heights that are off nothing is held, but what is enforced") 
   CHECK(supports_of({{ramp, "ModelPart"}}, settings).empty());
 }
 
+TEST_CASE("where nothing can be held, the part is not looked through first, and as much is told") {
+  core::Settings settings = supported();
+  settings.support_auto = false;
+  const test::PartFolder folder;
+  const MarkedBody tee{parts::tee(), "ModelPart"};
+  const MarkedBody blocker = marked_block("SupportBlocker", -5, 40);
+  const auto printed = [&](const char* name, const std::vector<MarkedBody>& bodies) {
+    Printed one = print(settings, folder.add_text(name, test::prusa_threemf(bodies)));
+    CHECK(supports_of(one).empty());
+    return one;
+  };
+  const Printed plain = printed("plain.3mf", {tee});
+  CHECK_EQ(plain.statistics.spilled_bytes, 0);
+  CHECK_EQ(printed("blocked.3mf", {tee, blocker}).statistics.spilled_bytes, 0);
+  // An enforcer that nothing hangs in.
+  const MarkedBody beside{parts::box({40, 1, 0}, 2, 2, 2), "SupportEnforcer"};
+  const Printed looked = printed("looked.3mf", {tee, beside});
+  CHECK_GT(looked.statistics.spilled_bytes, 0);
+  CHECK(plain.texts == looked.texts);
+  CHECK_GT(told(plain), 0);
+  CHECK_EQ(told(plain), told(looked));
+}
+
 TEST_CASE("trees stand under what is marked, too") {
   core::Settings settings = supported();
   settings.support_style = core::SupportStyle::kTree;
