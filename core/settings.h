@@ -93,6 +93,9 @@ struct Settings {
   // Roads.
   Length nozzle_diameter = Length::from_units(4'000);
   Length filament_diameter = Length::from_units(17'500);
+  std::string filament_type = "PLA";     // this and the next two: for people, and files' comments
+  double filament_density_g_cm3 = 1.24;  // 0: not known
+  double filament_cost_kg = 0;           // 0: not known
   double extrusion_multiplier = 1;  // of the filament that each road takes
   Length road_width = Length::from_units(4'500);
   Length road_width_min = Length::from_units(2'000);  // narrower rests are left out

@@ -37,6 +37,10 @@ int run(const host::Options& options, host::Reporter& reporter) {
       return host::settings_command(options, reporter);
     case host::Subcommand::kFormats:
       return host::formats_command(options, reporter);
+    case host::Subcommand::kPresets:
+      return host::presets_command(options, reporter);
+    case host::Subcommand::kSetup:
+      return host::setup_command(options, reporter);
   }
   return host::kExitUsage;
 }
@@ -53,7 +57,8 @@ void take_standard_descriptors() {
 
 int tell_instead(const host::OptionsExit& exit) {
   if (exit.exit_code != host::kExitDone) {
-    std::fputs(exit.text.c_str(), stderr);
+    host::Reporter({.quiet = false, .json = exit.json, .stdout_taken = false})
+        .error(exit.text, exit.exit_code);
     return exit.exit_code;
   }
   const core::Status told = host::write_standard_output(exit.text);

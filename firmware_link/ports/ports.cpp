@@ -2,6 +2,7 @@
 
 #include <sys/file.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -50,6 +51,21 @@ OpenedPort open_port(const std::string& path, int baud) {
   if (!std::filesystem::exists(path, error)) return open_error(path, ENOENT);
   if (is_pseudo_terminal(path)) return TtyPort::open(path);
   return SerialPort::open(path, baud);
+}
+
+std::string port_name_mistake(const std::string& path) {
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  if (path.size() > 3 && path.compare(0, 3, "COM") == 0 &&
+      std::all_of(path.begin() + 3, path.end(), is_digit)) {
+    return path + " is a port's name in Windows; here it is one like /dev/ttyUSB0";
+  }
+  const std::size_t colon = path.rfind(':');
+  if (colon == std::string::npos || colon == 0 || colon + 1 == path.size() ||
+      path.find('/') != std::string::npos ||
+      !std::all_of(path.begin() + static_cast<std::ptrdiff_t>(colon) + 1, path.end(), is_digit)) {
+    return {};
+  }
+  return path + ": a printer in the network is named tcp://" + path;
 }
 
 std::vector<PortDescription> list_ports() { return SerialPort::list(); }

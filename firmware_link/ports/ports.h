@@ -19,6 +19,9 @@ struct PortError {
 // What a system's error number (errno) means for someone who wants to print.
 [[nodiscard]] PortError open_error(const std::string& path, int system_error);
 
+// What is wrong with a port's name, where that can be told without opening it; empty: nothing.
+[[nodiscard]] std::string port_name_mistake(const std::string& path);
+
 // Claims an opened device for this program (flock), until it is closed; false: another one has it,
 // and its lines would come between ours. Programs that don't ask are not kept out.
 [[nodiscard]] bool claim(int file);

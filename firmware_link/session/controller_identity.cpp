@@ -46,6 +46,7 @@ void ControllerIdentity::heard(const Reply& reply) {
 
 void ControllerIdentity::named(std::string_view text) {
   name_ = firmware_name_in(text);
+  machine_type_ = machine_type_in(text);
   name_told_ = true;
 }
 

@@ -22,6 +22,9 @@ class ControllerIdentity {
   // FIRMWARE_NAME of M115; empty before it was told.
   [[nodiscard]] const std::string& name() const { return name_; }
 
+  // MACHINE_TYPE of M115; empty: it told none.
+  [[nodiscard]] const std::string& machine_type() const { return machine_type_; }
+
   // Learns from any line that comes.
   void heard(const Reply& reply);
 
@@ -47,6 +50,7 @@ class ControllerIdentity {
   LinkRules rules_;
   Capabilities capabilities_;
   std::string name_;
+  std::string machine_type_;
   std::string name_before_;  // the answer before to the same question
   int doubts_ = 0;
   bool name_told_ = false;

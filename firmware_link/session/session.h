@@ -67,6 +67,8 @@ class Session {
 
   // What the controller calls itself (M115's FIRMWARE_NAME); empty before it has said.
   [[nodiscard]] const std::string& firmware_name() const { return identity_.name(); }
+  // What the printer calls itself (M115's MACHINE_TYPE); empty: it did not say.
+  [[nodiscard]] const std::string& machine_type() const { return identity_.machine_type(); }
   [[nodiscard]] std::string_view dialect_name() const { return dialect().name(); }
   [[nodiscard]] const Dialect& dialect() const { return identity_.dialect(); }
   [[nodiscard]] const LinkRules& rules() const { return identity_.rules(); }

@@ -48,7 +48,8 @@ void VirtualController::Firmware::start_command() {
   handler_.until += mishaps_.starts(word_of(text));
   handler_.busy_next = now_ + std::chrono::seconds(reports_.busy_interval_s);
   if (speaks(VirtualDialect::kKlipper) && klipper_answers(text)) return;
-  bool known = speaks(VirtualDialect::kKlipper) && word_of(text) == "SET_PRESSURE_ADVANCE";
+  bool known = speaks(VirtualDialect::kKlipper) &&
+               (word_of(text) == "SET_PRESSURE_ADVANCE" || klipper_macro(text));
   if (text.size() > 1 && is_digit(text[1])) {
     std::size_t end = 1;
     std::int64_t code = 0;
@@ -96,6 +97,7 @@ bool VirtualController::Firmware::handle_g(std::int64_t code, std::string_view t
       home(text);
       return true;
     case 29:
+    case 80:  // Prusa's way to measure the bed
       handler_.dwell = Duration(0);
       pause_was_asked_ = true;
       return true;

@@ -46,6 +46,8 @@ struct KlipperOptions {
   Duration ready_after{0};             // until its microcontrollers are found
   Duration idle_timeout{600'000'000};  // [idle_timeout]: heaters and motors off
   std::string_view config_error;       // never ready, for this reason; empty: none
+  // Macros of printer.cfg that are obeyed, with blanks between them; PRINT_START homes.
+  std::string_view macros = "PRINT_START PRINT_END";
 };
 
 struct VirtualControllerOptions {

@@ -152,6 +152,7 @@ class VirtualController::Firmware {
   void klipper_error(std::string_view message);
   void klipper_shut_down(std::string_view words);
   [[nodiscard]] bool klipper_answers(std::string_view text);
+  [[nodiscard]] bool klipper_macro(std::string_view text);
   [[nodiscard]] bool klipper_answers_unready(std::string_view command);
   void klipper_help();
   void klipper_set_position(std::string_view text);

@@ -88,6 +88,20 @@ bool VirtualController::Firmware::klipper_answers_unready(std::string_view comma
   return true;
 }
 
+// True when it is one of printer.cfg's macros, which is obeyed.
+bool VirtualController::Firmware::klipper_macro(std::string_view text) {
+  const std::string_view name = first_word(text);
+  std::string_view rest = options_.klipper.macros;
+  while (!rest.empty()) {
+    const std::string_view one = rest.substr(0, rest.find(' '));
+    rest.remove_prefix(std::min(rest.size(), one.size() + 1));
+    if (one.empty() || one != name) continue;
+    if (name == "PRINT_START") home("G28");
+    return true;
+  }
+  return false;
+}
+
 // True when that was the whole of its answer, but for the `ok`.
 bool VirtualController::Firmware::klipper_answers(std::string_view text) {
   const std::string_view command = first_word(text);

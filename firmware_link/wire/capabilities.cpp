@@ -33,7 +33,10 @@ void note_travel(std::string_view line, Capabilities& capabilities) {
   capabilities.travel_told_last = told;
 }
 
-std::string firmware_name_in(std::string_view text) {
+namespace {
+
+// What stands before the next " WORD:", or at the end.
+std::string value_before_next_word(std::string_view text) {
   while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
   for (std::size_t blank = text.find(' '); blank != std::string_view::npos;
        blank = text.find(' ', blank + 1)) {
@@ -44,6 +47,16 @@ std::string firmware_name_in(std::string_view text) {
     }
   }
   return std::string(text);
+}
+
+}  // namespace
+
+std::string firmware_name_in(std::string_view text) { return value_before_next_word(text); }
+
+std::string machine_type_in(std::string_view text) {
+  constexpr std::string_view kWord = "MACHINE_TYPE:";
+  const std::size_t at = text.find(kWord);
+  return at == std::string_view::npos ? "" : value_before_next_word(text.substr(at + kWord.size()));
 }
 
 }  // namespace firmware_link

@@ -34,4 +34,7 @@ void note_travel(std::string_view line, Capabilities& capabilities);
 // ends where the next KEY: starts.
 [[nodiscard]] std::string firmware_name_in(std::string_view text);
 
+// The printer's name in M115's answer (MACHINE_TYPE); empty: it tells none.
+[[nodiscard]] std::string machine_type_in(std::string_view text);
+
 }  // namespace firmware_link

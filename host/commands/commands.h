@@ -22,8 +22,10 @@ int show_command(const Options& options, Reporter& reporter);
 int ports_command(const Options& options, Reporter& reporter);
 int settings_command(const Options& options, Reporter& reporter);
 int formats_command(const Options& options, Reporter& reporter);
+int presets_command(const Options& options, Reporter& reporter);
+int setup_command(const Options& options, Reporter& reporter);
 
-// Profile, then the command line's assignments, then the check that all fit together.
+// Printer, profile, then the command line's assignments, then the check that all fit together.
 // G-code that waits for the part is not in the settings.
 [[nodiscard]] core::Result<WholeSettings> load_settings_of(const Options& options,
                                                            Reporter& reporter);

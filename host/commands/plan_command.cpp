@@ -20,7 +20,20 @@ namespace {
 
 double grams(double filament_mm, const core::Settings& settings) {
   const double radius_mm = settings.filament_diameter.mm() / 2;
-  return filament_mm * std::numbers::pi * radius_mm * radius_mm * kDensityGramsMm3;
+  return filament_mm * std::numbers::pi * radius_mm * radius_mm * settings.filament_density_g_cm3 *
+         1e-3;
+}
+
+// Of the whole filament: weight, plastic, price.
+std::string weight_text(double filament_mm, const core::Settings& settings) {
+  if (settings.filament_density_g_cm3 == 0) return " (of unknown weight)";
+  const double weight = grams(filament_mm, settings);
+  std::string text = fmt::format(" {:8.2f} g ({}, {:g} g/cm3)", weight, settings.filament_type,
+                                 settings.filament_density_g_cm3);
+  if (settings.filament_cost_kg > 0) {
+    text += fmt::format(", price {:.2f}", weight * 1e-3 * settings.filament_cost_kg);
+  }
+  return text;
 }
 
 std::string spaced(core::RoadKind kind) {
@@ -68,12 +81,11 @@ std::string table(const Options& options, const PrintPlan& print_plan,
     fmt::format_to(out, "raft       {} of these layers; the part begins {:g} mm above the bed\n",
                    raft, core::raft_lift(print_plan.settings).mm());
   }
-  const double volume = statistics.solid_mm3 + statistics.loose_mm3;
+  const double volume = statistics.volumes.solid_mm3 + statistics.volumes.loose_mm3;
   fmt::format_to(out, "volume     {:.2f} cm3, of it wall {:.1f} %\n", volume / 1'000,
-                 volume > 0 ? 100 * statistics.solid_mm3 / volume : 0);
+                 volume > 0 ? 100 * statistics.volumes.solid_mm3 / volume : 0);
   const double total = total_mm(statistics.filament_mm);
-  fmt::format_to(out, "filament   {:9.1f} mm {:8.2f} g (at {:g} g/cm3)\n", total,
-                 grams(total, print_plan.settings), kDensityGramsMm3 * 1e3);
+  fmt::format_to(out, "filament   {:9.1f} mm{}\n", total, weight_text(total, print_plan.settings));
   for (std::size_t i = 0; i < statistics.filament_mm.size(); ++i) {
     const double used = statistics.filament_mm[i];
     if (used == 0) continue;
@@ -81,9 +93,9 @@ std::string table(const Options& options, const PrintPlan& print_plan,
                    spaced(static_cast<core::RoadKind>(i)), used, grams(used, print_plan.settings),
                    100 * used / total);
   }
-  if (statistics.regularised_mm3 > 0) {
+  if (statistics.volumes.regularised_mm3 > 0) {
     fmt::format_to(out, "  of it {:.2f} g solid only because the inside was too narrow there\n",
-                   statistics.regularised_mm3 * kDensityGramsMm3);
+                   statistics.volumes.regularised_mm3 * statistics.volumes.filament_density_g_mm3);
   }
   fmt::format_to(out, "time       about {}, without heating up ({})\n",
                  duration_text(statistics.time_s), motion_model(print_plan.settings));

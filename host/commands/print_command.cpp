@@ -33,6 +33,16 @@ std::string no_port_message() {
   return message + "\n  --port virtual  a controller inside this program; nothing real is printed";
 }
 
+// Of the printer's file, where the command line names no other.
+core::Status take_printers_port(Options& options) {
+  const Result<StartingSettings> start = starting_settings(options.settings.printer);
+  if (!start.ok()) return start.error();
+  LinkOptions& link = options.link;
+  if (link.port.empty()) link.port = start.value().port;
+  if (!link.baud_told && start.value().baud > 0) link.baud = start.value().baud;
+  return {};
+}
+
 JournalHead head_of(const Options& options, const PrintPlan& print_plan, const std::string& usb) {
   JournalHead head;
   head.version = kVersion;
@@ -166,10 +176,19 @@ void plan_journal(const Options& options, const JournalChoice& choice, const std
 
 }  // namespace
 
-int print_command(const Options& options, Reporter& reporter) {
+int print_command(const Options& told, Reporter& reporter) {
   const double started_s = steady_seconds();
+  Options options = told;
+  if (core::Status taken = take_printers_port(options); !taken.ok()) {
+    return fail(taken.error(), reporter);
+  }
   if (options.link.port.empty()) {
     reporter.error(no_port_message(), kExitUsage);
+    return kExitUsage;
+  }
+  if (const std::string mistake = firmware_link::port_name_mistake(options.link.port);
+      !mistake.empty()) {
+    reporter.error(mistake, kExitUsage);
     return kExitUsage;
   }
   core::Result<PrintPlan> opened = open_print_plan(options, reporter);

@@ -71,6 +71,19 @@ bool lays_supports(const Options& options) {
   return lays_whole_print(options) || options.subcommand == Subcommand::kShow;
 }
 
+// A real nozzle is not sent to places that may lie beside the bed.
+core::Status check_bed_is_known(const Options& options, const WholeSettings& whole) {
+  if (options.subcommand != Subcommand::kPrint || options.link.port == "virtual" ||
+      whole.bed_known) {
+    return {};
+  }
+  return core::Error{core::ErrorCode::kBadSetting,
+                     fmt::format("nothing says how large the printer's bed is: run rind setup "
+                                 "--port {}, once; or name a preset (--preset NAME, rind presets "
+                                 "lists them) or the bed (--set bed_x=MM --set bed_y=MM)",
+                                 options.link.port)};
+}
+
 // The inside is empty, and the wall around it is as thin above as below.
 bool leaves_roofs_unheld(const core::Settings& settings) {
   return settings.loose_density <= 0 && !holds_its_roof(settings) &&
@@ -82,6 +95,9 @@ bool leaves_roofs_unheld(const core::Settings& settings) {
 core::Result<PrintPlan> open_print_plan(const Options& options, Reporter& reporter) {
   core::Result<WholeSettings> whole = load_settings_of(options, reporter);
   if (!whole.ok()) return whole.error();
+  if (core::Status known = check_bed_is_known(options, whole.value()); !known.ok()) {
+    return known.error();
+  }
   PrintSettings& settings = whole.value().settings;
   if (settings.raft_layers > 0 && !lays_whole_print(options)) {
     core::Settings& of_part = settings;

@@ -32,6 +32,11 @@ bool is_virtual(const Options& options) { return options.link.port == "virtual";
 std::unique_ptr<BytePort> open_virtual_port(const Options& options,
                                             const core::Settings& settings) {
   firmware_link::VirtualControllerOptions controller;
+  if (settings.gcode_flavor == core::GcodeFlavor::kKlipper) {
+    controller.dialect = firmware_link::VirtualDialect::kKlipper;
+  } else if (settings.gcode_flavor == core::GcodeFlavor::kRepRapFirmware) {
+    controller.dialect = firmware_link::VirtualDialect::kRepRap;
+  }
   controller.bed_x_mm = settings.bed_x.mm();
   controller.bed_y_mm = settings.bed_y.mm();
   controller.bed_origin_x_mm = settings.bed_origin_x.mm();

@@ -8,6 +8,7 @@
 #include "host/commands/print_run.h"
 #include "host/commands/program_control.h"    // ask_nozzle_height
 #include "host/commands/resume_choice.h"      // list_journals, journal_named
+#include "host/presets/printer_file.h"        // kNoPrinter
 #include "host/printing/journal_directory.h"  // layer_text, state_text
 #include "host/settings/settings_file.h"      // load_settings
 #include "host/settings/settings_table.h"
@@ -129,7 +130,8 @@ Result<PrintPlan> plan_of(Options& options, const JournalHead& head, Reporter& r
   if (Status same = check_part(options.part.path, head); !same.ok()) return same.error();
   const Result<PrintSettings> settings = settings_in(head);
   if (!settings.ok()) return settings.error();
-  options.settings.profile.clear();
+  options.settings = SettingsRequest();
+  options.settings.printer.printer = kNoPrinter;  // the journal has all settings
   options.settings.assignments = head.settings;
   if (!options.print.bad_layer_told) options.part.on_bad_layer = bad_layer_of(head.on_bad_layer);
   if (!options.print.floating_told) options.part.on_floating = floating_of(head.on_floating);

@@ -326,6 +326,7 @@ class Pipeline {
     statistics_.region_operations = {window.operations, window.operations_worst};
     statistics_.reused = {cutter_.reused(), window.layers_reused, planner_.reused()};
     commands_.tell(statistics_);
+    statistics_.volumes.filament_density_g_mm3 = plan_.settings.filament_density_g_cm3 * 1e-3;
   }
 
   [[nodiscard]] bool wants_roads() const { return outputs_.on_roads || outputs_.on_motion; }

@@ -193,9 +193,9 @@ std::string road_kind_name(core::RoadKind kind) {
 
 void GeometryStatistics::add_volume(const core::SplitLayer& layer, double moved_mm3) {
   const double height_mm = layer.slice.height.mm();
-  solid_mm3 += layer.solid.area_mm2() * height_mm;
-  loose_mm3 += layer.loose.area_mm2() * height_mm;
-  regularised_mm3 += moved_mm3;
+  volumes.solid_mm3 += layer.solid.area_mm2() * height_mm;
+  volumes.loose_mm3 += layer.loose.area_mm2() * height_mm;
+  volumes.regularised_mm3 += moved_mm3;
 }
 
 double total_mm(const FilamentUse& filament) {
@@ -274,42 +274,43 @@ std::int64_t peak_rss_bytes() {
 std::string statistics_json(const GeometryStatistics& geometry, const LinkStatistics* link) {
   StageClock clock = geometry.clock;
   if (link != nullptr) clock.merge(link->clock);
-  Json json = {{"layers", geometry.layers},
-               {"roads", geometry.roads},
-               {"arcs", geometry.arcs},
-               {"peak_layers_held", geometry.peak_held.layers},
-               {"peak_regions_held", geometry.peak_held.regions},
-               {"peak_triangles_held", geometry.peak_held.triangles},
-               {"spilled_bytes", geometry.spilled_bytes},
-               {"bad_layers", geometry.bad_layers},
-               {"slow_layers", slow_layers_json(geometry.slow_layers)},
-               {"mountain_retries", geometry.retries.mountains},
-               {"boolean_retries", geometry.retries.booleans},
-               {"region_operations", geometry.region_operations.count},
-               {"region_operations_worst", geometry.region_operations.worst},
-               {"layers_reused",
-                {{"offsets", geometry.reused.offsets},
-                 {"splits", geometry.reused.splits},
-                 {"roads", geometry.reused.roads}}},
-               {"peak_rss_bytes", peak_rss_bytes()},
-               {"cpu_seconds", stage_seconds(clock)},
-               {"worst_layer_ms", stage_worst(clock)},
-               {"layer_ms",
-                {{"median", geometry.layer_times.median_ms()},
-                 {"worst", geometry.layer_times.worst_ms()},
-                 {"worst_layer", geometry.layer_times.worst_layer() + 1}}},
-               {"pace", pace_json(geometry.pace)},
-               {"allocations_per_layer", allocations_json(geometry.allocations)},
-               {"solid_mm3", geometry.solid_mm3},
-               {"loose_mm3", geometry.loose_mm3},
-               {"regularised_mm3", geometry.regularised_mm3},
-               {"regularised_g", geometry.regularised_mm3 * kDensityGramsMm3},
-               {"filament_mm", filament_json(geometry.filament_mm)},
-               {"time_s", geometry.time_s},
-               {"geometry_ended", geometry.ended},
-               {"defects", defects_json(geometry.defects)},
-               {"hanging", hanging_json(geometry.hanging)},
-               {"standing", standing_json(geometry.standing)}};
+  Json json = {
+      {"layers", geometry.layers},
+      {"roads", geometry.roads},
+      {"arcs", geometry.arcs},
+      {"peak_layers_held", geometry.peak_held.layers},
+      {"peak_regions_held", geometry.peak_held.regions},
+      {"peak_triangles_held", geometry.peak_held.triangles},
+      {"spilled_bytes", geometry.spilled_bytes},
+      {"bad_layers", geometry.bad_layers},
+      {"slow_layers", slow_layers_json(geometry.slow_layers)},
+      {"mountain_retries", geometry.retries.mountains},
+      {"boolean_retries", geometry.retries.booleans},
+      {"region_operations", geometry.region_operations.count},
+      {"region_operations_worst", geometry.region_operations.worst},
+      {"layers_reused",
+       {{"offsets", geometry.reused.offsets},
+        {"splits", geometry.reused.splits},
+        {"roads", geometry.reused.roads}}},
+      {"peak_rss_bytes", peak_rss_bytes()},
+      {"cpu_seconds", stage_seconds(clock)},
+      {"worst_layer_ms", stage_worst(clock)},
+      {"layer_ms",
+       {{"median", geometry.layer_times.median_ms()},
+        {"worst", geometry.layer_times.worst_ms()},
+        {"worst_layer", geometry.layer_times.worst_layer() + 1}}},
+      {"pace", pace_json(geometry.pace)},
+      {"allocations_per_layer", allocations_json(geometry.allocations)},
+      {"solid_mm3", geometry.volumes.solid_mm3},
+      {"loose_mm3", geometry.volumes.loose_mm3},
+      {"regularised_mm3", geometry.volumes.regularised_mm3},
+      {"regularised_g", geometry.volumes.regularised_mm3 * geometry.volumes.filament_density_g_mm3},
+      {"filament_mm", filament_json(geometry.filament_mm)},
+      {"time_s", geometry.time_s},
+      {"geometry_ended", geometry.ended},
+      {"defects", defects_json(geometry.defects)},
+      {"hanging", hanging_json(geometry.hanging)},
+      {"standing", standing_json(geometry.standing)}};
   json["first_road_s"] = or_null(link != nullptr ? link->first_road_s : geometry.first_road_s);
   json["first_road_cpu_s"] =
       or_null(link != nullptr ? link->first_road_cpu_s : geometry.first_road_cpu_s);

@@ -24,9 +24,6 @@ namespace host {
 // As in the statistics file: "outer_perimeter".
 [[nodiscard]] std::string road_kind_name(core::RoadKind kind);
 
-// Density of PLA: the filament's own isn't known. Only for weights in messages.
-inline constexpr double kDensityGramsMm3 = 1.24e-3;
-
 // Millimetres of filament by RoadKind.
 using FilamentUse = std::array<double, core::kRoadKindCount>;
 [[nodiscard]] double total_mm(const FilamentUse& filament);
@@ -103,6 +100,13 @@ struct HeldCounts {
   std::int64_t triangles = 0;  // crossing one plane
 };
 
+struct Volumes {
+  double solid_mm3 = 0;               // of the wall
+  double loose_mm3 = 0;               // of the inside
+  double regularised_mm3 = 0;         // moved from loose to solid to be printable (regularise.h)
+  double filament_density_g_mm3 = 0;  // 0: not known
+};
+
 // Filled by the geometry's thread.
 struct GeometryStatistics {
   StageClock clock;
@@ -116,12 +120,10 @@ struct GeometryStatistics {
   Retries retries;
   RegionOperations region_operations;  // of the window
   ReuseCounts reused;
-  double regularised_mm3 = 0;  // moved from loose to solid to be printable (regularise.h)
-  LayerTimes layer_times;      // processor time
-  LayerPace pace;              // beside printing time
-  AllocationLog allocations;   // only in the program: tests have no hook that counts
-  double solid_mm3 = 0;        // volume of the wall, and of the inside
-  double loose_mm3 = 0;
+  LayerTimes layer_times;     // processor time
+  LayerPace pace;             // beside printing time
+  AllocationLog allocations;  // only in the program: tests have no hook that counts
+  Volumes volumes;
   FilamentUse filament_mm{};
   double time_s = 0;  // estimated, heating left out
   bool ended = true;  // false: abandoned in the middle of a layer; no other value here is known

@@ -36,6 +36,10 @@ std::string layer_text(core::LayerIndex layer, core::LayerIndex layers) {
   return layers > 0 ? fmt::format("layer {}/{}", layer, layers) : fmt::format("layer {}", layer);
 }
 
+std::string state_before_layer(std::string_view state) {
+  return state.empty() ? "" : fmt::format("{} at ", state);
+}
+
 double share_done(const ProgressReport& report) {
   if (report.layers <= 0) return 0;
   return static_cast<double>(report.layer) / static_cast<double>(report.layers);
@@ -53,9 +57,11 @@ std::string progress_line(const ProgressReport& report) {
   if (report.preparation) {
     const auto& [step, done, layers] = *report.preparation;
     line = fmt::format("{}, {}", step, layer_text(done, layers));
+  } else if (report.state == "heating" || report.state == "starting") {
+    line = report.state;
   } else {
-    line =
-        fmt::format("{} | {:.1f} mm", layer_text(report.layer, report.layers), report.height.mm());
+    line = fmt::format("{}{} | {:.1f} mm", state_before_layer(report.state),
+                       layer_text(report.layer, report.layers), report.height.mm());
     if (report.layers > 0) line += fmt::format(" | {:.0f} %", 100 * share_done(report));
   }
   line += report.left_s ? " | " + duration_text(*report.left_s) + " left"
@@ -72,7 +78,7 @@ Reporter::Reporter(const Options& options)
     : options_(options), terminal_(isatty(STDERR_FILENO) == 1) {}
 
 Reporter::~Reporter() {
-  if (line_shown_) std::fputc('\n', stderr);
+  if (shown_columns_ > 0) std::fputc('\n', stderr);
 }
 
 void Reporter::clear() {
@@ -81,8 +87,13 @@ void Reporter::clear() {
 }
 
 void Reporter::clear_line() {
-  if (line_shown_) std::fputs("\r\x1b[K", stderr);
-  line_shown_ = false;
+  if (shown_columns_ == 0) return;
+  // A window that was made narrower meanwhile shows the line in several rows.
+  const std::size_t rows_above = (shown_columns_ - 1) / terminal_columns();
+  std::fputs("\r", stderr);
+  if (rows_above > 0) std::fprintf(stderr, "\x1b[%zuA", rows_above);
+  std::fputs("\x1b[J", stderr);
+  shown_columns_ = 0;
 }
 
 std::string Reporter::json_text(const std::string& name, const EventFields& fields) const {
@@ -191,6 +202,7 @@ void Reporter::progress(const ProgressReport& report, double now_s) {
       fields.emplace_back("lines_in_flight", static_cast<std::int64_t>(*report.lines_in_flight));
     }
     add("queue_share", report.queue_share);
+    if (!report.state.empty()) fields.emplace_back("state", std::string(report.state));
     if (report.preparation) {
       fields.emplace_back("preparing", std::string(report.preparation->step));
       fields.emplace_back("prepared_layers", report.preparation->done);
@@ -205,9 +217,10 @@ void Reporter::progress(const ProgressReport& report, double now_s) {
   }
   // A line that wraps could not be taken back.
   line.resize(std::min(line.size(), terminal_columns() - 1));
-  std::fprintf(stderr, "\r\x1b[K%s", line.c_str());
+  clear_line();
+  std::fputs(line.c_str(), stderr);
   std::fflush(stderr);
-  line_shown_ = true;
+  shown_columns_ = line.size();
 }
 
 }  // namespace host

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -31,9 +32,11 @@ struct ProgressReport {
   std::optional<std::size_t> lines_in_flight;
   std::optional<double> queue_share;  // 0 … 1
   std::optional<Preparation> preparation;
+  std::string_view state;  // "starting", "heating", "paused", "resuming"; empty: it prints
 };
 
 // "supports: slicing, layer 45/312 | 0:00:02 | nozzle 150/210 bed 60/60 C", before the first layer;
+// "heating | 0:00:28 | nozzle 143/210 C | bed 40/60 C"; "paused at layer 45/312 | …";
 // "layer 45/312 | 9.0 mm | 14 % | 0:03:20 left | 1.23 m | nozzle 210/210 bed 60/60 C | …"
 [[nodiscard]] std::string progress_line(const ProgressReport& report);
 
@@ -94,7 +97,7 @@ class Reporter {
   std::unique_ptr<LogFile> log_;
   std::optional<double> logged_at_s_;  // progress
   bool terminal_;
-  bool line_shown_ = false;
+  std::size_t shown_columns_ = 0;  // of the line that is updated; 0: none is shown
   std::optional<double> shown_at_s_;
 };
 

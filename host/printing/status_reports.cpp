@@ -25,6 +25,7 @@ void StatusReports::note_counts(const firmware_link::SessionStatistics& link) {
     statistics_.first_road_s = steady_seconds() - started_s_;
     statistics_.first_road_cpu_s = process_cpu_seconds();
     statistics_.slices_cut_at_first_road = signals_.slices_cut.load();
+    first_layer_ = commands_.last().layer;
   }
   tell_counts(link);
 }
@@ -35,7 +36,8 @@ void StatusReports::tell_counts(const firmware_link::SessionStatistics& link) {
   if (statistics_.resends > told_resends_) {
     reporter_.event("resend", {{"resends", statistics_.resends}});
   }
-  if (statistics_.stalls > told_stalls_) {
+  // Before the first road there is nothing that a gap could spoil.
+  if (statistics_.stalls > told_stalls_ && statistics_.first_road_s) {
     reporter_.event("stall",
                     {{"stalls", statistics_.stalls}, {"planner_low_s", link.planner_low_s}});
   }
@@ -146,6 +148,10 @@ void StatusReports::tell_action(const std::string& action) {
 
 void StatusReports::tell_pause(PauseControl::Phase phase, const std::string& cause, double hot_s) {
   const core::LayerIndex layer = commands_.last().layer;
+  const double now = steady_seconds();
+  if (phase_ == PauseControl::Phase::kPrinting) pause_began_s_ = now;
+  if (phase == PauseControl::Phase::kPrinting) paused_s_ += now - pause_began_s_;
+  phase_ = phase;
   switch (phase) {
     case PauseControl::Phase::kLeaving:
       reporter_.note("pause",
@@ -183,6 +189,37 @@ void StatusReports::tell_fault(const std::string& reason, bool reset, double wai
       {{"kind", std::string(reset ? "reset" : "port_lost")}, {"layer", commands_.last().layer}});
 }
 
+std::string_view StatusReports::state(const firmware_link::Temperatures& heat) const {
+  switch (phase_) {
+    case PauseControl::Phase::kPrinting:
+      break;
+    case PauseControl::Phase::kReturning:
+      return "resuming";
+    default:
+      return "paused";
+  }
+  if (statistics_.first_road_s) return {};
+  constexpr double kNear_celsius = 3;
+  const auto is_cold = [](std::optional<double> is, std::optional<double> wanted) {
+    return is && wanted && *wanted > 0 && *is < *wanted - kNear_celsius;
+  };
+  const bool heats = is_cold(heat.nozzle_celsius, heat.nozzle_target_celsius) ||
+                     is_cold(heat.bed_celsius, heat.bed_target_celsius);
+  return heats ? "heating" : "starting";
+}
+
+// At the pace of the layers so far, pauses left out.
+std::optional<double> StatusReports::left_s(const ProgressReport& report) const {
+  if (!statistics_.first_road_s || report.layers <= 0 || report.layer <= first_layer_) {
+    return std::nullopt;
+  }
+  const bool prints = phase_ == PauseControl::Phase::kPrinting;
+  const double until_s = prints ? report.elapsed_s : pause_began_s_ - started_s_;
+  const double printing_s = until_s - *statistics_.first_road_s - paused_s_;
+  return printing_s * static_cast<double>(report.layers - report.layer + 1) /
+         static_cast<double>(report.layer - first_layer_);
+}
+
 void StatusReports::show_progress(const firmware_link::Session& session) {
   const double now = steady_seconds();
   for (const std::string& warning : signals_.warnings.take()) reporter_.note("warning", warning);
@@ -195,12 +232,9 @@ void StatusReports::show_progress(const firmware_link::Session& session) {
   report.preparation = signals_.preparation.get();
   report.filament_mm = last.filament_mm;
   report.elapsed_s = now - started_s_;
-  if (statistics_.first_road_s && last.layer > 1 && report.layers > 0) {
-    const double printing_s = report.elapsed_s - *statistics_.first_road_s;
-    report.left_s = printing_s * static_cast<double>(report.layers - last.layer + 1) /
-                    static_cast<double>(last.layer - 1);
-  }
+  report.left_s = left_s(report);
   const firmware_link::SessionStatistics link = session.statistics();
+  report.state = state(link.temperatures);
   report.nozzle_celsius = link.temperatures.nozzle_celsius;
   report.nozzle_target_celsius = link.temperatures.nozzle_target_celsius;
   report.bed_celsius = link.temperatures.bed_celsius;

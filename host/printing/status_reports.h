@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "core/units.h"                           // LayerIndex
 #include "firmware_link/session/session.h"        // Session
@@ -48,6 +50,8 @@ class StatusReports {
   void tell_counts(const firmware_link::SessionStatistics& link);
   void tell_heat(const firmware_link::Temperatures& heat);
   void tell_action(const std::string& action);
+  [[nodiscard]] std::string_view state(const firmware_link::Temperatures& heat) const;
+  [[nodiscard]] std::optional<double> left_s(const ProgressReport& report) const;
 
   double started_s_;
   const PrintCommands& commands_;
@@ -58,6 +62,10 @@ class StatusReports {
   std::int64_t told_resends_ = 0;
   std::int64_t told_stalls_ = 0;
   core::LayerIndex told_layer_ = 0;
+  core::LayerIndex first_layer_ = 0;  // that this program lays; others were laid before
+  PauseControl::Phase phase_ = PauseControl::Phase::kPrinting;
+  double pause_began_s_ = 0;
+  double paused_s_ = 0;  // in pauses that have ended
   firmware_link::Temperatures told_heat_;
 };
 

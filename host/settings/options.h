@@ -18,7 +18,18 @@
 
 namespace host {
 
-enum class Subcommand { kPrint, kResume, kSlice, kPlan, kShow, kPorts, kSettings, kFormats };
+enum class Subcommand {
+  kPrint,
+  kResume,
+  kSlice,
+  kPlan,
+  kShow,
+  kPorts,
+  kSettings,
+  kFormats,
+  kPresets,
+  kSetup,
+};
 
 // What to do if the port vanishes or the controller resets during a print.
 enum class OnLostPort { kWait, kStop };
@@ -85,6 +96,7 @@ struct Options {
   LinkOptions link;
   PrintCommandOptions print;
   OutputOptions output;
+  std::string preset_shown;  // presets: a name; empty: list them
 
   int threads = threads_by_default();  // threads for the geometry
   std::size_t memory_limit_bytes = 0;  // 0: no limit
@@ -97,7 +109,8 @@ struct Options {
 // There is no command to run: help, the version, or a usage error.
 struct OptionsExit {
   int exit_code = 0;
-  std::string text;  // for standard output when exit_code is 0, else for standard error
+  std::string text;   // for standard output when exit_code is 0, else an error's message
+  bool json = false;  // an error is told as an event
 };
 
 // Never throws, never prints.

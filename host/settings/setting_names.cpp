@@ -4,12 +4,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
-#include <limits>
-#include <numeric>
-#include <utility>
-#include <vector>
 
+#include "host/settings/near_words.h"
 #include "host/settings/prusa_left_out.h"
 #include "host/settings/settings_prusa.h"
 #include "host/settings/settings_rows.h"
@@ -64,37 +60,6 @@ constexpr std::array kSynonyms = {
     Synonym{"center", "centre"},
 };
 
-// Number of letters to insert, delete or replace to turn one word into the other (Levenshtein
-// 1966).
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i + 1);
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t exchanged = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({exchanged, row[j] + 1, diagonal + 1});
-    }
-  }
-  return row.back();
-}
-
-// Names that differ by more than this are not confused.
-std::size_t farthest(std::string_view key) { return std::min<std::size_t>(3, key.size() / 3); }
-
-struct Nearest {
-  std::string_view key;
-  std::size_t distance = std::numeric_limits<std::size_t>::max();
-};
-
-void look_at(std::string_view candidate, std::string_view key, Nearest& nearest) {
-  const std::size_t longer = std::max(candidate.size(), key.size());
-  if (longer - std::min(candidate.size(), key.size()) > farthest(key)) return;
-  const std::size_t distance = edit_distance(key, candidate);
-  if (distance <= farthest(key) && distance < nearest.distance) nearest = {candidate, distance};
-}
-
 }  // namespace
 
 std::string unknown_setting(std::string_view typed, std::string_view key) {
@@ -109,19 +74,19 @@ std::string unknown_setting(std::string_view typed, std::string_view key) {
                        synonym->key, kAll);
   }
   // Our names first: they win if another is equally similar.
-  Nearest nearest;
-  for (const Setting& setting : kSettings) look_at(setting.key, key, nearest);
-  for (const std::string_view theirs : prusa_keys()) look_at(theirs, key, nearest);
-  Nearest left_out = nearest;
-  for (const std::string_view theirs : left_out_keys()) look_at(theirs, key, left_out);
-  if (left_out.distance < nearest.distance) {
+  NearestWord nearest(key);
+  for (const Setting& setting : kSettings) nearest.look_at(setting.key);
+  for (const std::string_view theirs : prusa_keys()) nearest.look_at(theirs);
+  NearestWord left_out = nearest;
+  for (const std::string_view theirs : left_out_keys()) left_out.look_at(theirs);
+  if (left_out.distance() < nearest.distance()) {
     return fmt::format(
         "there is no setting \"{}\"; the nearest is PrusaSlicer's \"{}\", which rind does not have",
-        typed, left_out.key);
+        typed, left_out.word());
   }
-  if (nearest.key.empty()) return fmt::format("there is no setting \"{}\" ({})", typed, kAll);
-  return fmt::format("there is no setting \"{}\"; the nearest is \"{}\" ({})", typed, nearest.key,
-                     kAll);
+  if (nearest.word().empty()) return fmt::format("there is no setting \"{}\" ({})", typed, kAll);
+  return fmt::format("there is no setting \"{}\"; the nearest is \"{}\" ({})", typed,
+                     nearest.word(), kAll);
 }
 
 }  // namespace host

@@ -51,7 +51,33 @@ void add_assignment(Options& options, const std::string& text) {
 
 }  // namespace
 
+void add_printer(CLI::App& command, Options& options) {
+  const auto add_preset = [&command](const char* flag, std::string& value, const char* help) {
+    command.add_option(flag, value, help)->type_name("NAME");
+  };
+  PrinterRequest& printer = options.settings.printer;
+  add_preset("--preset", printer.preset, "printer's preset; rind presets lists them");
+  add_preset("--printer", printer.printer,
+             "printer that rind setup has set up (default: printer); none: rind's defaults");
+  add_preset("--filament", printer.filament, "filament's preset, as pla, petg");
+  add_preset("--quality", printer.quality, "preset of layer height and road width, as 0.2");
+}
+
+void add_assignments(CLI::App& command, Options& options) {
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--set",
+          [&options](const std::vector<std::string>& values) {
+            for (const std::string& value : values) add_assignment(options, value);
+          },
+          "one setting; may be repeated, the last one counts")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false)
+      ->trigger_on_parse();
+}
+
 void add_settings(CLI::App& command, Options& options) {
+  add_printer(command, options);
   command
       .add_option("--profile", options.settings.profile, "settings file (INI); see 'rind settings'")
       ->type_name("FILE");
@@ -67,16 +93,7 @@ void add_settings(CLI::App& command, Options& options) {
             "height of a mesh's layers between two heights, as '10-12.5 0.1'; may be repeated");
   add_lines(command, options, "--support-range", "support_height_range", "'MM-MM on|off'",
             "whether supports hold what hangs between two heights, as '0-20 off'; may be repeated");
-  command
-      .add_option_function<std::vector<std::string>>(
-          "--set",
-          [&options](const std::vector<std::string>& values) {
-            for (const std::string& value : values) add_assignment(options, value);
-          },
-          "one setting; may be repeated, the last one counts")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false)
-      ->trigger_on_parse();
+  add_assignments(command, options);
   add_shortcut(command, options, "--layer-height", "layer_height", "MM", "thickness of a layer");
   add_shortcut(command, options, "--wall-thickness", "wall_thickness", "MM",
                "depth below the surface to which the part is dense");
@@ -86,8 +103,14 @@ void add_settings(CLI::App& command, Options& options) {
                "layers a cylinder-shaped wall reaches up and down");
   add_shortcut(command, options, "--style", "style", "STYLE",
                "thin-wall, or to compare with: regular, fast");
-  add_shortcut(command, options, "--loose-density", "loose_density", "SHARE",
-               "share of the inside that is filled, 0 to 1");
+  add_shortcut(command, options, "--infill,--loose-density", "loose_density", "SHARE",
+               "share of the inside that is filled, as 15%");
+  add_shortcut(command, options, "--perimeters,--walls", "perimeters", "N",
+               "closed roads along every contour");
+  add_shortcut(command, options, "--supports", "supports", "WHERE",
+               "what is held from below: off, bed, everywhere");
+  add_shortcut(command, options, "--brim", "brim_width", "MM",
+               "width of the brim, which holds the part to the bed");
 }
 
 }  // namespace host

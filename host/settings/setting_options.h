@@ -1,4 +1,5 @@
-// The options of every command with settings: --profile, --set, and shortcuts for single settings.
+// The options of commands with settings: --profile, --set, shortcuts for single settings; and those
+// that choose a printer.
 #pragma once
 
 #include "host/settings/options.h"  // Options
@@ -11,5 +12,9 @@ namespace host {
 
 // REQUIRES: `options` outlives the command.
 void add_settings(CLI::App& command, Options& options);
+
+// What of them `rind setup` has: --preset, --printer, --filament, --quality; --set.
+void add_printer(CLI::App& command, Options& options);
+void add_assignments(CLI::App& command, Options& options);
 
 }  // namespace host

@@ -126,6 +126,7 @@ core::Status apply_ours(const Line& line, LoadedSettings& loaded) {
                  "allow_gcode is not permitted in a file; use --allow-gcode on the command line"};
   }
   ++loaded.set_count;
+  loaded.bed_told = loaded.bed_told || line.key == "bed_x" || line.key == "bed_shape";
   return set_setting(loaded.settings, line.key, value);
 }
 
@@ -161,6 +162,7 @@ core::Status apply_prusa(const Line& line, const std::string& name, LoadedSettin
     return {};
   }
   ++loaded.set_count;
+  loaded.bed_told = loaded.bed_told || line.key == "bed_shape";
   for (const SettingText& setting : *ours) {
     core::Status status = set_setting(loaded.settings, setting.key, setting.text);
     if (!status.ok()) return status;

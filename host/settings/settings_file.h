@@ -44,6 +44,7 @@ struct LoadedSettings {
   PrintSettings settings;            // without the G-code of a PrusaSlicer file
   int set_count = 0;                 // lines that were used
   bool from_prusa = false;           // a PrusaSlicer or Slic3r file
+  bool bed_told = false;             // it says how large the bed is
   std::vector<std::string> ignored;  // "key" or "key = value" of settings without a counterpart
 
   // For a PrusaSlicer file:

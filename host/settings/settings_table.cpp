@@ -72,14 +72,14 @@ std::string range_text(const Setting& setting) {
   }
   if (std::holds_alternative<bool S::*>(setting.member)) return "0 or 1";
   if (std::holds_alternative<std::string S::*>(setting.member)) {
-    return "commands with commas between them";
+    return fmt::format("up to {} bytes of text", kWordsBytesMax);
   }
   if (std::holds_alternative<OverhangSteps S::*>(setting.member)) {
     return fmt::format("{}; one number, or {} with commas between them", number_range_text(setting),
                        core::kOverhangSteps);
   }
   if (std::holds_alternative<BedCorners S::*>(setting.member)) {
-    return fmt::format("rectangle, or 3 … {} corners as 0x0,250x0,250x210", core::kBedCornersMax);
+    return fmt::format("rectangle, or 3 to {} corners as 0x0,250x0,250x210", core::kBedCornersMax);
   }
   if (std::holds_alternative<Lines S::*>(setting.member)) {
     return fmt::format("up to {:g} lines of {} bytes", setting.max, kVerbatimBytesMax);
@@ -192,8 +192,7 @@ Status assign(PrintSettings& settings, const Setting& setting, std::string_view 
           [&](std::string S::*field) -> Status {
             const std::string_view words = trimmed(text);
             if (!is_printable(words) || words.size() > kWordsBytesMax) {
-              return bad(fmt::format("{}: expected {}, at most {} bytes", setting.key,
-                                     range_text(setting), kWordsBytesMax));
+              return bad(fmt::format("{}: expected {}", setting.key, range_text(setting)));
             }
             settings.*field = words;
             return {};

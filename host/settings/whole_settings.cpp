@@ -109,13 +109,19 @@ class Assembly {
   }
 
   Result<WholeSettings> assemble() {
+    Result<StartingSettings> start = starting_settings(request_.printer);
+    if (!start.ok()) return start.error();
+    whole_.settings = std::move(start.value().settings);
+    whole_.bed_known = start.value().bed_known;
     if (!request_.profile.empty()) {
-      Result<LoadedSettings> loaded = load_settings(request_.profile, PrintSettings());
+      Result<LoadedSettings> loaded = load_settings(request_.profile, whole_.settings);
       if (!loaded.ok()) return loaded.error();
       loaded_ = std::move(loaded).value();
       whole_.settings = loaded_.settings;
       whole_.profile = std::make_shared<const LoadedSettings>(loaded_);
+      whole_.bed_known = whole_.bed_known || loaded_.bed_told;
     }
+    whole_.bed_known = whole_.bed_known || (assigned("bed_x") && assigned("bed_y"));
     for (const auto& [key, value] : request_.assignments) {
       if (Status set = set_setting(whole_.settings, key, value); !set.ok()) return set.error();
     }

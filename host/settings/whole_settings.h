@@ -1,5 +1,5 @@
-// Combines all settings of a run: the profile, then the settings typed after it, then the
-// placeholders in the user's G-code.
+// Combines all settings of a run: the printer's, the profile, then the settings typed after it,
+// then the placeholders in the user's G-code.
 //
 // Settings of a profile that rind does not support are named. If the bed or the start and end
 // G-code could not be read, that is an error, unless the user does without them (`lax`) or sets
@@ -16,6 +16,7 @@
 #include "host/settings/gcode_placeholders.h"  // GcodeOrigin
 #include "host/settings/placeholder_values.h"  // PartFacts
 #include "host/settings/settings_file.h"       // LoadedSettings
+#include "host/settings/starting_settings.h"   // PrinterRequest
 
 namespace host {
 
@@ -23,6 +24,7 @@ struct SettingsRequest {
   std::string profile;  // a file; empty: none
   bool lax = false;
   std::vector<std::pair<std::string, std::string>> assignments;  // in the order they were typed
+  PrinterRequest printer = {};  // what the profile and the assignments are laid over
 };
 
 // G-code whose placeholders ask for what only a part gives (max_layer_z).
@@ -35,6 +37,7 @@ struct PendingGcode {
 
 struct WholeSettings {
   PrintSettings settings;             // ENSURES: validate_settings() is fine
+  bool bed_known = false;             // somebody has said how large the bed is
   std::vector<std::string> notes;     // what the profile's print would have and this one has not
   std::vector<PendingGcode> pending;  // not in `settings` before fill_for_part()
   std::shared_ptr<const LoadedSettings> profile;  // null without one

@@ -266,7 +266,11 @@ TEST_CASE("a port must be named, and must be there") {
   const ProgramRun none = rind("print " + box);
   CHECK_EQ(none.exit_code, 2);
   CHECK(says(none, "--port virtual"));
-  const ProgramRun missing = rind("print " + box + " --port /dev/tty_none");
+  // No nozzle is sent to a bed that nobody knows.
+  const ProgramRun unknown = rind("print " + box + " --port /dev/tty_none");
+  CHECK_EQ(unknown.exit_code, 3);
+  CHECK(says(unknown, "rind setup --port /dev/tty_none"));
+  const ProgramRun missing = rind("print " + box + " --port /dev/tty_none --preset ender3");
   CHECK_EQ(missing.exit_code, 4);
   CHECK(says(missing, "/dev/tty_none"));
 }

@@ -195,3 +195,16 @@ TEST_CASE("the virtual port's time runs as many times as fast as asked") {
   CHECK(now - before >= 1s);
   CHECK(now - before <= 1100ms);
 }
+
+TEST_CASE("a port's name that is none here is told before it is opened") {
+  using firmware_link::port_name_mistake;
+  CHECK(port_name_mistake("COM3").find("Windows") != std::string::npos);
+  CHECK(port_name_mistake("192.168.1.5:23") ==
+        "192.168.1.5:23: a printer in the network is named tcp://192.168.1.5:23");
+  CHECK(port_name_mistake("printer.local:8888").find("tcp://printer.local:8888") !=
+        std::string::npos);
+  for (const char* fine : {"/dev/ttyUSB0", "tcp://192.168.1.5:23", "virtual", "COMMON", "a:b",
+                           "/dev/serial/by-path/pci-0000:00:14.0-usb-0:1:1.0-port0"}) {
+    CHECK(port_name_mistake(fine).empty());
+  }
+}

@@ -110,6 +110,11 @@ int kills_wanted() {
   return told != nullptr ? std::atoi(told) : 1;
 }
 
+std::string bytes_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return std::string(std::istreambuf_iterator<char>(file), {});
+}
+
 }  // namespace
 
 TEST_CASE("a print that is killed is resumed, every road once") {
@@ -183,19 +188,18 @@ TEST_CASE("a print that was cut is neither overwritten nor lost") {
     }
     return paths;
   };
-  const auto bytes_of = [](const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    return std::string(std::istreambuf_iterator<char>(file), {});
-  };
   const auto cut = [&](const std::vector<std::string>& options) {
-    std::vector<std::string> words = {kBinaries + "/rind", "print", part, "--port", port, "--json"};
+    std::vector<std::string> words = {
+        kBinaries + "/rind", "print", part,        "--port", port, "--set",
+        "bed_x=300",         "--set", "bed_y=300", "--json"};
     words.insert(words.end(), options.begin(), options.end());
     Program print(words);
     REQUIRE(print.wait_for("\"event\":\"layer\",\"layer\":6,"));
     print.end(SIGKILL);
   };
 
-  CHECK_EQ(run_program(rind + "print " + part + " --port " + port).exit_code, 4);
+  const std::string bed = " --set bed_x=300 --set bed_y=300";
+  CHECK_EQ(run_program(rind + "print " + part + bed + " --port " + port).exit_code, 4);
   CHECK_FALSE(std::filesystem::exists(state));  // a failed start leaves nothing behind
 
   Program controller(
@@ -205,7 +209,7 @@ TEST_CASE("a print that was cut is neither overwritten nor lost") {
   REQUIRE_EQ(journals(".journal").size(), 1);
   const std::string journal = journals(".journal").front();
   const std::string left = bytes_of(journal);
-  const std::string again = "timeout 60 " + rind + "print " + part + " --port " + port;
+  const std::string again = "timeout 60 " + rind + "print " + part + bed + " --port " + port;
   const test::ProgramRun refused = run_program(again + " < /dev/null");
   CAPTURE(refused.output);
   CHECK_EQ(refused.exit_code, 2);
@@ -217,8 +221,9 @@ TEST_CASE("a print that was cut is neither overwritten nor lost") {
   CHECK_NE(list.find("(unchanged)"), std::string::npos);
 
   // Not even with --anew, as long as the printer does not answer.
-  CHECK_EQ(run_program(rind + "print " + part + " --anew --port " + folder.path("no")).exit_code,
-           4);
+  CHECK_EQ(
+      run_program(rind + "print " + part + bed + " --anew --port " + folder.path("no")).exit_code,
+      4);
   CHECK_EQ(bytes_of(journal), left);
   cut({"--anew"});
   REQUIRE_EQ(journals(".old").size(), 1);

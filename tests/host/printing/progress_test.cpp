@@ -30,6 +30,22 @@ TEST_CASE("the progress line tells what is known and nothing else") {
            "4 in flight | queue 85 %");
 }
 
+TEST_CASE("what keeps a print from its layers is told before them") {
+  host::ProgressReport report;
+  report.layers = 180;
+  report.elapsed_s = 28;
+  report.state = "heating";
+  report.nozzle_celsius = 143;
+  report.nozzle_target_celsius = 210;
+  CHECK_EQ(host::progress_line(report), "heating | 0:00:28 | nozzle 143/210 C");
+  report.nozzle_celsius.reset();
+  report.state = "paused";
+  report.layer = 45;
+  report.height = Length::from_mm(9);
+  report.left_s = 195;
+  CHECK_EQ(host::progress_line(report), "paused at layer 45/180 | 9.0 mm | 25 % | 0:03:15 left");
+}
+
 TEST_CASE("a part of unknown height has no share") {
   CHECK_EQ(host::progress_line({}), "layer 0 | 0.0 mm | 0:00:00");
 }

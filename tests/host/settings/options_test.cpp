@@ -128,7 +128,6 @@ TEST_CASE("a cut is asked for by axis, in mm or per cent") {
 
 TEST_CASE("what can't be understood is refused with exit code 2 and the reason") {
   const std::vector<std::pair<std::vector<const char*>, std::string>> cases = {
-      {{}, "subcommand"},
       {{"prnt", "p.stl"}, "prnt"},
       {{"print"}, "PART"},
       {{"slice", "p.stl"}, "--output"},

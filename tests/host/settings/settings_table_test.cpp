@@ -284,7 +284,7 @@ TEST_CASE("PrusaSlicer's keys of the same meaning") {
   CHECK_FALSE(set_to("cooling", "0").cool_short_layers);
   for (const char* shape : {"round", "0x0,5x5,5x0,0x5", "1x", "0x0,nanx0,nanxnan,0xnan"}) {
     CAPTURE(shape);
-    CHECK(contains(error_of("bed_shape", shape), "expected rectangle, or 3 … 1000 corners"));
+    CHECK(contains(error_of("bed_shape", shape), "expected rectangle, or 3 to 1000 corners"));
   }
   CHECK(contains(error_of("bed_shape", "0x0,250x0,250x0.5,0x0.5"), "bed_y"));
 }
