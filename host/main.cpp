@@ -76,9 +76,10 @@ int main(int argc, char** argv) {
   const auto& options = std::get<host::Options>(parsed);
   host::share_heaps(options.threads);
   host::watch_stop_signals();
-  host::Reporter reporter(
-      {options.quiet, options.json,
-       host::result_on_standard_output(options) || options.subcommand == host::Subcommand::kPlan});
+  host::Reporter reporter({options.quiet, options.json,
+                           host::result_on_standard_output(options) ||
+                               options.subcommand == host::Subcommand::kPlan ||
+                               options.subcommand == host::Subcommand::kSettings});
   host::set_last_words(reporter.words_of_error(host::stopped_message(options), host::kExitStopped));
   try {
     if (core::Status fine = host::check_output_names(options); !fine.ok()) {

@@ -19,12 +19,14 @@ std::string capitals(std::string_view text) {
   return result;
 }
 
-// What is left of a line when comments are gone, in the capitals that it needs.
+// What is left of a line when comments are gone, in the capitals that it needs. Names stay as they
+// are: Klipper takes any, and Prusa's Tx and Tc are none in capitals.
 std::string normalised(std::string_view line) {
-  const std::string text = without_comments(line);
+  std::string text = without_comments(line);
   const std::size_t size = command_word_size(text);
   const std::string command_word = capitals(std::string_view(text).substr(0, size));
-  if (is_classic(command_word) && !carries_text(canonical(command_word))) return capitals(text);
+  if (!is_classic(command_word)) return text;
+  if (!carries_text(canonical(command_word))) return capitals(text);
   return command_word + text.substr(size);
 }
 

@@ -49,7 +49,12 @@ Result<PrintSettings> settings_with(const Options& options, const JournalHead& h
   if (!of_print.ok()) return of_print.error();
   PrintSettings told = of_print.value();
   if (!options.settings.profile.empty()) {
-    const Result<LoadedSettings> loaded = load_settings(options.settings.profile, told);
+    const Result<std::string> text = profile_text(options.settings.profile);
+    if (!text.ok()) return text.error();
+    PrinterRequest printer = options.settings.printer;
+    const ProfileChoice choice = choice_for(text.value(), printer);
+    const Result<LoadedSettings> loaded =
+        read_settings(text.value(), options.settings.profile, told, choice);
     if (!loaded.ok()) return loaded.error();
     told = loaded.value().settings;
   }

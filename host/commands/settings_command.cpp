@@ -6,13 +6,15 @@
 #include <vector>
 
 #include "host/commands/commands.h"
+#include "host/pipeline/user_gcode.h"  // check_user_gcode
+#include "host/settings/profile_report.h"
 #include "host/settings/settings_table.h"
 #include "host/settings/settings_text.h"  // sendable_lines, write_lines
 
 namespace host {
 namespace {
 
-std::string json_of(const std::vector<SettingRow>& rows) {
+nlohmann::ordered_json json_of(const std::vector<SettingRow>& rows) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   for (const SettingRow& row : rows) {
     json.push_back({{"key", row.key},
@@ -22,7 +24,7 @@ std::string json_of(const std::vector<SettingRow>& rows) {
                     {"range", row.range},
                     {"help", row.help}});
   }
-  return json.dump(2) + "\n";
+  return json;
 }
 
 // The table is a valid profile with the current values.
@@ -37,11 +39,51 @@ std::string table_of(const std::vector<SettingRow>& rows) {
   return text;
 }
 
+// An array for each group.
+nlohmann::ordered_json json_of(const std::vector<ProfileRow>& rows) {
+  nlohmann::ordered_json groups = nlohmann::ordered_json::object();
+  for (const ProfileGroup group : kProfileGroups) {
+    std::string name(group_name(group));
+    std::replace(name.begin(), name.end(), ' ', '_');
+    groups[name] = nlohmann::ordered_json::array();
+  }
+  for (const ProfileRow& row : rows) {
+    std::string name(group_name(row.group));
+    std::replace(name.begin(), name.end(), ' ', '_');
+    groups[name].push_back({{"key", row.key}, {"value", row.value}, {"what", row.what}});
+  }
+  return groups;
+}
+
+// What became of the profile's settings, and then all of ours.
+std::string translation_of(const Options& options, const WholeSettings& whole,
+                           const std::vector<SettingRow>& rows) {
+  const std::vector<ProfileRow> report =
+      whole.profile ? report_of(*whole.profile) : std::vector<ProfileRow>();
+  const std::string program = whole.profile ? whole.profile->program : "";
+  if (options.json) {
+    nlohmann::ordered_json all = {
+        {"profile", options.translated}, {"program", program}, {"notes", whole.notes}};
+    all.update(json_of(report));
+    all["settings"] = json_of(rows);
+    return all.dump(2) + "\n";
+  }
+  std::string text = fmt::format("# {}: {}\n", options.translated,
+                                 program.empty() ? "rind's own" : program + "'s");
+  for (const std::string& note : whole.notes) text += fmt::format("# {}\n", note);
+  return text + text_of(report) + "\n" + table_of(rows);
+}
+
 }  // namespace
 
 int settings_command(const Options& options, Reporter& reporter) {
-  const core::Result<WholeSettings> whole = load_settings_of(options, reporter);
+  // A translation holds its notes itself.
+  const core::Result<WholeSettings> whole = options.translated.empty()
+                                                ? load_settings_of(options, reporter)
+                                                : whole_settings(options.settings);
   if (!whole.ok()) return fail(whole.error(), reporter);
+  core::Status fine = check_user_gcode(whole.value().settings);
+  if (!fine.ok()) return fail(fine.error(), reporter);
   std::vector<SettingRow> rows = describe_settings(whole.value().settings);
   // What waits for a part is shown as it stands in the profile.
   for (const PendingGcode& gcode : whole.value().pending) {
@@ -51,7 +93,10 @@ int settings_command(const Options& options, Reporter& reporter) {
       if (row.key == gcode.key) row.value = row.plain_value = write_lines(lines.value());
     }
   }
-  return show_result(options.json ? json_of(rows) : table_of(rows), reporter);
+  if (options.translated.empty()) {
+    return show_result(options.json ? json_of(rows).dump(2) + "\n" : table_of(rows), reporter);
+  }
+  return show_result(translation_of(options, whole.value(), rows), reporter);
 }
 
 }  // namespace host

@@ -214,6 +214,11 @@ Commands add_commands(CLI::App& app, Options& options, std::string& format, std:
       Subcommand::kSettings,
       app.add_subcommand("settings", "list all settings with unit, range and default"));
   add_settings(settings, options);
+  settings
+      .add_option("--from", options.translated,
+                  "say what becomes of each setting in another slicer's profile, then list all")
+      ->type_name("PROFILE")
+      ->excludes("--profile");
   settings.add_flag("--json", options.json, "as JSON");
   commands.add(Subcommand::kFormats, add_formats(app, options));
   return commands;
@@ -230,6 +235,7 @@ std::optional<std::string> name_outputs(Options& options, const std::string& for
   if (options.subcommand == Subcommand::kShow && !may_be_picture(options.output.path)) {
     return no_picture(options);
   }
+  if (!options.translated.empty()) options.settings.profile = options.translated;
   if (options.subcommand != Subcommand::kSlice) return std::nullopt;
   const std::optional<OutputFormat> known = output_format_of(options.output.path, format);
   if (!known) return unknown_format(options);

@@ -98,6 +98,8 @@ struct Options {
   OutputOptions output;
   std::string preset_shown;  // presets: a name; empty: list them
 
+  std::string translated;  // settings: the profile whose translation is shown; empty: none
+
   int threads = threads_by_default();  // threads for the geometry
   std::size_t memory_limit_bytes = 0;  // 0: no limit
   std::string log;                     // a file; empty: none

@@ -115,6 +115,18 @@ constexpr std::array<std::string_view, 2> kOfName = {"input_filename", "input_fi
 
 }  // namespace
 
+std::optional<Variable> profile_value(const ProfileValues& profile, std::string_view name,
+                                      std::size_t index) {
+  if (const auto said = profile.find(name); said != profile.end()) {
+    return element(name, said->second, index);
+  }
+  if (name != "num_extruders") return std::nullopt;
+  const auto nozzles = profile.find("nozzle_diameter");
+  if (nozzles == profile.end()) return Variable{"1", VariableKind::kWhole};
+  const auto commas = std::count(nozzles->second.begin(), nozzles->second.end(), ',');
+  return Variable{std::to_string(commas + 1), VariableKind::kWhole};
+}
+
 PlaceholderValues::PlaceholderValues(const PrintSettings& settings, const ProfileValues& profile,
                                      const PartFacts* part)
     : settings_(settings), profile_(profile), part_(part) {
@@ -140,9 +152,7 @@ Result<std::optional<Variable>> PlaceholderValues::find(std::string_view name,
                                                                   : VariableKind::kNumber});
     }
   }
-  if (const auto said = profile_.find(name); said != profile_.end()) {
-    return std::optional(element(name, said->second, index));
-  }
+  if (std::optional<Variable> said = profile_value(profile_, name, index)) return said;
   if (std::optional<Variable> known = of_print(name, index)) return known;
   const bool layers = is_one_of(name, kOfLayers), place = is_one_of(name, kOfPlace);
   if (!layers && !place && !is_one_of(name, kOfName)) return std::optional<Variable>();
@@ -199,9 +209,11 @@ std::optional<Variable> PlaceholderValues::of_part(std::string_view name, std::s
   if (name == "total_layer_count") {
     return Variable{std::to_string(part_->layers), VariableKind::kWhole};
   }
-  if (name == "input_filename") return Variable{part_->name, VariableKind::kText};
-  if (name == "input_filename_base") {
-    return Variable{std::filesystem::path(part_->name).stem().string(), VariableKind::kText};
+  if (is_one_of(name, kOfName)) {
+    // As in PrusaSlicer, the name is that of the G-code.
+    std::string base = std::filesystem::path(part_->name).stem().string();
+    if (name == "input_filename") base += ".gcode";
+    return Variable{std::move(base), VariableKind::kText};
   }
   return number(part_->top.mm());
 }

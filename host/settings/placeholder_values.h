@@ -24,6 +24,11 @@ struct PartFacts {
   core::Box box;            // on the bed, from its front left corner; empty: not known
 };
 
+// The index-th of a profile's values of that name, "215,210" or "PLA;PETG"; the first if there are
+// fewer, as in PrusaSlicer.
+[[nodiscard]] std::optional<Variable> profile_value(const ProfileValues& profile,
+                                                    std::string_view name, std::size_t index);
+
 class PlaceholderValues {
  public:
   // REQUIRES: all three outlive it. `part` may be null: not opened yet.

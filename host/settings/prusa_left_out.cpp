@@ -134,14 +134,13 @@ bool asks(const LeftOut& row, std::string_view value, const ProfileValues& profi
   return false;
 }
 
-// Long G-code is shortened to its start.
+}  // namespace
+
 std::string shortened_value(std::string_view value) {
   constexpr std::size_t kShown = 40;
   std::string text(trimmed(value.substr(0, kShown)));
   return value.size() > kShown ? text + "…" : text;
 }
-
-}  // namespace
 
 std::string_view first_value(std::string_view text) {
   std::string_view first = trimmed(text.substr(0, text.find_first_of(",;")));
@@ -151,20 +150,25 @@ std::string_view first_value(std::string_view text) {
   return first;
 }
 
+std::vector<LeftOutRow> left_out_rows(const ProfileValues& profile) {
+  std::vector<LeftOutRow> rows;
+  for (const LeftOut& row : kLeftOut) {
+    const auto value = profile.find(row.key);
+    if (value == profile.end() || !asks(row, value->second, profile)) continue;
+    rows.push_back({row.key, value->second, row.instead});
+  }
+  return rows;
+}
+
 std::vector<std::string> left_out_of(const ProfileValues& profile) {
   std::vector<std::string> sentences;
   std::string keys;
-  for (std::size_t i = 0; i < kLeftOut.size(); ++i) {
-    const LeftOut& row = kLeftOut[i];
-    if (const auto value = profile.find(row.key); value != profile.end()) {
-      if (asks(row, value->second, profile)) {
-        keys += fmt::format("{}{} = {}", keys.empty() ? "" : ", ", row.key,
-                            shortened_value(value->second));
-      }
-    }
+  const std::vector<LeftOutRow> rows = left_out_rows(profile);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const LeftOutRow& row = rows[i];
+    keys += fmt::format("{}{} = {}", keys.empty() ? "" : ", ", row.key, shortened_value(row.value));
     // Settings with the same consequence share a message.
-    const bool more = i + 1 < kLeftOut.size() && kLeftOut[i + 1].instead == row.instead;
-    if (more || keys.empty()) continue;
+    if (i + 1 < rows.size() && rows[i + 1].instead == row.instead) continue;
     sentences.push_back(fmt::format("{}: {}", keys, row.instead));
     keys.clear();
   }

@@ -18,6 +18,18 @@ using ProfileValues = std::map<std::string, std::string, std::less<>>;
 // The first value of a list with one for each extruder, without white space and quotation marks.
 [[nodiscard]] std::string_view first_value(std::string_view text);
 
+// A setting in use, and what happens instead.
+struct LeftOutRow {
+  std::string_view key;
+  std::string value;
+  std::string_view instead;
+};
+
+[[nodiscard]] std::vector<LeftOutRow> left_out_rows(const ProfileValues& profile);
+
+// A long value's start.
+[[nodiscard]] std::string shortened_value(std::string_view value);
+
 // A message for each setting in use: "brim_width = 5: no brim is laid".
 [[nodiscard]] std::vector<std::string> left_out_of(const ProfileValues& profile);
 

@@ -57,10 +57,14 @@ void add_printer(CLI::App& command, Options& options) {
   };
   PrinterRequest& printer = options.settings.printer;
   add_preset("--preset", printer.preset, "printer's preset; rind presets lists them");
-  add_preset("--printer", printer.printer,
-             "printer that rind setup has set up (default: printer); none: rind's defaults");
-  add_preset("--filament", printer.filament, "filament's preset, as pla, petg");
-  add_preset("--quality", printer.quality, "preset of layer height and road width, as 0.2");
+  add_preset(
+      "--printer", printer.printer,
+      "printer that rind setup has set up (default: printer), or one of the profile's bundle; "
+      "none: rind's defaults");
+  add_preset("--filament", printer.filament,
+             "filament's preset, as pla, petg, or one of the profile's bundle");
+  add_preset("--quality", printer.quality,
+             "preset of layer height and road width, as 0.2, or a print of the profile's bundle");
 }
 
 void add_assignments(CLI::App& command, Options& options) {
@@ -79,7 +83,8 @@ void add_assignments(CLI::App& command, Options& options) {
 void add_settings(CLI::App& command, Options& options) {
   add_printer(command, options);
   command
-      .add_option("--profile", options.settings.profile, "settings file (INI); see 'rind settings'")
+      .add_option("--profile", options.settings.profile,
+                  "settings file: rind's own, or another slicer's; see 'rind settings'")
       ->type_name("FILE");
   command.add_flag("--profile-lax", options.settings.lax,
                    "leave out the profile's bed and G-code if they can't be read");

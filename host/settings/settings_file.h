@@ -19,12 +19,10 @@
 #include "core/result.h"                       // Result
 #include "host/pipeline/print_settings.h"      // PrintSettings
 #include "host/settings/gcode_placeholders.h"  // GcodeOrigin
+#include "host/settings/profile_lines.h"       // ProfileChoice
 #include "host/settings/prusa_left_out.h"      // ProfileValues
 
 namespace host {
-
-// A larger file is no profile, but perhaps a model given by mistake.
-inline constexpr std::size_t kSettingsBytesMax = 1 << 20;
 
 // A necessary setting that could not be read.
 struct Unreadable {
@@ -40,29 +38,55 @@ struct RawGcode {
   GcodeOrigin origin = GcodeOrigin::kProfile;
 };
 
+// What became of a line of another program's profile.
+enum class ProfileGroup {
+  kTaken,         // our settings of the same meaning are set
+  kChanges,       // the print is another one without it
+  kNotSupported,  // rind has nothing of the kind
+  kNoMeaning,     // it changes no print here
+};
+
+struct ProfileRow {
+  ProfileGroup group = ProfileGroup::kTaken;
+  std::string key;
+  std::string value;
+  std::string what;  // the settings, or what holds instead; may be empty
+};
+
 struct LoadedSettings {
   PrintSettings settings;            // without the G-code of a PrusaSlicer file
   int set_count = 0;                 // lines that were used
-  bool from_prusa = false;           // a PrusaSlicer or Slic3r file
+  bool from_prusa = false;           // a file of PrusaSlicer, Slic3r, or another program
   bool bed_told = false;             // it says how large the bed is
   std::vector<std::string> ignored;  // "key" or "key = value" of settings without a counterpart
 
-  // For a PrusaSlicer file:
-  ProfileValues values;               // all of its settings
+  // For such a file:
+  std::string program;              // whose it is
+  std::vector<std::string> chosen;  // messages about what was chosen from a bundle
+  std::vector<ProfileRow> rows;  // lines that were taken or have no counterpart (profile_report.h)
+  ProfileValues values;          // all of its settings
   std::vector<std::string> left_out;  // messages about settings that make another print
   std::vector<Unreadable> unreadable;
   std::vector<RawGcode> gcode;
 };
 
+// A profile file's content.
+[[nodiscard]] core::Result<std::string> profile_text(const std::string& path);
+
+// Whether printers, prints and filaments are to be chosen in that content.
+[[nodiscard]] bool offers_choice(std::string_view text);
+
 // Reads the file's settings over `base`. Errors start with "name:line: ". Each setting is checked
 // by itself; validate_settings() checks them together, after --set.
 // REQUIRES: one call at a time: inih keeps its options in global variables.
 [[nodiscard]] core::Result<LoadedSettings> load_settings(const std::string& path,
-                                                         const PrintSettings& base);
+                                                         const PrintSettings& base,
+                                                         const ProfileChoice& choice = {});
 
 // The same for text; `name` is for messages.
 [[nodiscard]] core::Result<LoadedSettings> read_settings(std::string_view text,
                                                          const std::string& name,
-                                                         const PrintSettings& base);
+                                                         const PrintSettings& base,
+                                                         const ProfileChoice& choice = {});
 
 }  // namespace host

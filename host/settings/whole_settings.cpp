@@ -12,6 +12,7 @@
 #include "firmware_link/wire/refused_commands.h"  // refused_in
 #include "host/pipeline/user_gcode.h"             // allowed_commands
 #include "host/settings/gcode_placeholders.h"
+#include "host/settings/profile_report.h"
 #include "host/settings/prusa_supports.h"
 #include "host/settings/settings_file.h"
 #include "host/settings/settings_table.h"
@@ -109,12 +110,22 @@ class Assembly {
   }
 
   Result<WholeSettings> assemble() {
-    Result<StartingSettings> start = starting_settings(request_.printer);
+    std::string text;
+    if (!request_.profile.empty()) {
+      Result<std::string> read = profile_text(request_.profile);
+      if (!read.ok()) return read.error();
+      text = std::move(read).value();
+    }
+    // A bundle has printers, prints and filaments of its own.
+    PrinterRequest printer = request_.printer;
+    const ProfileChoice choice = choice_for(text, printer);
+    Result<StartingSettings> start = starting_settings(printer);
     if (!start.ok()) return start.error();
     whole_.settings = std::move(start.value().settings);
     whole_.bed_known = start.value().bed_known;
     if (!request_.profile.empty()) {
-      Result<LoadedSettings> loaded = load_settings(request_.profile, whole_.settings);
+      Result<LoadedSettings> loaded =
+          read_settings(text, request_.profile, whole_.settings, choice);
       if (!loaded.ok()) return loaded.error();
       loaded_ = std::move(loaded).value();
       whole_.settings = loaded_.settings;
@@ -175,11 +186,12 @@ class Assembly {
   }
 
   void name_left_out() {
-    whole_.notes.insert(whole_.notes.begin(), loaded_.left_out.begin(), loaded_.left_out.end());
     if (!loaded_.from_prusa) return;
-    whole_.notes.insert(whole_.notes.begin(),
-                        fmt::format("{}: {} settings taken, {} of no meaning here or as follows",
-                                    request_.profile, loaded_.set_count, loaded_.ignored.size()));
+    std::vector<std::string> notes = loaded_.chosen;
+    notes.push_back(fmt::format("{}: of its settings {}; rind settings --from lists them",
+                                request_.profile, counts_of(report_of(loaded_))));
+    notes.insert(notes.end(), loaded_.left_out.begin(), loaded_.left_out.end());
+    whole_.notes.insert(whole_.notes.begin(), notes.begin(), notes.end());
   }
 
   const SettingsRequest& request_;
@@ -189,6 +201,15 @@ class Assembly {
 };
 
 }  // namespace
+
+ProfileChoice choice_for(std::string_view profile, PrinterRequest& printer) {
+  if (!offers_choice(profile)) return {};
+  ProfileChoice choice{printer.printer, printer.quality, printer.filament};
+  printer.printer = kNoPrinter;
+  printer.quality.clear();
+  printer.filament.clear();
+  return choice;
+}
 
 Result<WholeSettings> whole_settings(const SettingsRequest& request) {
   return Assembly(request).assemble();

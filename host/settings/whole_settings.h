@@ -8,6 +8,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -19,6 +20,10 @@
 #include "host/settings/starting_settings.h"   // PrinterRequest
 
 namespace host {
+
+// The choice from a bundle that the profile's content offers; it is then taken out of `printer`,
+// and no printer's file is read.
+[[nodiscard]] ProfileChoice choice_for(std::string_view profile, PrinterRequest& printer);
 
 struct SettingsRequest {
   std::string profile;  // a file; empty: none

@@ -38,7 +38,7 @@ constexpr std::array kLibraries = {
     Library{"boost/polygon/voronoi", {"core/offsets/voronoi_diagram.cpp"}},
     Library{"libserialport.h",
             {"firmware_link/ports/serial_port.cpp", "firmware_link/ports/ports.cpp"}},
-    Library{"ini.h", {"host/settings/settings_file.cpp"}},
+    Library{"ini.h", {"host/settings/profile_lines.cpp"}},
     Library{"CLI/",
             {"host/settings/options.cpp", "host/settings/setting_options.cpp",
              "host/settings/command_options.cpp", "host/settings/usage.cpp", "tools/"}},

@@ -29,9 +29,10 @@ TEST_CASE("a user's line is made fit to be sent") {
   CHECK(sent("G1 (fast) X5") == "G1  X5");
   CHECK(sent("m117 Hello (World)") == "M117 Hello (World)");
   CHECK(sent("M118 E1 printing") == "M118 E1 printing");
-  CHECK(sent("bed_mesh_profile LOAD=default") == "BED_MESH_PROFILE LOAD=default");
+  CHECK(sent("bed_mesh_profile LOAD=default") == "bed_mesh_profile LOAD=default");
   CHECK(sent("M104\tS200") == "M104 S200");
   CHECK(sent("T0") == "T0");
+  CHECK(sent("Tx") == "Tx");
   CHECK(sent("G29.1 x") == "G29.1 X");
 }
 

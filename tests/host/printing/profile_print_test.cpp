@@ -90,7 +90,7 @@ TEST_CASE("profile: cooling off, 5 % more filament, a hot bed") {
   CHECK_EQ(settings.brim_width, core::Length::from_mm(5));
   CHECK_EQ(settings.elephant_foot_compensation, core::Length::from_mm(0.2));
   const core::Result<host::WholeSettings> whole = asked.settings(abs);
-  for (const char* named : {"hilbertcurve", "top_solid_layers = 5", "settings taken"}) {
+  for (const char* named : {"hilbertcurve", "top_solid_layers = 5", "are taken, "}) {
     CAPTURE(named);
     CHECK(names(whole.value().notes, named));
   }

@@ -87,7 +87,7 @@ TEST_CASE("errors name file and line") {
   CHECK(contains(error_of("\n\n\nlayer_height = 9"), "my.ini:4: layer_height = 9 is out of range"));
   CHECK(contains(error_of("perimeters = 3\nnonsense\n"), "my.ini:2: neither"));
   CHECK(contains(error_of("[rind\nperimeters = 3\n"), "my.ini:1: neither"));
-  CHECK(contains(error_of("[print:fast]\nperimeters = 3\n"), "my.ini:2: section [print:fast]"));
+  CHECK(contains(error_of("[fast]\nperimeters = 3\n"), "my.ini:2: section [fast]"));
   CHECK(contains(error_of(std::string("perimeters\0 = 3", 15)), "zero byte"));
   CHECK(contains(error_of(std::string(host::kSettingsBytesMax + 1, '\n')), "more than"));
 }
