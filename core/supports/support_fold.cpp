@@ -17,6 +17,9 @@ namespace {
 // Demand narrower than this share of the narrowest road is opened away.
 constexpr double kOpeningWidths = 1;
 
+// Demand is opened this exactly: twice as coarse as what is laid keeps its distance to the part.
+constexpr Length kDemandTolerance = kSupportTolerance * 2;
+
 // Right under what hangs, supports come this much nearer to the part, as a share of the distance.
 constexpr double kNearShare = 0.5;
 
@@ -30,9 +33,10 @@ void append(const Region& region, std::vector<Ring>& rings) {
   rings.insert(rings.end(), region.rings().begin(), region.rings().end());
 }
 
+// Its contour may lie beyond the region's by the tolerance.
 Region opened(const Region& region, Length by) {
   if (region.empty()) return region;
-  return intersect(grown(offset(region, by, kSupportTolerance), by), region);
+  return offset(offset(region, by, kDemandTolerance), -by, kDemandTolerance);
 }
 
 // Islands, each grown until it is about as wide as asked for.
@@ -193,7 +197,7 @@ const Region& SupportFold::held_by(const Level& source) {
     return held_.region;
   }
   const Length by = scaled(settings_.road_width_min, kOpeningWidths / 2);
-  const Region overhangs = simplified(*source.overhangs, kSupportTolerance);
+  const Region overhangs = simplified(*source.overhangs, kDemandTolerance);
   const Region any_size = unite(*source.islands, *source.enforced);
   held_ = {source.overhangs, source.islands, source.enforced,
            unite(without_small(opened(overhangs, by), settings_.support_area_min_mm2, any_size),
@@ -209,13 +213,15 @@ const SupportFold::GrownSlice& SupportFold::grown_slice(const SharedRegion& slic
   return grown_;
 }
 
-Region SupportFold::laid(const Level& at, const Region& held, Length base) {
+Region SupportFold::laid(const Level& at, const Level& source, Length base) {
   const LayerIndex index = at.slice.index, top_gap = top_gap_over(index);
-  const auto& [of, far, near] = grown_slice(at.slice.region);
-  const bool roofs_only = settings_.support_style == SupportStyle::kTree;
-  Region region = roofs_only ? Region() : subtract(held, far);
   const Region recent =
       united(index + top_gap, index + top_gap + settings_.support_interface_layers, &Level::born);
+  const bool roofs_only = settings_.support_style == SupportStyle::kTree;
+  if (roofs_only && recent.empty()) return {};
+  const Region& held = held_by(source);
+  const auto& [of, far, near] = grown_slice(at.slice.region);
+  Region region = roofs_only ? Region() : subtract(held, far);
   if (!recent.empty()) {
     const Region under = intersect(held, recent);
     region = unite(region, subtract(under, near));
@@ -252,7 +258,7 @@ SupportLayer SupportFold::decide(const Level& at) {
     made_->layer.index = index;
     return made_->layer;
   }
-  Region region = laid(at, held_by(*source), base);
+  Region region = laid(at, *source, base);
   Region interface = interface_of(at, region);
   made.layer = {index, shared(std::move(region)), shared(std::move(interface))};
   made_ = std::move(made);

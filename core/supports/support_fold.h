@@ -127,7 +127,7 @@ class SupportFold {
   [[nodiscard]] const Region& held_by(const Level& source);
   [[nodiscard]] Region united(LayerIndex from, LayerIndex to, SharedRegion Level::*what) const;
   [[nodiscard]] Region slices_between(LayerIndex from, LayerIndex to) const;
-  [[nodiscard]] Region laid(const Level& at, const Region& held, Length base);
+  [[nodiscard]] Region laid(const Level& at, const Level& source, Length base);
   [[nodiscard]] Region interface_of(const Level& at, const Region& region) const;
 
   Settings settings_;
