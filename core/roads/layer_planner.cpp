@@ -29,8 +29,8 @@ bool alike(const SplitLayer& a, const SplitLayer& b) {
          a.slice.region == b.slice.region && alike(a.below, b.below) && alike(a.above, b.above) &&
          alike(a.below_loose, b.below_loose) && a.below_height == b.below_height &&
          a.corners_above == b.corners_above && alike(a.support_below, b.support_below) &&
-         alike(a.block, b.block) && alike(a.branches, b.branches) &&
-         alike(a.below_branches, b.below_branches);
+         alike(a.window_loose, b.window_loose) && alike(a.block, b.block) &&
+         alike(a.branches, b.branches) && alike(a.below_branches, b.below_branches);
 }
 
 // Above the floor of a vase or not, likewise.

@@ -7,6 +7,7 @@
 #include "core/booleans/boolean.h"          // intersect, subtract, unite
 #include "core/booleans/simplified.h"       // simplified
 #include "core/offsets/offset_contours.h"   // flatten
+#include "core/offsets/slice_offsets.h"     // perimeter_spacing
 #include "core/offsets/voronoi_mountain.h"  // offset
 #include "core/roads/branch_roads.h"        // branch_roads
 #include "core/roads/bridges.h"             // bridges
@@ -46,10 +47,20 @@ Region wall_to_fill(const Region& interior, const Region& loose, const Settings&
                     kWallSimplify);
 }
 
-std::vector<Road> solid_roads(const SolidAreas& areas, const Slice& slice,
+// The wall as it would be if the inside did not hold its roof, and a road wide at least: what is
+// made solid for roofs leaves its roads as they are.
+Region wall_rim(const Region& interior, const SplitLayer& layer, const Settings& settings) {
+  if (!layer.window_loose || interior.empty()) return {};
+  const Region loose = simplified(*layer.window_loose, settings.simplify_tolerance);
+  const Length road = perimeter_spacing(settings, layer.slice.height);
+  return unite(wall_to_fill(interior, loose, settings),
+               subtract(interior, offset(interior, road, settings.arc_tolerance)));
+}
+
+std::vector<Road> solid_roads(const SolidAreas& areas, const Region& rim, const Slice& slice,
                               const Settings& settings) {
   const Length height = slice.height;
-  std::vector<Road> roads = wall_roads(areas.between, slice.index, height, settings);
+  std::vector<Road> roads = wall_roads(areas.between, rim, slice.index, height, settings);
   append(surface_roads(areas.bottom, RoadKind::kBottomSolid, slice.index, height, settings), roads);
   append(surface_roads(areas.top, RoadKind::kTopSolid, slice.index, height, settings), roads);
   if (settings.ironing) append(ironing_roads(areas.top, slice.index, height, settings), roads);
@@ -77,6 +88,7 @@ struct IslandPlan {
   Region room;  // where the centre lines of loose roads may run: half a road from the contour
   Region loose;
   SolidAreas areas;
+  Region rim;  // of what is between
   IslandRoads roads;
 };
 
@@ -142,7 +154,7 @@ std::vector<Road> inside_roads(const IslandPlan& plan, const SplitLayer& layer,
 }
 
 // What is filled of each island.
-void share_fill(const IslandSplit& split, SolidAreas areas, Region loose,
+void share_fill(const IslandSplit& split, SolidAreas areas, Region loose, Region rim,
                 std::vector<IslandPlan>& plans) {
   share_out(split, std::move(areas.between), plans,
             [](IslandPlan& plan, Region part) { plan.areas.between = std::move(part); });
@@ -152,6 +164,8 @@ void share_fill(const IslandSplit& split, SolidAreas areas, Region loose,
             [](IslandPlan& plan, Region part) { plan.areas.top = std::move(part); });
   share_out(split, std::move(loose), plans,
             [](IslandPlan& plan, Region part) { plan.loose = std::move(part); });
+  share_out(split, std::move(rim), plans,
+            [](IslandPlan& plan, Region part) { plan.rim = std::move(part); });
 }
 
 // Skirt and brim, around the supports, too; nothing where nothing lies on the bed.
@@ -194,7 +208,7 @@ LayerRoads RoadPlanner::plan(const SplitLayer& layer) const {
     plans[split.island_of(road.points.front())].roads.push_back(std::move(road));
   }
   share_fill(split, solid_areas(std::move(wall), layer, settings), intersect(loose, interior),
-             plans);
+             wall_rim(interior, layer, settings), plans);
   if (layer.branches) {
     for (Road& road : branch_roads(*layer.branches, settings)) {
       plans[split.island_of(road.points.front())].roads.push_back(std::move(road));
@@ -202,7 +216,7 @@ LayerRoads RoadPlanner::plan(const SplitLayer& layer) const {
   }
   LayerRoads planned;
   for (IslandPlan& plan : plans) {
-    append(solid_roads(plan.areas, slice, settings), plan.roads);
+    append(solid_roads(plan.areas, plan.rim, slice, settings), plan.roads);
     if (!plan.loose.empty()) append(inside_roads(plan, layer, settings), plan.roads);
     cut_hollow_ends(layer, settings, plan.roads);
     if (!plan.roads.empty()) planned.islands.push_back(std::move(plan.roads));

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <utility>
 
-#include "core/booleans/boolean.h"           // subtract
+#include "core/booleans/boolean.h"           // intersect, subtract
 #include "core/booleans/simplified.h"        // simplified
 #include "core/offsets/polygon_offset.h"     // PolygonOffsetter
 #include "core/offsets/slice_offsets.h"      // perimeter_spacing
@@ -51,6 +51,9 @@ constexpr double kWideRowEndShare = 0.4;
 constexpr double kNarrowRows_mm = 2.5;
 constexpr double kWideRows_mm = 5;
 
+// Behind a rim there is room for rows from this breadth on.
+constexpr double kBehindRim_mm = 1.5;
+
 // Rests of rows that hold fewer squares of the narrowest road are left to the rows' width.
 constexpr double kRestSquaresMin = 1.5;
 
@@ -66,32 +69,39 @@ struct SolidStyle {
 
 class WallFill {
  public:
-  WallFill(const SolidStyle& style, LayerIndex layer, Length height, const Settings& settings)
+  WallFill(const SolidStyle& style, const Region& rim, LayerIndex layer, Length height,
+           const Settings& settings)
       : style_(style),
+        rim_(rim),
         layer_(layer),
         height_(height),
         settings_(settings),
         spacing_(perimeter_spacing(settings, height) + style.width - settings.road_width) {}
 
   [[nodiscard]] std::vector<Road> fill(const Region& wall) {
-    for (Island& island : islands(wall)) {
-      const Region piece = region_of(std::move(island));
-      if (breadth_mm(piece) < kHairShare * settings_.road_width_min.mm()) continue;
-      fill_piece(piece);
-    }
+    fill_pieces(wall, rim_.empty());
     return std::move(roads_);
   }
 
  private:
+  // `behind_rim`: the rim is filled, or is none.
+  void fill_pieces(const Region& wall, bool behind_rim) {
+    for (Island& island : islands(wall)) {
+      const Region piece = region_of(std::move(island));
+      if (breadth_mm(piece) < kHairShare * settings_.road_width_min.mm()) continue;
+      fill_piece(piece, behind_rim);
+    }
+  }
+
   // The piece's opening is wide; what is left over and worth it are bands.
-  void fill_piece(const Region& piece) {
+  void fill_piece(const Region& piece, bool behind_rim) {
     if (style_.pattern == SolidPattern::kConcentric) return fill_band(piece);
     const Length half = scaled(spacing_, kBandRoads / 2);
     const Region middle = inner(piece, half);
     if (middle.empty()) return fill_band(piece);
     // Does the opening leave more than corners? One of more than 60° has the middle within twice
     // its depth.
-    if (stays_near(piece, middle, half * 2, half * 2)) return fill_rows(piece);
+    if (stays_near(piece, middle, half * 2, half * 2)) return fill_wide(piece, behind_rim);
     // Grown by a hair more than it was shrunk, so that equal edges cancel.
     const Length back = half + settings_.arc_tolerance * 2 + settings_.simplify_tolerance * 2;
     const Region opening = inner(simplified(middle, settings_.simplify_tolerance), -back);
@@ -103,9 +113,19 @@ class WallFill {
       bands.insert(bands.end(), band.rings().begin(), band.rings().end());
       fill_band(band);
     }
-    if (bands.empty()) return fill_rows(piece);
+    if (bands.empty()) return fill_wide(piece, behind_rim);
     const Region rows = subtract(piece, Region::from_clean_rings(std::move(bands)));
-    for (Island& island : islands(rows)) fill_rows(region_of(std::move(island)));
+    for (Island& island : islands(rows)) fill_wide(region_of(std::move(island)), behind_rim);
+  }
+
+  void fill_wide(const Region& piece, bool behind_rim) {
+    if (behind_rim) return fill_rows(piece);
+    const Region rim = intersect(piece, rim_);
+    if (rim.empty()) return fill_rows(piece);
+    const Region rest = subtract(piece, rim);
+    if (rest.empty() || breadth_mm(rest) < kBehindRim_mm) return fill_rows(piece);
+    fill_pieces(rim, true);
+    fill_pieces(rest, true);
   }
 
   // Outwards for negative depths.
@@ -230,6 +250,7 @@ class WallFill {
   }
 
   SolidStyle style_;
+  const Region& rim_;
   LayerIndex layer_;
   Length height_;
   const Settings& settings_;
@@ -240,11 +261,11 @@ class WallFill {
 
 }  // namespace
 
-std::vector<Road> wall_roads(const Region& wall, LayerIndex layer, Length height,
+std::vector<Road> wall_roads(const Region& wall, const Region& rim, LayerIndex layer, Length height,
                              const Settings& settings) {
   if (wall.empty()) return {};
   const SolidStyle style{RoadKind::kSolid, settings.solid_pattern, settings.road_width};
-  return WallFill(style, layer, height, settings).fill(wall);
+  return WallFill(style, rim, layer, height, settings).fill(wall);
 }
 
 std::vector<Road> surface_roads(const Region& surface, RoadKind kind, LayerIndex layer,
@@ -253,7 +274,7 @@ std::vector<Road> surface_roads(const Region& surface, RoadKind kind, LayerIndex
   const bool own_width = kind == RoadKind::kTopSolid && settings.top_width > Length();
   const SolidStyle style{kind, settings.top_pattern,
                          own_width ? settings.top_width : settings.road_width};
-  std::vector<Road> roads = WallFill(style, layer, height, settings).fill(surface);
+  std::vector<Road> roads = WallFill(style, {}, layer, height, settings).fill(surface);
   if (kind != RoadKind::kTopSolid || settings.top_flow == 1) return roads;
   const auto flowing = [&](Length width) {
     return bead_width(settings.top_flow * bead_area_mm2(width, height), height);

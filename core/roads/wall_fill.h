@@ -30,10 +30,12 @@ namespace core {
 
 inline constexpr double kRowsMost = 1.06;
 
+// `rim`: of a piece that gets rows, this is filled by itself, and the rows begin behind it, if
+// there is room for them; empty: nothing.
 // COSTS: some offsets of each piece, for a band a boolean with the outlines of its roads, and a
 // medial axis of each gap.
-[[nodiscard]] std::vector<Road> wall_roads(const Region& wall, LayerIndex layer, Length height,
-                                           const Settings& settings);
+[[nodiscard]] std::vector<Road> wall_roads(const Region& wall, const Region& rim, LayerIndex layer,
+                                           Length height, const Settings& settings);
 
 // The same for tops and bottoms (solid_areas.h), of that kind, with the width, the flow and the
 // pattern of tops. ENSURES: roads of the monotonic pattern are in the order and the direction in

@@ -12,7 +12,7 @@
 #include "core/geometry.h"                  // Box, Ring
 #include "core/offsets/voronoi_mountain.h"  // offset
 #include "core/roads/bridge_direction.h"    // best_direction
-#include "core/roads/bridge_rows.h"         // BridgeArea, bridge_rows
+#include "core/roads/bridge_rows.h"         // BridgeArea, bridge_rows, rings_near
 #include "core/roads/bridges.h"             // kBridgeAnchorWidths, kBridgeTrials
 #include "core/roads/unheld.h"              // is_hair
 #include "core/supports/support_regions.h"  // scaled
@@ -151,6 +151,7 @@ std::optional<InsideLayer> RoofFold::next() {
   InsideLayer decided = at->given;
   decided.loose = at->loose;
   decided.seed = seed;
+  decided.given = at->given.loose;
   if (!highest) levels_.pop_front();
   return decided;
 }
@@ -191,19 +192,23 @@ bool RoofFold::held_by_branches(const Box& box) const {
 Region RoofFold::kept(const Region& loose, const Region& grown, const Region& solid,
                       Length step) const {
   const Length radius = Length::from_units(rib_.units() / 2) + step + kNearTolerance;
-  const Region closed = offset(offset(loose, -radius, kNearTolerance), radius, kNearTolerance);
+  const Region few = simplified(loose, kNearTolerance);
+  const Region closed = offset(offset(few, -radius, kNearTolerance), radius, kNearTolerance);
   std::vector<Ring> thin, corners;
-  for (Island& island : islands(subtract(closed, loose))) {
+  for (Island& island : islands(subtract(closed, few))) {
     const Region piece = region_of(std::move(island));
     if (is_hair(piece) || held_by_branches(piece.box())) continue;
     append(piece, is_corner_bit(piece, radius) ? corners : thin);
   }
   if (!corners.empty()) {
     // Tips that would hang farther than twice the step are no corners.
-    const Region hanging = subtract(offset(grown, step * 2, kNearTolerance), loose);
-    for (Island& island : islands(Region::from_clean_rings(std::move(corners)))) {
+    const Region bits = Region::from_clean_rings(std::move(corners));
+    const Region inner = offset(simplified(grown, kNearTolerance), step * 2, kNearTolerance);
+    const Region hanging = subtract(intersect(bits, inner), loose);
+    for (Island& island : islands(bits)) {
       const Region piece = region_of(std::move(island));
-      if (!intersect(piece, hanging).empty()) append(piece, thin);
+      const Region near = rings_near(hanging, piece.box());
+      if (!near.empty() && !intersect(piece, near).empty()) append(piece, thin);
     }
   }
   for (const Ring& ring : loose.rings()) {

@@ -65,7 +65,8 @@ struct InsideLayer {
   Length bottom;
   Length height;
   std::shared_ptr<const Region> loose;  // not null
-  std::shared_ptr<const Region> seed;   // of what the fold gives: where a roof is bridged; not null
+  // Of what the fold gives: where a roof is bridged, and what was loose before; not null.
+  std::shared_ptr<const Region> seed{}, given{};
 };
 
 // How far what is solid may reach out over what is loose: h · tan(overhang_angle), h: the distance

@@ -32,6 +32,9 @@ struct SplitLayer : Layer {
   // Supports in it, and those under its gap; null: none.
   std::shared_ptr<const Region> support{}, support_below{};
 
+  // What the window says is loose, where some of it was made solid to hold a roof; null: nowhere.
+  std::shared_ptr<const Region> window_loose{};
+
   LooseBlock block{};
 
   // What holds roofs over the inside, in this layer and in the one below; null: none.

@@ -182,7 +182,7 @@ core::Status InsideStage::fold(const Stopped& stopped, Told told) {
     const SpooledLayer& found = *layer.value();
     if (told.layers <= found.index) told.layers = found.index + 1;  // the first one
     told.box.put({"inside: from the top down", told.layers - found.index, told.layers});
-    fold.push({found.index, found.bottom, found.height, found.regions.front(), nullptr});
+    fold.push({found.index, found.bottom, found.height, found.regions.front()});
     if (core::Status taken = take_decided(fold, lightning); !taken.ok()) return taken;
   }
   if (stopped()) return {};  // layer 0 was not reached
@@ -198,7 +198,8 @@ core::Status InsideStage::take_decided(core::RoofFold& fold, core::LightningFold
     }
     SpooledLayer layer;
     layer.index = found->index;
-    layer.regions.front() = std::move(found->loose);
+    layer.regions.front() = found->loose;
+    if (found->given != found->loose) layer.regions[1] = std::move(found->given);
     if (core::Status put = decided_->append(layer); !put.ok()) return put;
   }
   return {};
@@ -218,6 +219,7 @@ core::Result<core::SplitLayer> InsideStage::split(core::Layer layer) {
   static_cast<core::Layer&>(split) = std::move(layer);
   split.loose = *latest_->regions.front();
   split.solid = core::subtract_within(split.slice.region, split.loose);
+  split.window_loose = latest_->regions[1];
   split.branches = latest_branches_;
   split.below_branches = branches_below_;
   return split;

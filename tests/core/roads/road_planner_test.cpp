@@ -153,7 +153,7 @@ TEST_CASE("bands of any breadth are dense") {
     CAPTURE(breadth);
     const auto b = static_cast<std::int32_t>(breadth * 10'000);
     const Region band = Region::from_clean_rings({{{0, 0}, {200'000, 0}, {200'000, b}, {0, b}}});
-    const auto roads = wall_roads(band, 2, settings.layer_height, settings);
+    const auto roads = wall_roads(band, {}, 2, settings.layer_height, settings);
     check_sound(roads);
     test::Random random(5);
     CHECK_GE(test::covered_share(band, roads, 1'500, random), 0.98);
