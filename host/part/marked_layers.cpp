@@ -29,6 +29,10 @@ using core::Triangle;
 
 constexpr Length kReachTolerance = Length::from_units(100);
 
+// Gaps in enforcing paint that are narrower than so many roads are closed. In blocking paint, what
+// people want to be held may lie in them.
+constexpr int kGapWidths = 2;
+
 // Kinds of marked facets, each with a sorter: two of bodies, two of painted ones.
 constexpr std::size_t kSorters = 4;
 
@@ -96,9 +100,10 @@ class MarkedRegions {
     if (slabs_) {
       Result<Region> found = slabs_->next();
       if (!found.ok() || found.value().empty()) return found;
-      // Wider by half a gap, and back.
+      // Wider by half a gap more, and back.
       const Region wide = core::offset(core::simplified(found.value(), kReachTolerance),
                                        -(reach_ + half_gap_), kReachTolerance);
+      if (half_gap_ == Length()) return wide;
       return core::offset(core::simplified(wide, kReachTolerance), half_gap_, kReachTolerance);
     }
     if (ended_) return Region();
@@ -173,7 +178,9 @@ class MarkedLayers : public LayerSource {
         into.push_back(std::move(bodies));
       }
       if (!painted->empty()) {
-        Status started = painted->start_painted(placing.heights, reach, settings_.road_width);
+        const Length gap =
+            mark == SupportMark::kEnforcer ? settings_.road_width * kGapWidths : Length();
+        Status started = painted->start_painted(placing.heights, reach, gap);
         if (!started.ok()) return started;
         spilled_bytes_ += painted->spilled_bytes();
         into.push_back(std::move(painted));

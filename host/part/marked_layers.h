@@ -5,7 +5,8 @@
 //     bodies         ──> MeshSorter ──> PlaneSweep ─────> region ─┤
 //     painted facets ──> MeshSorter ──> FacetSlabs ─────> region ─┘  a little wider
 //
-// Gaps in paint that are narrower than a road are closed: of speckles, thousands would be crumbs.
+// Gaps in enforcing paint that are narrower than two roads are closed: of speckles, thousands would
+// be crumbs.
 //
 // Marks are placed on the bed as the part is, and don't count for where it is placed. They hold for
 // all bodies of the plate.

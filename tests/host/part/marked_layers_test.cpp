@@ -162,10 +162,12 @@ void add_pieces(const std::string& text, const core::Triangle& triangle,
   REQUIRE(done.ok());
 }
 
-Region widened(const Region& pieces, const Region& strip) {
+// With gaps up to `gap` closed.
+Region widened(const Region& pieces, const Region& strip, Length gap = {}) {
   const Region within = core::intersect(pieces, strip);
   if (within.empty()) return within;
-  return core::offset(within, -host::kPaintReach, Length::from_units(100));
+  const Length half = Length::from_units(gap.units() / 2), exact = Length::from_units(100);
+  return core::offset(core::offset(within, -(host::kPaintReach + half), exact), half, exact);
 }
 
 }  // namespace
@@ -195,6 +197,7 @@ TEST_CASE("bodies that enforce and block are in the slices where they are") {
 
 TEST_CASE("painted pieces of a ramp are strips of its layers, a little wider") {
   const std::vector<Leaning> leaning = leaning_facets();
+  const Length gap = supported().road_width * 2;  // closed where it is enforced
   REQUIRE_EQ(leaning.size(), 2);
   for (const std::string one : {"4", "8", "041", "8002", "80043", "04403", "84043"}) {
     for (const std::string other : {"", "08043"}) {
@@ -218,7 +221,7 @@ TEST_CASE("painted pieces of a ramp are strips of its layers, a little wider") {
         const double low = 0.2 * static_cast<double>(n) - 0.1;
         if (std::abs(low - 2) < 0.2) continue;
         const Region strip = low > 2 ? test::rectangle_region(10 + low - 2, -1, 0.2, 30) : Region();
-        CHECK_LT(test::widest_difference(marks[n].enforced, widened(pieces[0], strip)), 300);
+        CHECK_LT(test::widest_difference(marks[n].enforced, widened(pieces[0], strip, gap)), 300);
         CHECK_LT(test::widest_difference(marks[n].blocked, widened(pieces[1], strip)), 300);
       }
     }
@@ -297,23 +300,27 @@ TEST_CASE("painting that is damaged, or of no known kind, is told with its text"
   CHECK(any);
 }
 
-TEST_CASE("gaps in paint that are narrower than a road are closed, wider ones are not") {
-  for (const double gap_mm : {0.3, 0.7}) {
-    CAPTURE(gap_mm);
-    // Two ledges side by side, painted all over. Paint reaches 0.1 mm to both sides.
-    const auto ledge = [](double x, double width) {
-      return MarkedBody{parts::box({x, 0, 2}, width, 10, 2), "ModelPart",
-                        [](std::int64_t) { return "4"; }};
-    };
-    const auto marks =
-        marks_of(opened(test::prusa_threemf({{parts::box({0, 0, 0}, 1, 10, 2), "ModelPart"},
-                                             ledge(0, 5),
-                                             ledge(5 + 0.2 + gap_mm, 5)}),
-                        supported()));
-    REQUIRE_EQ(marks.size(), 20);
-    CHECK_EQ(core::islands(marks[10].enforced).size(), gap_mm < 0.4 ? 1 : 2);
-    const std::int32_t end = 103'000 + static_cast<std::int32_t>(std::lround(gap_mm * 1e4));
-    CHECK_EQ(marks[10].enforced.box(), core::Box{{-1'000, -1'000}, {end, 101'000}});
+TEST_CASE("gaps narrower than two roads are closed in enforcing paint, and in no other") {
+  for (const std::string paint : {"4", "8"}) {
+    for (const double gap_mm : {0.7, 1.0}) {
+      CAPTURE(paint);
+      CAPTURE(gap_mm);
+      // Two ledges side by side, painted all over. Paint reaches 0.1 mm to both sides.
+      const auto ledge = [&](double x) {
+        return MarkedBody{parts::box({x, 0, 2}, 5, 10, 2), "ModelPart",
+                          [=](std::int64_t) { return paint; }};
+      };
+      const auto marks = marks_of(opened(
+          test::prusa_threemf(
+              {{parts::box({0, 0, 0}, 1, 10, 2), "ModelPart"}, ledge(0), ledge(5 + 0.2 + gap_mm)}),
+          supported()));
+      REQUIRE_EQ(marks.size(), 20);
+      const Region& found = paint == "4" ? marks[10].enforced : marks[10].blocked;
+      const bool closed = paint == "4" && gap_mm < 0.9;
+      CHECK_EQ(core::islands(found).size(), closed ? 1 : 2);
+      const std::int32_t end = 103'000 + static_cast<std::int32_t>(std::lround(gap_mm * 1e4));
+      CHECK_EQ(found.box(), core::Box{{-1'000, -1'000}, {end, 101'000}});
+    }
   }
 }
 
