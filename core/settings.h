@@ -284,6 +284,7 @@ struct Settings {
   double pressure_advance_s = -1;  // negative: not told
 
   GcodeFlavor gcode_flavor = GcodeFlavor::kMarlin;  // of files; a print's is its controller's
+  bool progress_commands = true;                    // M73 in files
 
   // The user's own lines.
   std::vector<std::string> start_gcode = {"G28"};

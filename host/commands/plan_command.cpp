@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <iterator>
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -10,6 +9,7 @@
 #include "core/roads/brim.h"
 #include "core/slices/standing.h"
 #include "host/commands/commands.h"
+#include "host/output/gcode_comments.h"  // filament_grams
 #include "host/pipeline/pipeline.h"
 #include "host/pipeline/standing_text.h"
 #include "host/system/exit_codes.h"
@@ -18,16 +18,10 @@
 namespace host {
 namespace {
 
-double grams(double filament_mm, const core::Settings& settings) {
-  const double radius_mm = settings.filament_diameter.mm() / 2;
-  return filament_mm * std::numbers::pi * radius_mm * radius_mm * settings.filament_density_g_cm3 *
-         1e-3;
-}
-
 // Of the whole filament: weight, plastic, price.
 std::string weight_text(double filament_mm, const core::Settings& settings) {
   if (settings.filament_density_g_cm3 == 0) return " (of unknown weight)";
-  const double weight = grams(filament_mm, settings);
+  const double weight = filament_grams(filament_mm, settings);
   std::string text = fmt::format(" {:8.2f} g ({}, {:g} g/cm3)", weight, settings.filament_type,
                                  settings.filament_density_g_cm3);
   if (settings.filament_cost_kg > 0) {
@@ -90,8 +84,8 @@ std::string table(const Options& options, const PrintPlan& print_plan,
     const double used = statistics.filament_mm[i];
     if (used == 0) continue;
     fmt::format_to(out, "  {:<16} {:9.1f} mm {:8.2f} g {:5.1f} %\n",
-                   spaced(static_cast<core::RoadKind>(i)), used, grams(used, print_plan.settings),
-                   100 * used / total);
+                   spaced(static_cast<core::RoadKind>(i)), used,
+                   filament_grams(used, print_plan.settings), 100 * used / total);
   }
   if (statistics.volumes.regularised_mm3 > 0) {
     fmt::format_to(out, "  of it {:.2f} g solid only because the inside was too narrow there\n",

@@ -1,8 +1,11 @@
 #include <fmt/format.h>
 
+#include <cstdint>
+#include <ctime>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -14,11 +17,13 @@
 #include "host/formats/lsif_writer.h"
 #include "host/formats/slice_v0_writer.h"
 #include "host/formats/svg_writer.h"
+#include "host/output/gcode_comments.h"
 #include "host/output/gcode_writer.h"
 #include "host/pipeline/pipeline.h"
 #include "host/system/exit_codes.h"
 #include "host/system/stage_clock.h"
 #include "host/system/stop_signals.h"
+#include "host/system/version.h"
 
 namespace host {
 namespace {
@@ -50,13 +55,6 @@ std::unique_ptr<LayerWriter> layer_writer(const Options& options, const PrintPla
   return nullptr;
 }
 
-std::string gcode_title(const PrintPlan& print_plan) {
-  const core::LayerIndex layers = print_plan.part.summary.layers;
-  return fmt::format("; sliced by rind, {}{:g} mm roads, {:g} mm wall\n",
-                     layers > 0 ? fmt::format("{} layers, ", layers) : "",
-                     print_plan.settings.road_width.mm(), print_plan.settings.wall_thickness.mm());
-}
-
 bool lays_road(const core::Motion& motion) {
   return std::holds_alternative<core::Extrude>(motion) ||
          std::holds_alternative<core::ExtrudeArc>(motion);
@@ -77,7 +75,7 @@ class SliceFile {
     if (layers_) {
       layers_->begin(text_);
     } else {
-      text_ = gcode_title(print_plan);
+      text_ = gcode_head(kVersion, static_cast<std::int64_t>(std::time(nullptr)));
     }
   }
 
@@ -93,8 +91,18 @@ class SliceFile {
                                 const std::vector<core::Road>& laid) { return take(layer, laid); };
     }
     if (!layers_) {
+      if (tells_progress()) {
+        outputs.on_layer_time = [this](double seconds) {
+          const auto offset = file_.position() + static_cast<std::int64_t>(text_.size());
+          text_ += progress_.line_at(seconds, offset);
+        };
+      }
       outputs.on_motion = [this](const core::Motion& motion,
                                  const std::optional<firmware_link::Command>& command) {
+        if (const auto* layer = std::get_if<core::LayerStart>(&motion)) {
+          ++totals_.layers;
+          totals_.height = layer->top;
+        }
         gcode_.write(motion, command, text_);
         if (lays_road(motion)) note_road();
         return flush();
@@ -105,6 +113,7 @@ class SliceFile {
 
   [[nodiscard]] core::Status commit() {
     if (layers_) layers_->end(text_);
+    if (!layers_) end_gcode();
     if (!flush()) return status_;
     return file_.commit();
   }
@@ -112,6 +121,22 @@ class SliceFile {
   [[nodiscard]] const core::Status& status() const { return status_; }
 
  private:
+  // Klipper knows M73 only with a section of its own in its configuration.
+  [[nodiscard]] bool tells_progress() const {
+    return plan_.settings.progress_commands && file_.patchable() &&
+           plan_.settings.gcode_flavor != core::GcodeFlavor::kKlipper;
+  }
+
+  void end_gcode() {
+    totals_.filament_mm = total_mm(statistics_.filament_mm);
+    totals_.time_s = statistics_.time_s;
+    text_ += gcode_tail(plan_.settings, totals_);
+    if (!flush()) return;
+    status_ = progress_.patch(totals_.time_s, [this](std::int64_t offset, std::string_view line) {
+      return file_.patch(offset, line);
+    });
+  }
+
   bool take(const core::SplitLayer& layer, const std::vector<core::Road>& roads) {
     layers_->layer(layer, roads, text_);
     if (!roads.empty()) note_road();
@@ -147,6 +172,8 @@ class SliceFile {
   double started_s_;
   Reporter& reporter_;
   GcodeWriter gcode_;
+  GcodeTotals totals_;
+  ProgressLines progress_;
   std::string text_;
   core::Status status_;
 };
@@ -179,6 +206,9 @@ int slice_command(const Options& options, Reporter& reporter) {
   core::Result<PrintPlan> opened = open_print_plan(options, reporter);
   if (!opened.ok()) return fail(opened.error(), reporter);
   PrintPlan& print_plan = opened.value();
+  // Not everything that draws a file, or prints it, knows arcs.
+  core::ArcUse& arcs = print_plan.settings.arcs;
+  if (arcs == core::ArcUse::kAuto) arcs = core::ArcUse::kOff;
 
   GeometryStatistics statistics;
   SliceFile file(print_plan, std::move(output).value(), layer_writer(options, print_plan),

@@ -90,7 +90,8 @@ OutputFile::OutputFile(OutputFile&& other) noexcept
       lock_(std::move(other.lock_)),
       temporary_(std::exchange(other.temporary_, {})),
       unfinished_(std::move(other.unfinished_)),
-      buffer_(std::move(other.buffer_)) {}
+      buffer_(std::move(other.buffer_)),
+      position_(other.position_) {}
 
 OutputFile::~OutputFile() {
   if (descriptor_ >= 0 && descriptor_ != STDOUT_FILENO) ::close(descriptor_);
@@ -141,6 +142,19 @@ core::Status OutputFile::write(std::string_view text) {
     if (core::Status status = flush(); !status.ok()) return status;
   }
   buffer_ += text;
+  position_ += static_cast<std::int64_t>(text.size());
+  return {};
+}
+
+core::Status OutputFile::patch(std::int64_t offset, std::string_view text) {
+  if (core::Status status = flush(); !status.ok()) return status;
+  while (!text.empty()) {
+    const ssize_t written = ::pwrite(descriptor_, text.data(), text.size(), offset);
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return cannot(path_, "be written to the end, and is not kept");
+    offset += written;
+    text.remove_prefix(static_cast<std::size_t>(written));
+  }
   return {};
 }
 

@@ -14,6 +14,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -41,6 +42,13 @@ class OutputFile {
   // Buffered up to kFileBufferBytes. An error, such as a full disk, is final.
   [[nodiscard]] core::Status write(std::string_view text);
 
+  // Whether what was written can be patched: not in a stream.
+  [[nodiscard]] bool patchable() const { return target_.kind != OutputTarget::Kind::kStream; }
+  // Bytes written so far.
+  [[nodiscard]] std::int64_t position() const { return position_; }
+  // Writes over what is there. REQUIRES: patchable(), offset + text's size <= position().
+  [[nodiscard]] core::Status patch(std::int64_t offset, std::string_view text);
+
   // Writes the rest and gives the file its name. Errors: somebody else has made a file of that name
   // meanwhile; a stop signal has come (with kNothing). REQUIRES: no write failed.
   enum class AfterStop { kNothing, kWrite };
@@ -61,6 +69,7 @@ class OutputFile {
   std::string temporary_;  // its name until it is complete; empty: none
   std::unique_ptr<UnfinishedFile> unfinished_;
   std::string buffer_;
+  std::int64_t position_ = 0;
 };
 
 // Writes all of the text to standard output.

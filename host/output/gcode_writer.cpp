@@ -49,7 +49,8 @@ void GcodeWriter::write(const core::Motion& motion,
                         const std::optional<firmware_link::Command>& command, std::string& into) {
   const auto out = std::back_inserter(into);
   if (const auto* layer = std::get_if<core::LayerStart>(&motion)) {
-    fmt::format_to(out, ";LAYER_CHANGE\n;Z:{}\n;HEIGHT:{}\n", layer->top.mm(), layer->height.mm());
+    fmt::format_to(out, ";LAYER_CHANGE\n;Z:{0}\n;HEIGHT:{1}\n;BEFORE_LAYER_CHANGE\n;{0}\n",
+                   layer->top.mm(), layer->height.mm());
     layer_height_ = height_ = layer->height;
     kind_.reset();
   } else if (const auto* road = std::get_if<core::RoadStart>(&motion)) {

@@ -4,6 +4,8 @@
 //     ;LAYER_CHANGE           ;TYPE:External perimeter
 //     ;Z:0.4                  ;WIDTH:0.45
 //     ;HEIGHT:0.2             G1 X10.5 Y3 E0.0123      a bridge is as high as it is wide: round
+//     ;BEFORE_LAYER_CHANGE
+//     ;0.4
 //
 // Without its comments and its pauses, the file is what `rind print` sends.
 #pragma once

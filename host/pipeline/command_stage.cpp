@@ -65,6 +65,9 @@ void CommandStage::decide_form() {
 
 void CommandStage::send(const core::Motion& motion) {
   if (refused_) return;
+  if (outputs_.on_layer_time && std::holds_alternative<core::LayerStart>(motion)) {
+    outputs_.on_layer_time(clock_.seconds());
+  }
   clock_.add(motion);
   const std::optional<firmware_link::Command> command = encoder_.encode(motion);
   if (command) ++commands_;

@@ -69,6 +69,8 @@ struct PipelineOutputs {
   std::function<bool(const core::SplitLayer&, const std::vector<core::Road>&)> on_roads;
   // Before each layer that has roads.
   std::function<void(const Checkpoint&)> on_checkpoint;
+  // Before each layer's first motion: the estimated time of all that comes before it.
+  std::function<void(double seconds)> on_layer_time;
   // Before a layer at which the print pauses (OnBadLayer::kPause), with the reason.
   std::function<void(const std::string&)> on_pause;
   // A motion, with its command if it needs one.

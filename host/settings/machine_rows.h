@@ -9,9 +9,10 @@
 namespace host {
 
 inline constexpr std::array kMachineRows = {
-    Setting{"arcs", choice<&PrintSettings::arcs>("auto", "on", "off"), "", 0, 0,
-            "use of arcs (G2, G3) for round roads; auto: in files, and if the controller says that "
-            "it draws them"},
+    Setting{
+        "arcs", choice<&PrintSettings::arcs>("auto", "on", "off"), "", 0, 0,
+        "use of arcs (G2, G3) for round roads; auto: if the controller says that it draws them, "
+        "off in files"},
     Setting{"arc_fit_tolerance", &PrintSettings::arc_fit_tolerance, "mm", 0, 0.5,
             "largest distance between an arc and the road that it replaces; off: no arcs",
             kOffIsZero},
@@ -193,6 +194,9 @@ inline constexpr std::array kMachineRows = {
     Setting{"gcode_flavor",
             choice<&PrintSettings::gcode_flavor>("marlin", "klipper", "reprapfirmware"), "", 0, 0,
             "firmware whose accelerations and pressure advance a file has; a print: its own"},
+    Setting{"progress_commands", &PrintSettings::progress_commands, "", 0, 1,
+            "whether a file tells the printer's display how far the print is (M73); not in files "
+            "for Klipper, nor in pipes"},
     Setting{"start_gcode", &PrintSettings::start_gcode, "", 0, kVerbatimLinesMax,
             "lines of G-code that are sent first, with \\n between them; ';' starts a comment"},
     Setting{"end_gcode", &PrintSettings::end_gcode, "", 0, kVerbatimLinesMax,

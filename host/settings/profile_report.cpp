@@ -19,7 +19,7 @@ constexpr std::array<std::string_view, 5> kTakenTogether = {
 
 // Names, notes and colours; what several tools, wipe towers, several parts, plates and the network
 // are about; how files are written.
-constexpr std::array<std::string_view, 63> kNoMeaning = {"bed_custom_model",
+constexpr std::array<std::string_view, 62> kNoMeaning = {"bed_custom_model",
                                                          "bed_custom_texture",
                                                          "bed_model",
                                                          "bed_texture",
@@ -65,7 +65,6 @@ constexpr std::array<std::string_view, 63> kNoMeaning = {"bed_custom_model",
                                                          "printer_technology",
                                                          "printer_variant",
                                                          "printer_vendor",
-                                                         "remaining_times",
                                                          "renamed_from",
                                                          "setting_id",
                                                          "silent_mode",

@@ -56,6 +56,7 @@ constexpr std::array kAliases = {
     Alias{"nozzle_diameter", "nozzle_diameter"},
     Alias{"filament_diameter", "filament_diameter"},
     Alias{"filament_type", "filament_type"},
+    Alias{"remaining_times", "progress_commands"},
     Alias{"filament_density", "filament_density_g_cm3"},
     Alias{"filament_cost", "filament_cost_kg"},
     Alias{"extrusion_width", "road_width", Kind::kWidth},
