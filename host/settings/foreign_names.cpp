@@ -10,8 +10,9 @@ namespace {
 
 enum class ForeignKind {
   kSame,
-  kPercent,  // 20 for 20%
-  kShare,    // 98 for 0.98
+  kPercent,         // 20 for 20%
+  kShare,           // 98 for 0.98
+  kFromHorizontal,  // an angle from the vertical
 };
 
 struct Row {
@@ -102,7 +103,13 @@ constexpr std::array kRows = {
     Row{"filament_end_gcode", "end_filament_gcode"},
     Row{"layer_change_gcode", "layer_gcode"},
     Row{"before_layer_change_gcode", "before_layer_gcode"},
+    Row{"support_type", "support_material_style"},
+    Row{"filament_retraction_length", "filament_retract_length"},
+    Row{"filament_retraction_speed", "filament_retract_speed"},
+    Row{"filament_retraction_minimum_travel", "filament_retract_before_travel"},
+    Row{"filament_z_hop", "filament_retract_lift"},
     // Cura's.
+    Row{"support_angle", "support_material_threshold", ForeignKind::kFromHorizontal},
     Row{"material_print_temperature", "temperature"},
     Row{"material_print_temperature_layer_0", "first_layer_temperature"},
     Row{"material_bed_temperature", "bed_temperature"},
@@ -159,6 +166,11 @@ struct Word {
 };
 
 constexpr std::array kWords = {
+    Word{"support_material_style", "tree(auto)", "tree"},
+    Word{"support_material_style", "tree(manual)", "tree"},
+    Word{"support_material_style", "hybrid(auto)", "tree"},
+    Word{"support_material_style", "normal(auto)", "grid"},
+    Word{"support_material_style", "normal(manual)", "grid"},
     Word{"seam_position", "back", "rear"},
     Word{"seam_position", "shortest", "nearest"},
     Word{"fuzzy_skin", "allwalls", "all"},
@@ -194,6 +206,7 @@ std::string prusa_value(std::string_view foreign, std::string_view value) {
   if (row == nullptr || row->kind == ForeignKind::kSame) return std::string(value);
   const core::Result<double> number = read_number(value, "");
   if (!number.ok()) return std::string(value);
+  if (row->kind == ForeignKind::kFromHorizontal) return write_number(90 - number.value());
   if (row->kind == ForeignKind::kShare) return write_number(number.value() / 100);
   return write_number(number.value()) + "%";
 }

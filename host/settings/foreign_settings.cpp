@@ -43,6 +43,19 @@ void leave_out(const ProfileLine& line, LoadedSettings& loaded) {
   loaded.rows.push_back({ProfileGroup::kChanges, line.key, line.value, kOwn});
 }
 
+// An expression in a setting that rind has changes the print; another one is of no concern.
+void leave_out_expression(const ProfileLine& line, LoadedSettings& loaded) {
+  loaded.values.insert_or_assign(line.key, line.value);
+  const std::string key(prusa_name(line.key));
+  if (!is_gcode_setting(key) && !from_prusa(key, "1").has_value()) {
+    loaded.ignored.push_back(line.key);
+    return;
+  }
+  constexpr const char* kInstead = "an expression that is not understood: rind's own value is used";
+  loaded.left_out.push_back(fmt::format("{} = {}: {}", line.key, line.value, kInstead));
+  loaded.rows.push_back({ProfileGroup::kChanges, line.key, line.value, kInstead});
+}
+
 // The line in PrusaSlicer's words.
 ProfileLine in_prusas_words(const ProfileLine& line) {
   return {line.place, line.section, std::string(prusa_name(line.key)),
@@ -67,6 +80,10 @@ Status apply_line(const ProfileLine& line, const ProfileLine& theirs, GcodeOrigi
     loaded.gcode.push_back({line.key, line.place, line.value, origin});
     loaded.rows.push_back({ProfileGroup::kTaken, theirs.key, theirs.value, line.key});
     ++loaded.set_count;
+    return {};
+  }
+  if (trimmed(line.value).empty() && line.key != "bed_shape") {
+    loaded.ignored.push_back(theirs.key);
     return {};
   }
   const std::optional<std::vector<SettingText>> ours = from_prusa(line.key, line.value);
@@ -150,7 +167,8 @@ core::Status end_prusa(const std::string& name, LoadedSettings& loaded) {
     loaded.settings.road_width =
         core::Length::from_units(loaded.settings.nozzle_diameter.units() * 9 / 8);
   }
-  if (value("brim_type") == "no_brim") loaded.settings.brim_width = core::Length();
+  const std::string_view brim = value("brim_type");
+  if (brim == "no_brim" || brim == "auto_brim") loaded.settings.brim_width = core::Length();
   take_prusa_supports(loaded.values, loaded.settings);
   take_prusa_support_distances(
       loaded.values, [](const std::string&) { return false; }, loaded.settings);
@@ -189,6 +207,7 @@ Status apply_foreign(ForeignProfile profile, const std::string& name, LoadedSett
     ours.value = absolute_value(loaded.values, ours.key);
     if (Status taken = apply_line(ours, line, profile.origin, loaded); !taken.ok()) return taken;
   }
+  for (const ProfileLine& line : profile.unsolved) leave_out_expression(line, loaded);
   if (Status taken = take_filament_overrides(loaded); !taken.ok()) return taken;
   return end_prusa(name, loaded);
 }

@@ -65,7 +65,7 @@ class Bundle {
     if (value_in(machine.value(), "printer_technology") == "SLA") {
       return bad(fmt::format("{} hardens resin; rind lays filament", printer.value()));
     }
-    ForeignProfile profile{"PrusaSlicer", GcodeOrigin::kProfile, {}, {}};
+    ForeignProfile profile{"PrusaSlicer", GcodeOrigin::kProfile, {}, {}, {}};
     ids_ = {{"printer_settings_id", printer.value()}};
     const struct {
       const char* kind;

@@ -36,8 +36,9 @@ struct ProfileChoice {
 struct ForeignProfile {
   std::string program;  // "PrusaSlicer", "OrcaSlicer", "Cura"
   GcodeOrigin origin = GcodeOrigin::kProfile;
-  std::vector<ProfileLine> lines;  // of one key, the last one counts
-  std::vector<std::string> notes;  // what was chosen
+  std::vector<ProfileLine> lines;     // of one key, the last one counts
+  std::vector<std::string> notes;     // what was chosen
+  std::vector<ProfileLine> unsolved;  // expressions that are not understood
 };
 
 // "key = value" on each line, [section], comments from '#' or ';' at a line's start.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "host/settings/foreign_names.h"   // prusa_name
 #include "host/settings/prusa_left_out.h"  // left_out_rows, is_left_out, shortened_value
 #include "host/settings/settings_text.h"   // trimmed
 
@@ -12,9 +13,18 @@ namespace host {
 namespace {
 
 // Read by prusa_supports.cpp and settings_file.cpp where all values are known.
-constexpr std::array<std::string_view, 5> kTakenTogether = {
-    "support_material_buildplate_only", "support_material_style",
-    "support_material_contact_distance", "support_material_bottom_contact_distance",
+constexpr std::array<std::string_view, 12> kTakenTogether = {
+    "machine_width",
+    "machine_depth",
+    "machine_center_is_zero",
+    "machine_shape",
+    "adhesion_type",
+    "support_structure",
+    "support_type",
+    "support_material_buildplate_only",
+    "support_material_style",
+    "support_material_contact_distance",
+    "support_material_bottom_contact_distance",
     "gcode_flavor"};
 
 // Names, notes and colours; what several tools, wipe towers, several parts, plates and the network
@@ -117,18 +127,27 @@ std::vector<ProfileRow> rows_in(const std::vector<ProfileRow>& rows, ProfileGrou
 
 std::vector<ProfileRow> report_of(const LoadedSettings& loaded) {
   std::vector<ProfileRow> rows = loaded.rows;
-  const auto has = [&rows](std::string_view key) {
-    return std::any_of(rows.begin(), rows.end(),
-                       [key](const ProfileRow& row) { return row.key == key; });
+  const auto find = [&rows](std::string_view key) {
+    return std::find_if(rows.begin(), rows.end(),
+                        [key](const ProfileRow& row) { return prusa_name(row.key) == key; });
   };
   for (const LeftOutRow& row : left_out_rows(loaded.values)) {
-    if (has(row.key)) continue;
-    rows.push_back(
-        {ProfileGroup::kChanges, std::string(row.key), row.value, std::string(row.instead)});
+    const auto theirs =
+        std::find_if(loaded.ignored.begin(), loaded.ignored.end(),
+                     [&row](const std::string& key) { return prusa_name(key) == row.key; });
+    const auto same = find(row.key);
+    if (same != rows.end()) {
+      same->group = ProfileGroup::kChanges;
+      same->what = row.instead;
+      continue;
+    }
+    rows.push_back({ProfileGroup::kChanges,
+                    theirs == loaded.ignored.end() ? std::string(row.key) : *theirs, row.value,
+                    std::string(row.instead)});
   }
   for (const std::string& key : loaded.ignored) {
     const auto value = loaded.values.find(key);
-    if (value == loaded.values.end() || has(key)) continue;
+    if (value == loaded.values.end() || find(prusa_name(key)) != rows.end()) continue;
     rows.push_back({group_of(key, value->second), key, value->second, ""});
   }
   std::stable_sort(rows.begin(), rows.end(),

@@ -53,6 +53,7 @@ constexpr std::array kLeftOut = {
             "raft_layers"},
     LeftOut{"first_layer_speed_over_raft", When::kWith,
             "the part's first layer over the raft has first_layer_speed", "raft_layers"},
+    LeftOut{"brim_type", When::kWord, "no brim is laid", "auto_brim"},
     LeftOut{"draft_shield", When::kOn, "no draft shield is laid"},
     LeftOut{"skirt_height", When::kAboveOne, "the skirt is one layer high"},
     LeftOut{"perimeter_extrusion_width", When::kUnlikeOn, kOneWidth, "extrusion_width"},

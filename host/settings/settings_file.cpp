@@ -10,8 +10,11 @@
 #include <system_error>
 #include <utility>
 
+#include "host/settings/cura_profile.h"
 #include "host/settings/foreign_settings.h"
+#include "host/settings/profile_archive.h"
 #include "host/settings/profile_bundle.h"
+#include "host/settings/profile_json.h"
 #include "host/settings/settings_prusa.h"
 #include "host/settings/settings_table.h"
 #include "host/settings/settings_text.h"
@@ -82,6 +85,20 @@ Status check_choice(const ProfileChoice& choice, const std::string& name) {
       fmt::format("{}: is a single configuration, there is nothing to choose by {}", name, option)};
 }
 
+bool is_json(std::string_view text) {
+  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+  return trimmed(text.substr(0, kSettingsBytesMax)).starts_with('{');
+}
+
+Result<LoadedSettings> applied(Result<ForeignProfile> profile, const std::string& name,
+                               const PrintSettings& base) {
+  if (!profile.ok()) return profile.error();
+  LoadedSettings loaded;
+  loaded.settings = base;
+  Status done = apply_foreign(std::move(profile).value(), name, loaded);
+  return done.ok() ? Result<LoadedSettings>(std::move(loaded)) : done.error();
+}
+
 }  // namespace
 
 Result<LoadedSettings> read_settings(std::string_view text, const std::string& name,
@@ -90,26 +107,22 @@ Result<LoadedSettings> read_settings(std::string_view text, const std::string& n
     return Error{ErrorCode::kBadSetting, fmt::format("{}: more than {} bytes: not a settings file",
                                                      name, kSettingsBytesMax)};
   }
+  if (is_json(text)) return applied(read_json_profile(text, name, choice), name, base);
   Result<std::vector<ProfileLine>> read = read_ini_lines(text, name);
   if (!read.ok()) return read.error();
   std::vector<ProfileLine>& lines = read.value();
-  LoadedSettings loaded;
-  loaded.settings = base;
-  if (is_bundle(lines)) {
-    Result<ForeignProfile> chosen = chosen_from_bundle(lines, name, choice);
-    if (!chosen.ok()) return chosen.error();
-    Status applied = apply_foreign(std::move(chosen).value(), name, loaded);
-    return applied.ok() ? Result<LoadedSettings>(std::move(loaded)) : applied.error();
-  }
+  if (is_bundle(lines)) return applied(chosen_from_bundle(lines, name, choice), name, base);
+  if (is_cura_instance(lines)) return applied(read_cura_instance(lines, name), name, base);
   if (Status single = check_choice(choice, name); !single.ok()) return single.error();
   for (const ProfileLine& line : lines) {
     if (Status known = check_section(line); !known.ok()) return known.error();
   }
   if (is_prusa_file(text, lines)) {
-    Status applied =
-        apply_foreign({"PrusaSlicer", GcodeOrigin::kProfile, std::move(lines), {}}, name, loaded);
-    return applied.ok() ? Result<LoadedSettings>(std::move(loaded)) : applied.error();
+    ForeignProfile profile{"PrusaSlicer", GcodeOrigin::kProfile, std::move(lines), {}, {}};
+    return applied(std::move(profile), name, base);
   }
+  LoadedSettings loaded;
+  loaded.settings = base;
   for (const ProfileLine& line : lines) {
     if (Status set = apply_ours(line, loaded); !set.ok()) return set.error();
   }
@@ -117,6 +130,7 @@ Result<LoadedSettings> read_settings(std::string_view text, const std::string& n
 }
 
 bool offers_choice(std::string_view text) {
+  if (is_json(text)) return text.find("\"default_print_profile\"") != std::string_view::npos;
   // As is_bundle() finds, without reading all of it.
   for (const std::string_view start : {"[printer:", "[print:", "[filament:", "[printer_model:"}) {
     if (text.starts_with(start)) return true;
@@ -136,7 +150,11 @@ Result<std::string> profile_text(const std::string& path) {
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   if (!file) return unreadable(std::generic_category().message(errno));
-  std::string text;
+  std::array<char, 4> start{};
+  file.read(start.data(), start.size());
+  const std::string_view first(start.data(), static_cast<std::size_t>(file.gcount()));
+  if (is_archive(first)) return settings_in_archive(path);
+  std::string text(first);
   std::array<char, 65'536> piece{};
   while (text.size() <= kSettingsBytesMax && file.read(piece.data(), piece.size()).gcount() > 0) {
     text.append(piece.data(), static_cast<std::size_t>(file.gcount()));

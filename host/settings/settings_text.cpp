@@ -157,6 +157,16 @@ std::string write_number(double number) {
   return {buffer.data(), end};
 }
 
+std::string escaped(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '\r') continue;
+    if (c == '\\') result += '\\';
+    result += c == '\n' ? std::string_view("\\n") : std::string_view(&c, 1);
+  }
+  return result;
+}
+
 std::string write_lines(const std::vector<std::string>& lines) {
   std::string text;
   for (std::size_t i = 0; i < lines.size(); ++i) {

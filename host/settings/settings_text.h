@@ -52,6 +52,8 @@ inline constexpr std::size_t kWordsBytesMax = 1'000;
 
 // The shortest text that reads back as the same number.
 [[nodiscard]] std::string write_number(double number);
+// Text of several lines as one: with "\\n" between them and "\\\\" for a backslash.
+[[nodiscard]] std::string escaped(std::string_view text);
 [[nodiscard]] std::string write_lines(const std::vector<std::string>& lines);
 
 }  // namespace host

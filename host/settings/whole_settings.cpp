@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "firmware_link/wire/command.h"           // blank_or_comment
 #include "firmware_link/wire/refused_commands.h"  // refused_in
 #include "host/pipeline/user_gcode.h"             // allowed_commands
 #include "host/settings/gcode_placeholders.h"
@@ -49,6 +50,11 @@ Lines without_refused(const Lines& lines, const PendingGcode& gcode, WholeSettin
   const Result<Lines> allowed = allowed_commands(whole.settings.allow_gcode);
   Lines sent;
   for (const std::string& line : lines) {
+    if (firmware_link::blank_or_comment(line)) {
+      whole.notes.push_back(
+          fmt::format("{}: '{}' is taken out: it is no command", place_of(gcode), line));
+      continue;
+    }
     const auto refused =
         allowed.ok() ? firmware_link::refused_in(line, allowed.value()) : std::nullopt;
     if (!refused) {
@@ -176,9 +182,10 @@ class Assembly {
       }
     }
     for (const char* key : {"start_gcode", "at_height", "pause_gcode", "end_gcode"}) {
-      const bool pends = std::any_of(whole_.pending.begin(), whole_.pending.end(),
-                                     [key](const PendingGcode& one) { return one.key == key; });
-      if (pends) continue;
+      // A profile's lines are filled in once.
+      const bool theirs = std::any_of(loaded_.gcode.begin(), loaded_.gcode.end(),
+                                      [key](const RawGcode& raw) { return raw.key == key; });
+      if (theirs && !assigned(key)) continue;
       const PendingGcode own{key, "", gcode_lines(whole_.settings, key), GcodeOrigin::kOwn};
       if (Status filled = fill(own, nullptr, whole_); !filled.ok()) return filled;
     }
@@ -204,7 +211,8 @@ class Assembly {
 
 ProfileChoice choice_for(std::string_view profile, PrinterRequest& printer) {
   if (!offers_choice(profile)) return {};
-  ProfileChoice choice{printer.printer, printer.quality, printer.filament};
+  const bool none = printer.printer == kNoPrinter;
+  ProfileChoice choice{none ? std::string() : printer.printer, printer.quality, printer.filament};
   printer.printer = kNoPrinter;
   printer.quality.clear();
   printer.filament.clear();

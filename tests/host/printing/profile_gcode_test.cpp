@@ -92,7 +92,7 @@ TEST_CASE("profile: what only the part gives waits for it") {
 
 TEST_CASE("profile: refused commands are taken out and named, and can't allow themselves") {
   const Asked asked;
-  for (const char* start : {"G28\\nM500", "G28\\nm0997", "G28\\nG1 X5 M112"}) {
+  for (const char* start : {"G28\\nM500", "G28\\nm0997", "G28\\nG1 X5 M112", "G28\\n@WORD"}) {
     CAPTURE(start);
     const auto whole = asked.settings({{"start_gcode", start}});
     REQUIRE(whole.ok());
