@@ -131,7 +131,7 @@ class Reader {
   Result<Value> any_of() {
     Result<Value> value = all_of();
     while (value.ok() && (at_.take("||") || at_.take_word("or"))) {
-      const Result<Value> other = all_of();
+      Result<Value> other = all_of();
       if (!other.ok()) return other;
       value = Value(holds(value.value()) || holds(other.value()));
     }
@@ -141,7 +141,7 @@ class Reader {
   Result<Value> all_of() {
     Result<Value> value = equality();
     while (value.ok() && (at_.take("&&") || at_.take_word("and"))) {
-      const Result<Value> other = equality();
+      Result<Value> other = equality();
       if (!other.ok()) return other;
       value = Value(holds(value.value()) && holds(other.value()));
     }
@@ -158,7 +158,7 @@ class Reader {
       }
       const bool equal = at_.take("==");
       if (!equal && !at_.take("!=") && !at_.take("<>")) break;
-      const Result<Value> other = relation();
+      Result<Value> other = relation();
       if (!other.ok()) return other;
       value = Value((order(value.value(), other.value()) == 0) == equal);
     }
@@ -186,7 +186,7 @@ class Reader {
       const bool less_or_equal = at_.take("<="), more_or_equal = !less_or_equal && at_.take(">=");
       const bool less = !less_or_equal && !more_or_equal && at_.take("<");
       if (!less_or_equal && !more_or_equal && !less && !at_.take(">")) break;
-      const Result<Value> other = sum();
+      Result<Value> other = sum();
       if (!other.ok()) return other;
       const int by = order(value.value(), other.value());
       value = Value(less_or_equal ? by <= 0 : more_or_equal ? by >= 0 : less ? by < 0 : by > 0);
@@ -199,7 +199,7 @@ class Reader {
     while (value.ok()) {
       const bool plus = at_.take("+");
       if (!plus && !at_.take("-")) break;
-      const Result<Value> other = product();
+      Result<Value> other = product();
       if (!other.ok()) return other;
       if (live_) value = calculated(value.value(), other.value(), plus ? '+' : '-');
     }
@@ -211,7 +211,7 @@ class Reader {
     while (value.ok()) {
       const char sign = at_.take("*") ? '*' : at_.take("/") ? '/' : at_.take("%") ? '%' : '\0';
       if (sign == '\0') break;
-      const Result<Value> other = single();
+      Result<Value> other = single();
       if (!other.ok()) return other;
       if (live_) value = calculated(value.value(), other.value(), sign);
     }
@@ -234,12 +234,12 @@ class Reader {
     }
     if (at_.take("+")) return single();
     if (at_.take("-")) {
-      const Result<Value> value = single();
+      Result<Value> value = single();
       if (!value.ok() || !live_) return value;
       return calculated(Value(std::int64_t{0}), value.value(), '-');
     }
     if (at_.take_word("not") || (!at_.text.substr(at_.at).starts_with("!~") && at_.take("!"))) {
-      const Result<Value> value = single();
+      Result<Value> value = single();
       return value.ok() ? Result<Value>(Value(!holds(value.value()))) : value;
     }
     if (at_.peek() == '"') return quoted();
@@ -288,7 +288,7 @@ class Reader {
     if (at_.take("(")) return function(name);
     std::size_t index = 0;
     if (at_.take("[")) {
-      const Result<Value> read = whole();
+      Result<Value> read = whole();
       if (!read.ok()) return read;
       if (!at_.take("]")) return bad("a ']' is missing");
       const auto* chosen = std::get_if<std::int64_t>(&read.value());

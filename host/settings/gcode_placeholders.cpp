@@ -198,7 +198,7 @@ class Expander {
         trimmed(content.substr(bracket + 1, content.size() - bracket - 2));
     std::optional<std::size_t> index = whole_number(inner);
     if (!index) {
-      const Result<std::optional<std::string>> number = found(inner, 0);
+      Result<std::optional<std::string>> number = found(inner, 0);
       if (!number.ok()) return number;
       if (number.value()) index = whole_number(*number.value());
     }

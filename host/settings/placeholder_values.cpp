@@ -141,7 +141,7 @@ Result<std::optional<Variable>> PlaceholderValues::find(std::string_view name,
   // G-code may hold placeholders itself.
   if (is_gcode_setting(name)) return std::optional<Variable>();
   if (const std::string_view theirs = prusa_name(name); theirs != name) {
-    const Result<std::optional<Variable>> known = find(theirs, index);
+    Result<std::optional<Variable>> known = find(theirs, index);
     if (!known.ok() || known.value()) return known;
   }
   if (index == 0 && name != "bed_shape") {

@@ -57,7 +57,7 @@ Result<std::string> settings_in_archive(const std::string& path) {
   if (!archive.ok()) return archive.error();
   for (const char* entry : {"Metadata/Slic3r_PE.config", "Metadata/Slic3r.config"}) {
     if (!archive.value().contains(entry)) continue;
-    const Result<std::string> text = content_of(archive.value(), entry);
+    Result<std::string> text = content_of(archive.value(), entry);
     if (!text.ok()) return text;
     return without_semicolons(text.value());
   }
@@ -71,7 +71,7 @@ Result<std::string> settings_in_archive(const std::string& path) {
   std::size_t parts = 0;
   for (const std::string& entry : archive.value().entries()) {
     if (entry.find('/') != std::string::npos || ++parts > kPartsMax) continue;
-    const Result<std::string> text = content_of(archive.value(), entry);
+    Result<std::string> text = content_of(archive.value(), entry);
     if (!text.ok()) return text;
     if (text.value().starts_with("[general]")) all += text.value() + "\n";
   }
