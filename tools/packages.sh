@@ -16,6 +16,9 @@ test_packages=(
 # The cross compiler only reads: what core and firmware_link need to be for 32 bits.
 check_packages=(clang-format clang-tidy g++-arm-linux-gnueabihf git)
 
+# tools/package/build: what makes and judges a Debian package.
+deb_packages=(dpkg-dev file gzip lintian git)
+
 # Runs apt-get as root. It waits up to ten minutes for another program that installs packages.
 run_apt_get() {
   local root=()

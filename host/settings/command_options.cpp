@@ -7,6 +7,17 @@
 namespace host {
 namespace {
 
+// Takes one of the words. They stand behind the value's name (get_type_name()) for completions;
+// help leaves them out.
+template <typename Value>
+CLI::CheckedTransformer one_of(const std::map<std::string, Value>& words) {
+  std::string all;
+  for (const auto& [word, value] : words) all += (all.empty() ? "" : ",") + word;
+  CLI::CheckedTransformer check(words);
+  check.description("{" + all + "}");
+  return check;
+}
+
 void add_tall(CLI::App& command, Options& options) {
   command.add_flag("--tall", options.part.tall,
                    "the part is meant to be that high: accept corners that look stray");
@@ -25,7 +36,7 @@ void add_bad_layer(CLI::App& command, Options& options) {
           "how to treat a layer with open contours, or an empty one: repair (print the closed "
           "contours), neighbour (print the slice below again), pause (wait for the user), stop")
       ->type_name("WORD")
-      ->transform(CLI::CheckedTransformer(kWords).description(""))
+      ->transform(one_of(kWords))
       ->each([&options](const std::string&) { options.print.bad_layer_told = true; });
 }
 
@@ -37,7 +48,7 @@ void add_floating(CLI::App& command, Options& options) {
                   "how to treat a layer with an island that begins in the air: warn (print it), "
                   "stop (before that layer)")
       ->type_name("WORD")
-      ->transform(CLI::CheckedTransformer(kWords).description(""))
+      ->transform(one_of(kWords))
       ->each([&options](const std::string&) { options.print.floating_told = true; });
 }
 
@@ -57,7 +68,7 @@ void add_memory(CLI::App& command, Options& options) {
                   "number of processors to slice with; each needs the memory of one more layer")
       ->type_name("N")
       ->check(CLI::Range(1, kThreadsMax))
-      ->capture_default_str();
+      ->default_str("as many as there are, at most " + std::to_string(kThreadsDefaultMax));
   command
       .add_option("--memory-limit", options.memory_limit_bytes,
                   "memory of the whole program, as 64M; end with an error if more is needed")
@@ -84,7 +95,7 @@ void add_sorted(CLI::App& command, Options& options) {
           "whether a mesh from a pipe is in order of height and can be sliced as it arrives: "
           "yes, no, or auto (slice: if its start is in order; print: no)")
       ->type_name("WORD")
-      ->transform(CLI::CheckedTransformer(kWords).description(""));
+      ->transform(one_of(kWords));
 }
 
 void add_reports(CLI::App& command, Options& options) {
@@ -121,7 +132,7 @@ void add_port(CLI::App& command, Options& options) {
                   "if the cable or the controller fails during a print: wait for it and resume, or "
                   "stop")
       ->type_name("WORD")
-      ->transform(CLI::CheckedTransformer(kWords).description(""));
+      ->transform(one_of(kWords));
   command
       .add_option("--lost-port-wait", options.link.lost_port_wait_s,
                   "seconds to wait for a lost port")

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "host/settings/command_options.h"
+#include "host/settings/documents.h"
 #include "host/settings/section_words.h"
 #include "host/settings/setting_options.h"
 #include "host/settings/usage.h"
@@ -253,6 +254,8 @@ std::variant<Options, OptionsExit> parse_options(int argc, const char* const* ar
   app.set_version_flag("--version", std::string("rind ") + kVersion);
   app.require_subcommand(1);
   const Commands commands = add_commands(app, options, format, contents);
+  DocumentRequest document;
+  add_documents(app, document);
   lay_out_help(app);
 
   const std::vector<std::string> words =
@@ -261,6 +264,7 @@ std::variant<Options, OptionsExit> parse_options(int argc, const char* const* ar
   try {
     // CLI11 takes them from the back.
     app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+    if (const auto text = document_of(app, document)) return OptionsExit{kExitDone, *text, false};
   } catch (const CLI::ParseError& error) {
     std::ostringstream out, err;
     const bool asked = app.exit(error, out, err) == 0;

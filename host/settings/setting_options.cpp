@@ -5,10 +5,19 @@
 #include <string>
 #include <vector>
 
-#include "host/settings/settings_text.h"  // write_lines
+#include "host/settings/settings_table.h"  // setting_words
+#include "host/settings/settings_text.h"   // write_lines
 
 namespace host {
 namespace {
+
+// The words behind the value's name, as CLI11 writes them; help leaves them out.
+std::string with_words(const std::string& value_name, const std::vector<std::string>& words) {
+  if (words.empty()) return value_name;
+  std::string all;
+  for (const std::string& word : words) all += (all.empty() ? "" : ",") + word;
+  return value_name + ":{" + all + "}";
+}
 
 // Adds `--flag VALUE` as a shortcut for `--set key=VALUE`.
 void add_shortcut(CLI::App& command, Options& options, const std::string& flag,
@@ -20,7 +29,7 @@ void add_shortcut(CLI::App& command, Options& options, const std::string& flag,
             options.settings.assignments.emplace_back(key, value);
           },
           help)
-      ->type_name(value_name)
+      ->type_name(with_words(value_name, setting_words(key)))
       ->trigger_on_parse();
 }
 

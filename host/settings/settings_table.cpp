@@ -281,6 +281,14 @@ std::vector<SettingRow> describe_settings(const PrintSettings& settings) {
   return rows;
 }
 
+std::vector<std::string> setting_words(std::string_view key) {
+  const Setting* setting = find(key);
+  const Choice* choice = setting == nullptr ? nullptr : std::get_if<Choice>(&setting->member);
+  if (choice == nullptr) return {};
+  const auto names = names_of(*choice);
+  return {names.begin(), names.end()};
+}
+
 bool is_gcode_setting(std::string_view key) {
   const Setting* setting = find(key);
   return setting != nullptr && std::holds_alternative<Lines S::*>(setting->member);

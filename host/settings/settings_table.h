@@ -25,6 +25,9 @@ struct SettingRow {
   std::string help;
 };
 
+// The values of a setting that takes one of a few words; empty for others, and unknown ones.
+[[nodiscard]] std::vector<std::string> setting_words(std::string_view key);
+
 // Sets one setting from what a user typed. '-' in a key is read as '_'.
 //
 // An error names the key, the text, the range and the unit; for an unknown key, the most similar

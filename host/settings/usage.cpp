@@ -7,16 +7,20 @@
 #include <memory>
 
 #include "host/settings/near_words.h"
+#include "host/system/exit_codes.h"
 
 namespace host {
 namespace {
 
 constexpr std::size_t kNameColumns = 30;
 
-constexpr const char* kExitCodes =
-    "Exit codes: 0 done, 2 usage, 3 bad part or setting, 4 link lost or controller fault, 5 "
-    "stopped "
-    "by the user.";
+std::string exit_codes() {
+  std::string text;
+  for (const ExitText& exit : kExitTexts) {
+    text += fmt::format("{} {} {}", text.empty() ? "Exit codes:" : ",", exit.code, exit.meaning);
+  }
+  return text + ".";
+}
 
 // The text in lines, all but the first indented.
 std::string wrapped(const std::string& text, std::size_t indent, std::size_t columns) {
@@ -106,7 +110,7 @@ void lay_out_help(CLI::App& app) {
   const auto layout = std::make_shared<Layout>();
   app.formatter(layout);
   app.footer(std::string("rind COMMAND --help, or rind help COMMAND, lists a command's options. ") +
-             kExitCodes);
+             exit_codes());
   for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
     command->formatter(layout);
     const bool sets = command->get_option_no_throw("--set") != nullptr;
@@ -114,7 +118,7 @@ void lay_out_help(CLI::App& app) {
         std::string(sets ? "rind settings lists all settings (KEY), with unit, range and "
                            "default. "
                          : "") +
-        kExitCodes);
+        exit_codes());
   }
 }
 
