@@ -10,7 +10,7 @@
 namespace host {
 namespace {
 
-constexpr const char* kHead = R"(# Completion of rind for bash, written by: rind completion bash
+constexpr const char* kBashHead = R"(# Completion of rind for bash, written by: rind completion bash
 
 _rind_ports() {
   printf '%s\n' virtual
@@ -48,7 +48,7 @@ _rind() {
 )";
 
 // What is done for a value. Files are completed by bash itself.
-std::string action(const OptionText& option) {
+std::string bash_action(const OptionText& option) {
   switch (option.kind) {
     case ValueKind::kNone:
       break;
@@ -114,7 +114,7 @@ std::string option_values(const ProgramText& program, const std::vector<SettingR
   for (const SharedOption& shared : shared_options(program)) {
     if (shared.option.kind == ValueKind::kNone) continue;
     for (const std::string& name : shared.option.names) {
-      add_case(cases, action(shared.option), name);
+      add_case(cases, bash_action(shared.option), name);
     }
   }
   return "  local settings='" + keys + "'\n  case $option in\n" + written(cases, "; return") +
@@ -134,13 +134,13 @@ std::string bash_completion(const ProgramText& program, const std::vector<Settin
     }
     add_case(options, "options='" + joined_words(names) + "'", command.name);
     if (command.operands.empty()) continue;
-    add_case(operands, action(command.operands.front()), command.name);
+    add_case(operands, bash_action(command.operands.front()), command.name);
   }
   for (const OptionText& option : program.options) {
     flags.insert(flags.end(), option.names.begin(), option.names.end());
   }
   const std::string all = joined_words(commands);
-  return kHead +
+  return kBashHead +
          fmt::format(
              "  if [[ $COMP_CWORD -eq 1 ]]; then\n    _rind_words '{} help {}' \"$typed\"\n"
              "    return\n  fi\n",

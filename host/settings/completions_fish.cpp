@@ -8,7 +8,7 @@
 namespace host {
 namespace {
 
-constexpr const char* kHead = R"(# Completion of rind for fish, written by: rind completion fish
+constexpr const char* kFishHead = R"(# Completion of rind for fish, written by: rind completion fish
 
 function __rind_needs_command
     test (count (commandline -opc)) -eq 1
@@ -39,7 +39,7 @@ end
 
 )";
 
-std::string quoted(const std::string& text) {
+std::string fish_quoted(const std::string& text) {
   std::string out = "'";
   for (const char letter : text) {
     if (letter == '\'' || letter == '\\') out += '\\';
@@ -49,14 +49,14 @@ std::string quoted(const std::string& text) {
 }
 
 // What may stand behind the option: -x no files, -r -F files.
-std::string action(const OptionText& option) {
+std::string fish_action(const OptionText& option) {
   switch (option.kind) {
     case ValueKind::kNone:
       break;
     case ValueKind::kText:
       return " -x";
     case ValueKind::kWords:
-      return " -x -a " + quoted(joined_words(option.words));
+      return " -x -a " + fish_quoted(joined_words(option.words));
     case ValueKind::kFile:
       return " -r -F";
     case ValueKind::kFolder:
@@ -71,7 +71,7 @@ std::string action(const OptionText& option) {
   return {};
 }
 
-std::string names_of(const OptionText& option) {
+std::string fish_names(const OptionText& option) {
   std::string text;
   for (const std::string& name : option.names) {
     text += name.rfind("--", 0) == 0 ? " -l " + name.substr(2) : " -s " + name.substr(1);
@@ -80,10 +80,10 @@ std::string names_of(const OptionText& option) {
 }
 
 std::string in_commands(const std::vector<std::string>& commands) {
-  return "complete -c rind -n " + quoted("__rind_command " + joined_words(commands));
+  return "complete -c rind -n " + fish_quoted("__rind_command " + joined_words(commands));
 }
 
-std::string settings_function(const std::vector<SettingRow>& settings) {
+std::string fish_settings(const std::vector<SettingRow>& settings) {
   std::string text = "function __rind_settings\n    printf '%s\\n'";
   for (const SettingRow& row : settings) {
     const std::vector<std::string> words = setting_words(row.key);
@@ -96,28 +96,28 @@ std::string settings_function(const std::vector<SettingRow>& settings) {
 }  // namespace
 
 std::string fish_completion(const ProgramText& program, const std::vector<SettingRow>& settings) {
-  std::string text = kHead + settings_function(settings) + "complete -c rind -f\n";
+  std::string text = kFishHead + fish_settings(settings) + "complete -c rind -f\n";
   std::vector<std::string> names;
   for (const CommandText& command : program.commands) {
     text += fmt::format("complete -c rind -n __rind_needs_command -a {} -d {}\n", command.name,
-                        quoted(command.help));
+                        fish_quoted(command.help));
     names.push_back(command.name);
   }
   text += "complete -c rind -n __rind_needs_command -a help -d 'list the options of a command'\n";
-  text += in_commands({"help"}) + " -a " + quoted(joined_words(names)) + "\n";
+  text += in_commands({"help"}) + " -a " + fish_quoted(joined_words(names)) + "\n";
   for (const OptionText& option : program.options) {
-    text += "complete -c rind -n __rind_needs_command" + names_of(option) + " -d " +
-            quoted(option.help) + "\n";
+    text += "complete -c rind -n __rind_needs_command" + fish_names(option) + " -d " +
+            fish_quoted(option.help) + "\n";
   }
   for (const SharedOption& shared : shared_options(program)) {
-    text += in_commands(shared.commands) + names_of(shared.option) + action(shared.option) +
-            " -d " + quoted(shared.option.help) + "\n";
+    text += in_commands(shared.commands) + fish_names(shared.option) + fish_action(shared.option) +
+            " -d " + fish_quoted(shared.option.help) + "\n";
   }
   for (const CommandText& command : program.commands) {
     if (command.operands.empty()) continue;
     const OptionText& operand = command.operands.front();
     if (operand.kind != ValueKind::kWords) continue;
-    text += in_commands({command.name}) + " -a " + quoted(joined_words(operand.words)) + "\n";
+    text += in_commands({command.name}) + " -a " + fish_quoted(joined_words(operand.words)) + "\n";
   }
   const std::vector<std::string> files = commands_with_operand(program, ValueKind::kFile);
   return files.empty() ? text : text + in_commands(files) + " -F\n";

@@ -8,7 +8,7 @@
 namespace host {
 namespace {
 
-constexpr const char* kHead = R"(#compdef rind
+constexpr const char* kZshHead = R"(#compdef rind
 # Completion of rind for zsh, written by: rind completion zsh
 
 _rind_ports() {
@@ -26,7 +26,7 @@ _rind_printers() {
 )";
 
 // A shell's word between quotes, in which a specification's own signs are no signs.
-std::string quoted(const std::string& text) {
+std::string zsh_quoted(const std::string& text) {
   std::string out;
   for (const char letter : text) {
     if (letter == '\'') {
@@ -39,7 +39,7 @@ std::string quoted(const std::string& text) {
   return out;
 }
 
-std::string action(const OptionText& option) {
+std::string zsh_action(const OptionText& option) {
   switch (option.kind) {
     case ValueKind::kNone:
     case ValueKind::kText:
@@ -60,7 +60,7 @@ std::string action(const OptionText& option) {
   return " ";  // nothing is proposed
 }
 
-std::string settings_function(const std::vector<SettingRow>& settings) {
+std::string zsh_settings(const std::vector<SettingRow>& settings) {
   std::string keys, cases;
   for (const SettingRow& row : settings) {
     keys += (keys.empty() ? "" : " ") + row.key;
@@ -84,8 +84,8 @@ std::string specifications(const std::vector<OptionText>& options) {
     for (const std::string& name : option.names) {
       const bool valued = option.kind != ValueKind::kNone;
       const std::string sign = !valued ? "" : name.rfind("--", 0) == 0 ? "=" : "+";
-      text += fmt::format(" \\\n        '{}{}{}[{}]", before, name, sign, quoted(option.help));
-      if (valued) text += fmt::format(":{}:{}", quoted(option.value), action(option));
+      text += fmt::format(" \\\n        '{}{}{}[{}]", before, name, sign, zsh_quoted(option.help));
+      if (valued) text += fmt::format(":{}:{}", zsh_quoted(option.value), zsh_action(option));
       text += "'";
     }
   }
@@ -96,9 +96,9 @@ std::string command_case(const CommandText& command) {
   std::string text = fmt::format("      {})\n      _arguments -s{}", command.name,
                                  specifications(command.options));
   for (const OptionText& operand : command.operands) {
-    text +=
-        fmt::format(" \\\n        '{}:{}:{}'",
-                    operand.required ? "1" : "1:", quoted(operand.names.front()), action(operand));
+    text += fmt::format(" \\\n        '{}:{}:{}'",
+                        operand.required ? "1" : "1:", zsh_quoted(operand.names.front()),
+                        zsh_action(operand));
   }
   return text + " ;;\n";
 }
@@ -109,11 +109,11 @@ std::string zsh_completion(const ProgramText& program, const std::vector<Setting
   std::string list, cases;
   std::vector<std::string> names;
   for (const CommandText& command : program.commands) {
-    list += fmt::format("        '{}:{}'\n", command.name, quoted(command.help));
+    list += fmt::format("        '{}:{}'\n", command.name, zsh_quoted(command.help));
     cases += command_case(command);
     names.push_back(command.name);
   }
-  return kHead + settings_function(settings) +
+  return kZshHead + zsh_settings(settings) +
          "_rind() {\n  local curcontext=$curcontext state line\n  typeset -A opt_args\n"
          "  _arguments -C" +
          specifications(program.options) +

@@ -56,7 +56,7 @@ ValueKind kind_of(const OptionText& text) {
   return ValueKind::kText;
 }
 
-OptionText text_of(const std::string& command, const CLI::Option& option) {
+OptionText option_text(const std::string& command, const CLI::Option& option) {
   OptionText text;
   const bool operand = option.get_positional();
   for (const std::string& name : option.get_snames()) text.names.push_back("-" + name);
@@ -76,7 +76,7 @@ OptionText text_of(const std::string& command, const CLI::Option& option) {
 // Groups of options are commands without a name.
 void add_options(const CLI::App& app, const std::string& name, CommandText& text) {
   for (const CLI::Option* option : app.get_options()) {
-    (option->get_positional() ? text.operands : text.options).push_back(text_of(name, *option));
+    (option->get_positional() ? text.operands : text.options).push_back(option_text(name, *option));
   }
   for (const CLI::App* group : app.get_subcommands([](const CLI::App*) { return true; })) {
     if (group->get_name().empty()) add_options(*group, name, text);
