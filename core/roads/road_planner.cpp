@@ -28,6 +28,9 @@ namespace core {
 
 namespace {
 
+// No rim is laid so many roads about the places where it would hang.
+constexpr int kHangingRimRoads = 3;
+
 void append(std::vector<Road> more, std::vector<Road>& roads) {
   std::move(more.begin(), more.end(), std::back_inserter(roads));
 }
@@ -48,13 +51,19 @@ Region wall_to_fill(const Region& interior, const Region& loose, const Settings&
 }
 
 // The wall as it would be if the inside did not hold its roof, and a road wide at least: what is
-// made solid for roofs leaves its roads as they are.
+// made solid for roofs leaves its roads as they are. Not beside places where the rim itself lies
+// over a hollow: roads along it would hang there, where rows reach out and come back.
 Region wall_rim(const Region& interior, const SplitLayer& layer, const Settings& settings) {
   if (!layer.window_loose || interior.empty()) return {};
   const Region loose = simplified(*layer.window_loose, settings.simplify_tolerance);
   const Length road = perimeter_spacing(settings, layer.slice.height);
-  return unite(wall_to_fill(interior, loose, settings),
-               subtract(interior, offset(interior, road, settings.arc_tolerance)));
+  Region rim = unite(wall_to_fill(interior, loose, settings),
+                     subtract(interior, offset(interior, road, settings.arc_tolerance)));
+  if (!layer.below_loose) return rim;
+  const Region hanging = intersect(rim, subtract(*layer.below_loose, layer.loose));
+  if (hanging.empty()) return rim;
+  const Length outwards = Length() - road * kHangingRimRoads;
+  return subtract(rim, offset(hanging, outwards, settings.arc_tolerance));
 }
 
 std::vector<Road> solid_roads(const SolidAreas& areas, const Region& rim, const Slice& slice,

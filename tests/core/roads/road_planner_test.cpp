@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "core/booleans/boolean.h"
@@ -251,4 +253,31 @@ TEST_CASE("dense roads run in the wall, nowhere in the inside: a screw's layers"
   }
   while (const std::optional<SplitLayer> settled = splitter.finish()) look(*settled);
   CHECK_GE(looked_at, 10'000u);
+}
+
+TEST_CASE(
+    "where a roof is closed over a hollow, rows reach out over it, and no road runs along it") {
+  Settings settings;
+  settings.loose_pattern = LoosePattern::kLightning;
+  const Region square = test::region_from_text("0:0 30:0 30:30 0:30");
+  const auto left = [](double to_mm) { return test::rectangle_region(2, 2, to_mm - 2, 26); };
+  SplitLayer layer = split(square, left(11), settings);
+  layer.below = layer.above = std::make_shared<const Region>(square);
+  layer.below_loose = std::make_shared<const Region>(left(11.4));
+  // Before the right side was made solid, a wall of 1.2 mm parted two hollows.
+  const Region right = test::rectangle_region(12.2, 2, 15.8, 26);
+  layer.window_loose = std::make_shared<const Region>(unite(left(11), right));
+  const Region hangs = test::rectangle_region(11, 3, 0.4, 24);
+  double longest_mm = 0, laid_mm = 0;
+  for (const Road& road : planned(settings, layer)) {
+    const std::size_t count = road.points.size();
+    for (std::size_t i = 0; i < (road.closed ? count : count - 1); ++i) {
+      const Point a = road.points[i], b = road.points[(i + 1) % count];
+      if (!hangs.contains({(a.x + b.x) / 2, (a.y + b.y) / 2})) continue;
+      longest_mm = std::max(longest_mm, distance_mm(a, b));
+      laid_mm += distance_mm(a, b);
+    }
+  }
+  CHECK_GE(laid_mm, 5);
+  CHECK_LE(longest_mm, 2);
 }
