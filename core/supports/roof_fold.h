@@ -22,8 +22,8 @@
 // into strips, and of thin walls only those are kept that no branch passes under.
 //
 // Growth is at most kGrowthLoss of the step short of exact, and never more than exact; what is
-// carried down is simplified, so that points don't add up. Where all that would grow is narrower
-// than a step, it becomes loose as it is, corners and all: it is held from both sides.
+// carried down is simplified, so that points don't add up. Where all that is new is narrower than a
+// step and than half a road, it becomes loose as it is, corners and tips too: its sides hold it.
 //
 // SOURCE: the cone of self-supporting hollows is the one of Hornus et al., "Tight printable
 // enclosures and support structures" (2016), here with bridged roofs.

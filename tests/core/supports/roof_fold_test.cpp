@@ -210,6 +210,23 @@ TEST_CASE("each inside is the one that cells give by the formula, where nothing 
   }
 }
 
+TEST_CASE("what is new and narrower than a step becomes loose as it is, and is held") {
+  const Settings settings = high_layers();
+  // The sides move outwards by 0.8 mm in each layer, the corners by 1.13 mm.
+  std::vector<Region> pyramid;
+  for (int i = 0; i < 12; ++i) pyramid.push_back(square(27.6 - 1.6 * i));
+  const std::vector<InsideLayer> found = fold(pyramid, settings);
+  std::size_t highest = 0;  // the roof begins there
+  for (std::size_t n = 0; n < found.size(); ++n) highest = found[n].loose->empty() ? highest : n;
+  REQUIRE_GE(highest, 8);
+  for (std::size_t n = 0; n < highest; ++n) {
+    CAPTURE(n);
+    CHECK_LE(widest_piece(subtract(pyramid[n], *found[n].loose)), 3);
+    const Region inner = offset(*found[n].loose, settings.layer_height, kExact);
+    CHECK_LE(widest_piece(subtract(inner, *found[n + 1].loose)), 3);
+  }
+}
+
 TEST_CASE("a wide roof is cut into strips whose walls stand on the floor") {
   const Settings settings = high_layers();
   const std::vector<InsideLayer> found = fold(std::vector<Region>(30, square(50)), settings);
