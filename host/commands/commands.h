@@ -31,8 +31,10 @@ int setup_command(const Options& options, Reporter& reporter);
                                                            Reporter& reporter);
 
 // Settings and part, both checked; but a print may have the rest of its part still to read
-// (OpenedPart::read_rest).
-[[nodiscard]] core::Result<PrintPlan> open_print_plan(const Options& options, Reporter& reporter);
+// (OpenedPart::read_rest). `on_facet` sees the facets (OpenOptions) if the settings ask for
+// thumbnails.
+[[nodiscard]] core::Result<PrintPlan> open_print_plan(const Options& options, Reporter& reporter,
+                                                      FacetObserver on_facet = {});
 
 // Stops at a stop signal, and shows what goes on in the pipeline before its layers.
 void connect_signals(PipelineSignals& signals, Reporter& reporter);

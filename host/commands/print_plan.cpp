@@ -92,7 +92,8 @@ bool leaves_roofs_unheld(const core::Settings& settings) {
 
 }  // namespace
 
-core::Result<PrintPlan> open_print_plan(const Options& options, Reporter& reporter) {
+core::Result<PrintPlan> open_print_plan(const Options& options, Reporter& reporter,
+                                        FacetObserver on_facet) {
   core::Result<WholeSettings> whole = load_settings_of(options, reporter);
   if (!whole.ok()) return whole.error();
   if (core::Status known = check_bed_is_known(options, whole.value()); !known.ok()) {
@@ -131,6 +132,7 @@ core::Result<PrintPlan> open_print_plan(const Options& options, Reporter& report
   open.order_is_sure = options.part.sorted == PipeSorted::kYes;
   // The height was confirmed when the print was started.
   open.tall = options.part.tall || options.subcommand == Subcommand::kResume;
+  if (!settings.thumbnails.empty()) open.on_facet = std::move(on_facet);
   OnBadLayer on_bad_layer = options.part.on_bad_layer;
   if (on_bad_layer == OnBadLayer::kPause && !prints) on_bad_layer = OnBadLayer::kStop;
   const bool ends = on_bad_layer == OnBadLayer::kStop;

@@ -12,6 +12,7 @@
 
 #include "core/check.h"
 #include "host/commands/commands.h"
+#include "host/commands/thumbnails.h"
 #include "host/files/output_file.h"
 #include "host/formats/cli_writer.h"
 #include "host/formats/lsif_writer.h"
@@ -19,6 +20,7 @@
 #include "host/formats/svg_writer.h"
 #include "host/output/gcode_comments.h"
 #include "host/output/gcode_writer.h"
+#include "host/output/part_view.h"
 #include "host/pipeline/pipeline.h"
 #include "host/system/exit_codes.h"
 #include "host/system/stage_clock.h"
@@ -63,8 +65,10 @@ bool lays_road(const core::Motion& motion) {
 // Writes the pipeline's outputs to a file, and keeps the first error.
 class SliceFile {
  public:
+  // `pictures`: comments of a G-code file.
   SliceFile(const PrintPlan& print_plan, OutputFile file, std::unique_ptr<LayerWriter> layers,
-            GeometryStatistics& statistics, double started_s, Reporter& reporter)
+            const std::string& pictures, GeometryStatistics& statistics, double started_s,
+            Reporter& reporter)
       : plan_(print_plan),
         file_(std::move(file)),
         layers_(std::move(layers)),
@@ -75,7 +79,7 @@ class SliceFile {
     if (layers_) {
       layers_->begin(text_);
     } else {
-      text_ = gcode_head(kVersion, static_cast<std::int64_t>(std::time(nullptr)));
+      text_ = gcode_head(kVersion, static_cast<std::int64_t>(std::time(nullptr))) + pictures;
     }
   }
 
@@ -203,15 +207,25 @@ int slice_command(const Options& options, Reporter& reporter) {
   const double started_s = steady_seconds();
   core::Result<OutputFile> output = OutputFile::open(options.output.path);
   if (!output.ok()) return fail(output.error(), reporter);
-  core::Result<PrintPlan> opened = open_print_plan(options, reporter);
+  // Draws the part while it is read.
+  std::optional<PartView> view;
+  const bool gcode = options.output.format == OutputFormat::kGcode;
+  if (gcode) view.emplace();
+  core::Result<PrintPlan> opened =
+      open_print_plan(options, reporter, [&view](const core::Triangle& facet) {
+        if (view) view->add(facet);
+      });
   if (!opened.ok()) return fail(opened.error(), reporter);
   PrintPlan& print_plan = opened.value();
   // Not everything that draws a file, or prints it, knows arcs.
   core::ArcUse& arcs = print_plan.settings.arcs;
   if (arcs == core::ArcUse::kAuto) arcs = core::ArcUse::kOff;
 
+  const std::string pictures = gcode ? thumbnail_comments(print_plan, view, reporter) : "";
+  view.reset();
+
   GeometryStatistics statistics;
-  SliceFile file(print_plan, std::move(output).value(), layer_writer(options, print_plan),
+  SliceFile file(print_plan, std::move(output).value(), layer_writer(options, print_plan), pictures,
                  statistics, started_s, reporter);
   PipelineSignals signals;
   connect_signals(signals, reporter);

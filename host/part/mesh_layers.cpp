@@ -47,7 +47,7 @@ class MeshLayers : public LayerSource {
         settings_(settings),
         options_(options),
         window_(window_of(options)),
-        survey_(window_, adaptive_limits(settings)),
+        survey_(window_, adaptive_limits(settings), options.on_facet),
         guess_(std::max<std::size_t>(2, window_ / kGuessShare)) {}
 
   [[nodiscard]] Status look_ahead() {
@@ -153,7 +153,7 @@ class MeshLayers : public LayerSource {
     if (in_order) {
       if (Status placed = place(); !placed.ok()) return placed;
     } else {
-      survey_ = MeshSurvey(window_, adaptive_limits(settings_));
+      survey_ = MeshSurvey(window_, adaptive_limits(settings_), options_.on_facet);
     }
     Result<std::unique_ptr<TriangleSource>> again = mesh_.again();
     if (!again.ok()) return again.error();
@@ -270,6 +270,7 @@ class MeshLayers : public LayerSource {
     shift_ = shift_to_bed(extent, settings_);
     if (Status fits = check_fit(shift_); !fits.ok()) return fits;
     if (Status meant = check_tall(); !meant.ok()) return meant;
+    summary_.seen_whole = true;
     summarise();
     return {};
   }

@@ -46,6 +46,7 @@ bool MeshSurvey::nothing_hangs_over(core::Length height) const {
 
 bool MeshSurvey::add(const core::Triangle& triangle) {
   extent_.add(triangle);
+  if (on_facet_) on_facet_(triangle);
   const bool cut = can_be_cut(triangle);
   outermost_.add(triangle, ++facets_, cut);
   if (is_degenerate(triangle)) {

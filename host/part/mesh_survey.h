@@ -18,6 +18,7 @@
 #include "host/formats/mesh_extent.h"     // MeshExtent
 #include "host/part/edge_ledger.h"        // EdgeLedger
 #include "host/part/height_fill.h"        // HeightFill
+#include "host/part/opened_part.h"        // FacetObserver
 #include "host/part/outermost_corners.h"  // OutermostCorners
 #include "host/part/reorder_window.h"     // OrderGauge
 
@@ -33,9 +34,11 @@ namespace host {
 
 class MeshSurvey {
  public:
-  // `window`: for the OrderGauge. `limits`: of layers' heights, if they are wanted.
-  explicit MeshSurvey(std::size_t window, std::optional<core::HeightLimits> limits = std::nullopt)
-      : order_(window), limits_(std::move(limits)) {}
+  // `window`: for the OrderGauge. `limits`: of layers' heights, if they are wanted. `on_facet`:
+  // sees each facet, too, if it isn't empty.
+  explicit MeshSurvey(std::size_t window, std::optional<core::HeightLimits> limits = std::nullopt,
+                      FacetObserver on_facet = {})
+      : order_(window), limits_(std::move(limits)), on_facet_(std::move(on_facet)) {}
 
   // Returns can_be_cut().
   bool add(const core::Triangle& triangle);
@@ -100,6 +103,7 @@ class MeshSurvey {
   EdgeLedger edges_;
   OrderGauge order_;
   std::optional<core::HeightLimits> limits_;
+  FacetObserver on_facet_;
   std::vector<Span> spans_;  // heights of facets; the first united_ are disjoint and in order
   std::size_t united_ = 0;
 };

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/geometry.h"              // Box
+#include "core/geometry.h"              // Box, Triangle
 #include "core/result.h"                // Result
 #include "core/slices/layer_heights.h"  // LayerHeights
 #include "core/units.h"                 // LayerIndex, Length
@@ -24,6 +24,8 @@ enum class PlaneCheck {
   kWarn,    // layers with contours that can't be closed are a warning
   kRefuse,  // they are an error
 };
+
+using FacetObserver = std::function<void(const core::Triangle& triangle)>;
 
 // How a part is to be opened.
 struct OpenOptions {
@@ -41,6 +43,9 @@ struct OpenOptions {
   PlaneCheck plane_check = PlaneCheck::kNone;
   // The user says that the mesh's height is meant (height_check.h).
   bool tall = false;
+  // Sees the facets of a mesh that is read to its end before its first slice; some of them twice
+  // where it turns out that they must be sorted (PartSummary::seen_whole).
+  FacetObserver on_facet = {};
 };
 
 // A part's summary before its first slice. Of a pipe that is sliced as it arrives, it covers what
@@ -56,6 +61,7 @@ struct PartSummary {
   // Of a mesh that was read to its end: the heights that its layers have.
   core::Length lowest_layer;
   core::Length highest_layer;
+  bool seen_whole = false;            // OpenOptions::on_facet has seen every facet
   bool nothing_hangs = false;         // no surface leans outwards: known of closed meshes alone
   std::vector<std::string> warnings;  // for people: what was odd and how it was treated
 };

@@ -1,10 +1,13 @@
-// All settings of a print: those that decide the G-code (core::Settings), and those of the link.
+// All settings of a print: those that decide the motions (core::Settings), those of the link, and
+// those of what is written into a file for people.
 // Units, ranges and help texts are in host/settings/part_rows.h and machine_rows.h.
 #pragma once
 
+#include <string>
 #include <utility>
 
-#include "core/settings.h"  // Settings
+#include "core/settings.h"                 // Settings
+#include "host/output/thumbnail_format.h"  // ThumbnailFormat
 
 namespace host {
 
@@ -22,6 +25,10 @@ struct PrintSettings : core::Settings {
   // The link.
   PackUse meatpack = PackUse::kOff;
   double wait_limit_s = 0;  // least time to wait for an answer; 0: depends on the command
+
+  // Pictures of the part in a file (thumbnail_text.h).
+  std::string thumbnails = "32x32, 300x300";
+  ThumbnailFormat thumbnails_format = ThumbnailFormat::kPng;
 };
 
 }  // namespace host

@@ -197,6 +197,11 @@ inline constexpr std::array kMachineRows = {
     Setting{"progress_commands", &PrintSettings::progress_commands, "", 0, 1,
             "whether a file tells the printer's display how far the print is (M73); not in files "
             "for Klipper, nor in pipes"},
+    Setting{"thumbnails", &PrintSettings::thumbnails, "", 0, 0,
+            "pictures of the part in a file: up to 8 sizes of 16 … 800 pixels, as 16x16/QOI, "
+            "220x124/PNG; none if it is empty"},
+    Setting{"thumbnails_format", choice<&PrintSettings::thumbnails_format>("PNG", "QOI"), "", 0, 0,
+            "format of the thumbnails that name none"},
     Setting{"start_gcode", &PrintSettings::start_gcode, "", 0, kVerbatimLinesMax,
             "lines of G-code that are sent first, with \\n between them; ';' starts a comment"},
     Setting{"end_gcode", &PrintSettings::end_gcode, "", 0, kVerbatimLinesMax,

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/result.h"
+#include "host/output/thumbnail_text.h"  // read_thumbnails
 #include "host/settings/bed_setting.h"
 #include "host/settings/settings_text.h"
 
@@ -41,6 +42,8 @@ enum class Kind {
   kSeam,
   kFuzzySkin,
   kFlavor,
+  kThumbnails,  // sizes, each with a format; those of formats that are not written are left out
+  kThumbnailFormat,
 };
 
 struct Alias {
@@ -136,6 +139,8 @@ constexpr std::array kAliases = {
     Alias{"first_layer_acceleration", "first_layer_acceleration_mm_s2", Kind::kLimit},
     Alias{"travel_acceleration", "travel_acceleration_mm_s2", Kind::kLimit},
     Alias{"gcode_flavor", "gcode_flavor", Kind::kFlavor},
+    Alias{"thumbnails", "thumbnails", Kind::kThumbnails},
+    Alias{"thumbnails_format", "thumbnails_format", Kind::kThumbnailFormat},
     Alias{"travel_speed", "travel_speed_mm_s", Kind::kSpeed},
     Alias{"slowdown_below_layer_time", "layer_time_min_s"},
     Alias{"min_print_speed", "slowed_speed_min_mm_s", Kind::kSlowest},
@@ -240,6 +245,25 @@ constexpr std::array kFlavors = {
     WordPair{"smoothie", "marlin"}, WordPair{"reprapfirmware", "reprapfirmware"},
 };
 
+constexpr std::array kThumbnailFormats = {WordPair{"PNG", "PNG"}, WordPair{"QOI", "QOI"}};
+
+// None of them is no error: the file has no picture then.
+Translated thumbnail_settings(std::string_view list) {
+  std::string known;
+  std::size_t count = 0;
+  while (!list.empty() && count < kThumbnailsMax) {
+    const std::size_t comma = list.find(',');
+    const std::string one(trimmed(list.substr(0, comma)));
+    const auto read = read_thumbnails(one, ThumbnailFormat::kPng);
+    if (read.ok() && !read.value().empty()) {
+      known += (known.empty() ? "" : ", ") + one;
+      ++count;
+    }
+    list = comma == std::string_view::npos ? std::string_view() : list.substr(comma + 1);
+  }
+  return {{"thumbnails", known}};
+}
+
 template <typename Names>
 Translated translate_word(const Names& names, std::string_view ours, std::string_view theirs) {
   for (const WordPair& name : names) {
@@ -254,7 +278,9 @@ Translated translate(const Alias& alias, std::string_view text) {
   if (alias.kind == Kind::kGcode) {
     return {{ours, std::string(text)}};
   }
+  if (alias.kind == Kind::kThumbnails) return thumbnail_settings(text);
   const std::string_view first = trimmed(text.substr(0, text.find(',')));
+  if (alias.kind == Kind::kThumbnailFormat) return translate_word(kThumbnailFormats, ours, first);
   if (alias.kind == Kind::kPattern) return translate_word(kPatterns, ours, first);
   if (alias.kind == Kind::kTopPattern) return translate_word(kTopPatterns, ours, first);
   if (alias.kind == Kind::kSeam) return translate_word(kSeams, ours, first);

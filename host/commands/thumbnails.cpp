@@ -1,0 +1,40 @@
+#include "host/commands/thumbnails.h"
+
+#include <fmt/format.h>
+
+#include <string_view>
+#include <vector>
+
+#include "core/result.h"                 // Result
+#include "host/output/thumbnail_text.h"  // append_thumbnails, read_thumbnails
+
+namespace host {
+namespace {
+
+// Why no picture shows the whole part.
+std::string_view cause_of(const PartSummary& summary) {
+  if (summary.facets == 0) return "the part comes as slices, which have no surface to draw";
+  if (summary.layers == 0) return "the part is sliced as it arrives";
+  return "the part is composed of several meshes";
+}
+
+}  // namespace
+
+std::string thumbnail_comments(const PrintPlan& print_plan, const std::optional<PartView>& view,
+                               Reporter& reporter) {
+  const PrintSettings& settings = print_plan.settings;
+  const core::Result<std::vector<Thumbnail>> thumbnails =
+      read_thumbnails(settings.thumbnails, settings.thumbnails_format);
+  // validate_settings() has told what is wrong with it.
+  if (!thumbnails.ok() || thumbnails.value().empty()) return {};
+  std::string comments;
+  if (print_plan.part.summary.seen_whole && view && !view->empty()) {
+    append_thumbnails(*view, thumbnails.value(), comments);
+    return comments;
+  }
+  const std::string none = fmt::format("no thumbnail: {}", cause_of(print_plan.part.summary));
+  reporter.note("thumbnail", none);
+  return fmt::format("; {}\n", none);
+}
+
+}  // namespace host

@@ -1,0 +1,19 @@
+// The pictures of the part at the head of a G-code file.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "host/output/part_view.h"   // PartView
+#include "host/pipeline/pipeline.h"  // PrintPlan
+#include "host/printing/progress.h"  // Reporter
+
+namespace host {
+
+// The comments, as the setting `thumbnails` says; or one that says why there are none, which is
+// told to the user, too. `view`: what was drawn while the part was read.
+[[nodiscard]] std::string thumbnail_comments(const PrintPlan& print_plan,
+                                             const std::optional<PartView>& view,
+                                             Reporter& reporter);
+
+}  // namespace host

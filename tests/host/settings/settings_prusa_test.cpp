@@ -1,0 +1,44 @@
+#include "host/settings/settings_prusa.h"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "host/output/thumbnail_text.h"
+#include "host/settings/settings_table.h"
+
+namespace {
+
+std::string thumbnails_from(const std::string& list) {
+  const auto ours = host::from_prusa("thumbnails", list);
+  REQUIRE(ours.has_value());
+  REQUIRE_EQ(ours->size(), 1);
+  host::PrintSettings settings;
+  REQUIRE(host::set_setting(settings, ours->front().key, ours->front().text).ok());
+  REQUIRE(host::validate_settings(settings).ok());
+  return settings.thumbnails;
+}
+
+}  // namespace
+
+TEST_CASE("thumbnails are ours, but for formats and sizes that are not written") {
+  CHECK_EQ(thumbnails_from("16x16/QOI, 220x124/PNG"), "16x16/QOI, 220x124/PNG");
+  CHECK_EQ(thumbnails_from("16x16,220x124"), "16x16, 220x124");
+  CHECK_EQ(thumbnails_from("16x16/QOI, 640x480/JPG,8x8/PNG, 313x173/QOI"),
+           "16x16/QOI, 313x173/QOI");
+  CHECK_EQ(thumbnails_from("640x480/COLPIC"), "");
+  CHECK_EQ(thumbnails_from(""), "");
+  std::string many = "32x32";
+  for (std::size_t i = 0; i < host::kThumbnailsMax; ++i) many += ",32x32";
+  CHECK_EQ(thumbnails_from(many).size(), host::kThumbnailsMax * 7 - 2);
+  CHECK_EQ(host::from_prusa("thumbnails_format", "QOI")->front().text, "QOI");
+  CHECK(host::from_prusa("thumbnails_format", "JPG")->empty());
+}
+
+TEST_CASE("what can't be a thumbnail is told with the setting's name") {
+  host::PrintSettings settings;
+  settings.thumbnails = "32x32, 8x8";
+  const core::Status status = host::validate_settings(settings);
+  REQUIRE_FALSE(status.ok());
+  CHECK(status.error().message.starts_with("thumbnails: \"8x8\" is no thumbnail"));
+}
