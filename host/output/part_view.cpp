@@ -37,7 +37,13 @@ constexpr double kLeastPixel = 1.0 / 1'024;
 
 struct Face {
   std::uint8_t shade = 0;  // 1 … 255; 0 for a facet without an area
-  double width = 0;        // its least height, in units
+  // Of its doubled area, and of its longest side; in units.
+  double area_squared = 0, longest_squared = 0;
+
+  // Whether its least height is less than this.
+  [[nodiscard]] bool narrower_than(double width) const {
+    return area_squared < width * width * longest_squared;
+  }
 };
 
 Face face_of(const core::Triangle& triangle) {
@@ -48,16 +54,18 @@ Face face_of(const core::Triangle& triangle) {
   const double ux = minus(b.x, a.x), uy = minus(b.y, a.y), uz = minus(b.z, a.z);
   const double vx = minus(c.x, a.x), vy = minus(c.y, a.y), vz = minus(c.z, a.z);
   const double x = uy * vz - uz * vy, y = uz * vx - ux * vz, z = ux * vy - uy * vx;
-  const double squared = x * x + y * y + z * z;
-  if (squared <= 0) return {};
+  Face face;
+  face.area_squared = x * x + y * y + z * z;
+  if (face.area_squared <= 0) return face;
   const double side = -x - y + z < 0 ? -1 : 1;  // the side that is seen
-  const double light = side * (x * kLightX + y * kLightY + z * kLightZ) / std::sqrt(squared);
-  const double bright = kAmbient + (1 - kAmbient) * std::max(0.0, light);
+  const double lit = side * (x * kLightX + y * kLightY + z * kLightZ);
+  const double bright =
+      kAmbient + (1 - kAmbient) * std::max(0.0, lit / std::sqrt(face.area_squared));
+  face.shade = static_cast<std::uint8_t>(std::clamp(kShadeMax * bright + 0.5, 1.0, kShadeMax));
   const double wx = vx - ux, wy = vy - uy, wz = vz - uz;
-  const double longest = std::max(
+  face.longest_squared = std::max(
       {ux * ux + uy * uy + uz * uz, vx * vx + vy * vy + vz * vz, wx * wx + wy * wy + wz * wz});
-  return {static_cast<std::uint8_t>(std::clamp(std::round(kShadeMax * bright), 1.0, kShadeMax)),
-          std::sqrt(squared / longest)};
+  return face;
 }
 
 // One of a facet's edges between two rows, or columns: where it is, and how near.
@@ -76,7 +84,11 @@ struct Edge {
   }
 };
 
-std::int64_t floor_of(double value) { return static_cast<std::int64_t>(std::floor(value)); }
+// Without a call of the library's. REQUIRES: |value| < 2^63.
+std::int64_t floor_of(double value) {
+  const auto towards_zero = static_cast<std::int64_t>(value);
+  return value < static_cast<double>(towards_zero) ? towards_zero - 1 : towards_zero;
+}
 
 std::int64_t within(std::int64_t cell) { return std::clamp(cell, std::int64_t{0}, kSide - 1); }
 
@@ -116,8 +128,9 @@ PartView::Cells PartView::cells_of(const std::array<Corner, 3>& corners) const {
   const auto& [a, b, c] = corners;
   const auto [left, right] = std::minmax({a.across, b.across, c.across});
   const auto [low, high] = std::minmax({a.up, b.up, c.up});
-  return {floor_of(left / cell_), floor_of(right / cell_), floor_of(low / cell_),
-          floor_of(high / cell_)};
+  const double per_unit = 1 / cell_;  // exact: a power of two
+  return {floor_of(left * per_unit), floor_of(right * per_unit), floor_of(low * per_unit),
+          floor_of(high * per_unit)};
 }
 
 void PartView::add(const core::Triangle& triangle) {
@@ -126,13 +139,14 @@ void PartView::add(const core::Triangle& triangle) {
   std::array<Corner, 3> corners = {seen(triangle.corners[0]), seen(triangle.corners[1]),
                                    seen(triangle.corners[2])};
   make_room(corners);
+  const double per_unit = 1 / cell_;
   const auto first_left = static_cast<double>(first_left_);
   const auto first_low = static_cast<double>(first_low_);
   for (Corner& corner : corners) {
-    corner.across = corner.across / cell_ - first_left;
-    corner.up = corner.up / cell_ - first_low;
+    corner.across = corner.across * per_unit - first_left;
+    corner.up = corner.up * per_unit - first_low;
   }
-  draw(corners, face.shade, face.width < kNarrow * cell_);
+  draw(corners, face.shade, face.narrower_than(kNarrow * cell_));
 }
 
 void PartView::make_room(const std::array<Corner, 3>& corners) {
@@ -247,7 +261,9 @@ void PartView::draw(const std::array<Corner, 3>& corners, std::uint8_t shade, bo
   const auto cell_at = [&](std::int64_t row, std::int64_t place) {
     return static_cast<std::size_t>(within(row) * row_step + within(place) * cell_step);
   };
-  std::sort(points.begin(), points.end(), [](const auto& p, const auto& q) { return p[0] < q[0]; });
+  if (points[1][0] < points[0][0]) std::swap(points[0], points[1]);
+  if (points[2][0] < points[1][0]) std::swap(points[1], points[2]);
+  if (points[1][0] < points[0][0]) std::swap(points[0], points[1]);
   const std::int64_t first = floor_of(points[0][0] + 0.5), last = floor_of(points[2][0] - 0.5);
   if (first > last) {  // at most as large as a cell
     if (!narrow) return;
