@@ -45,7 +45,7 @@ std::string compressed(std::string_view bytes) {
   std::string packed(compressBound(static_cast<uLong>(bytes.size())), '\0');
   uLongf size = static_cast<uLongf>(packed.size());
   const int done = compress2(reinterpret_cast<Bytef*>(packed.data()), &size, bytes_of(bytes),
-                             static_cast<uLong>(bytes.size()), Z_BEST_COMPRESSION);
+                             static_cast<uLong>(bytes.size()), Z_DEFAULT_COMPRESSION);
   RIND_CHECK(done == Z_OK);
   packed.resize(size);
   return packed;

@@ -307,6 +307,31 @@ TEST_CASE("what is narrower than a cell is a line without gaps") {
   }
 }
 
+TEST_CASE("of cells that become one, the nearest stays") {
+  PartView view;
+  const auto add = [&](Vertex a, Vertex b, Vertex c, Vertex d) {
+    view.add({{a, b, c}});
+    view.add({{a, c, d}});
+  };
+  // A dark wall of 1 mm, and bright slats before it, four cells apart.
+  add({0, 0, 0}, {0, -10'000, 0}, {0, -10'000, 10'000}, {0, 0, 10'000});
+  for (std::int64_t z = 0; z <= 10'000; z += 64) {
+    add({-110, 0, z}, {-110, -10'000, z}, {-100, -10'000, z}, {-100, 0, z});
+  }
+  // Far to the right of them: cells are 16 times as large.
+  view.add(
+      {{Vertex{100'000, -100'000, 0}, Vertex{100'200, -100'000, 0}, Vertex{100'200, -100'200, 0}}});
+  const RgbaPicture picture = view.picture(400, 100);
+  int full = 0, dark = 0;
+  for (std::size_t i = 0; i < picture.bytes.size(); i += 4) {
+    if (picture.bytes[i + 3] < 255) continue;
+    ++full;
+    if (picture.bytes[i] < 190) ++dark;  // the wall alone has 156, the slats 224
+  }
+  CHECK_GT(full, 100);
+  CHECK_LE(dark, full / 10);
+}
+
 TEST_CASE("facets without an area are not there") {
   PartView view;
   view.add({{Vertex{1, 2, 3}, Vertex{1, 2, 3}, Vertex{500'000, 2, 3}}});
