@@ -14,5 +14,8 @@ execute_process(COMMAND gzip -9nf ${changelog} COMMAND_ERROR_IS_FATAL ANY)
 file(RENAME ${usr}/share/doc/rind/CHANGELOG.md ${usr}/share/doc/rind/changelog)
 execute_process(COMMAND gzip -9nf ${usr}/share/doc/rind/changelog COMMAND_ERROR_IS_FATAL ANY)
 file(RENAME ${usr}/share/doc/rind/LICENSE ${usr}/share/doc/rind/copyright)
+# As dh_strip does: the compiler's name, which nobody needs.
+execute_process(COMMAND strip --remove-section=.comment --remove-section=.note ${usr}/bin/rind
+  COMMAND_ERROR_IS_FATAL ANY)
 # Debian's zsh looks here.
 file(RENAME ${usr}/share/zsh/site-functions ${usr}/share/zsh/vendor-completions)
