@@ -207,10 +207,11 @@ int slice_command(const Options& options, Reporter& reporter) {
   const double started_s = steady_seconds();
   core::Result<OutputFile> output = OutputFile::open(options.output.path);
   if (!output.ok()) return fail(output.error(), reporter);
-  // Draws the part while it is read.
+  // Draws the part while it is read, if there is memory for it besides.
   std::optional<PartView> view;
   const bool gcode = options.output.format == OutputFormat::kGcode;
-  if (gcode) view.emplace();
+  const std::size_t limit = options.memory_limit_bytes;
+  if (gcode && (limit == 0 || PartView::kBytes <= limit / 4)) view.emplace();
   core::Result<PrintPlan> opened =
       open_print_plan(options, reporter, [&view](const core::Triangle& facet) {
         if (view) view->add(facet);

@@ -12,9 +12,10 @@ namespace host {
 namespace {
 
 // Why no picture shows the whole part.
-std::string_view cause_of(const PartSummary& summary) {
+std::string_view cause_of(const PartSummary& summary, bool drawn) {
   if (summary.facets == 0) return "the part comes as slices, which have no surface to draw";
   if (summary.layers == 0) return "the part is sliced as it arrives";
+  if (!drawn) return "--memory-limit leaves no memory for it";
   return "the part is composed of several meshes";
 }
 
@@ -32,7 +33,8 @@ std::string thumbnail_comments(const PrintPlan& print_plan, const std::optional<
     append_thumbnails(*view, thumbnails.value(), comments);
     return comments;
   }
-  const std::string none = fmt::format("no thumbnail: {}", cause_of(print_plan.part.summary));
+  const std::string none =
+      fmt::format("no thumbnail: {}", cause_of(print_plan.part.summary, view.has_value()));
   reporter.note("thumbnail", none);
   return fmt::format("; {}\n", none);
 }

@@ -11,7 +11,8 @@
 namespace host {
 
 // The comments, as the setting `thumbnails` says; or one that says why there are none, which is
-// told to the user, too. `view`: what was drawn while the part was read.
+// told to the user, too. `view`: what was drawn while the part was read; none if there
+// was no memory for it.
 [[nodiscard]] std::string thumbnail_comments(const PrintPlan& print_plan,
                                              const std::optional<PartView>& view,
                                              Reporter& reporter);

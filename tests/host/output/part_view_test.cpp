@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <limits>
 #include <new>
+#include <string>
 #include <vector>
 
 #include "tests/support/mesh.h"
@@ -221,19 +222,23 @@ std::vector<std::vector<Triangle>> some_parts() {
 
 TEST_CASE("the picture is the one that is drawn when the part's size is known") {
   for (const std::vector<Triangle>& part : some_parts()) {
-    for (const auto& [triangles, name] :
-         {std::pair{part, "as it is"},
-          {moved(part, {-3, 70'001, -5}, 1), "moved"},
-          {moved(part, {400'000'003, -390'000'001, 12}, 1), "40 m away"},
-          {moved(part, {0, 0, 0}, 50), "large"}}) {
+    struct Case {
+      const char* name;
+      std::vector<Triangle> triangles;
+    };
+    for (const Case& placed :
+         {Case{"as it is", part}, Case{"moved", moved(part, {-3, 70'001, -5}, 1)},
+          Case{"40 m away", moved(part, {400'000'003, -390'000'001, 12}, 1)},
+          Case{"large", moved(part, {0, 0, 0}, 50)}}) {
+      const std::string name = placed.name;
       CAPTURE(name);
-      CAPTURE(triangles.size());
-      const PartView view = seen(triangles);
-      for (const auto& [width, height] : {std::array{300, 300}, {220, 124}, {32, 32}, {16, 90}}) {
-        CAPTURE(width);
-        const int wrong =
-            wrong_pixels(view.picture(width, height), Raster(triangles, width, height));
-        CHECK_LE(wrong, wrong_pixels_max(width, height));
+      CAPTURE(placed.triangles.size());
+      const PartView view = seen(placed.triangles);
+      for (const auto& size : {std::array{300, 300}, {220, 124}, {32, 32}, {16, 90}}) {
+        CAPTURE(size[0]);
+        const int wrong = wrong_pixels(view.picture(size[0], size[1]),
+                                       Raster(placed.triangles, size[0], size[1]));
+        CHECK_LE(wrong, wrong_pixels_max(size[0], size[1]));
       }
     }
   }
@@ -263,10 +268,12 @@ TEST_CASE("the sides of a box differ, and the background is transparent") {
   const RgbaPicture picture =
       seen(test::triangles_of(parts::box({0, 0, 0}, 10, 10, 10))).picture(100, 100);
   const auto red = [&](int x, int y) {
-    return picture.bytes[static_cast<std::size_t>(400 * y + 4 * x)];
+    return picture.bytes[std::size_t{400} * static_cast<std::size_t>(y) +
+                         std::size_t{4} * static_cast<std::size_t>(x)];
   };
   const auto opacity = [&](int x, int y) {
-    return picture.bytes[static_cast<std::size_t>(400 * y + 4 * x + 3)];
+    return picture.bytes[std::size_t{400} * static_cast<std::size_t>(y) +
+                         std::size_t{4} * static_cast<std::size_t>(x) + 3];
   };
   CHECK_GT(red(50, 25), red(70, 60));  // top, front
   CHECK_GT(red(70, 60), red(30, 60));  // front, left
