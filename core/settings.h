@@ -63,6 +63,12 @@ enum class FuzzySkin { kNone, kOuter, kAll };
 // Whose commands a file has for what firmwares spell in different ways.
 enum class GcodeFlavor { kMarlin, kKlipper, kRepRapFirmware };
 
+// The axis along which the part is mirrored.
+enum class PartMirror { kNone, kX, kY, kZ };
+
+// What the numbers of a file that does not tell its unit are.
+enum class PartUnits { kMillimetre, kInch, kMetre };
+
 // What supports may stand on.
 enum class SupportPlace { kOff, kBed, kEverywhere };
 
@@ -96,7 +102,7 @@ struct Settings {
   std::string filament_type = "PLA";     // this and the next two: for people, and files' comments
   double filament_density_g_cm3 = 1.24;  // 0: not known
   double filament_cost_kg = 0;           // 0: not known
-  double extrusion_multiplier = 1;  // of the filament that each road takes
+  double extrusion_multiplier = 1;       // of the filament that each road takes
   Length road_width = Length::from_units(4'500);
   Length road_width_min = Length::from_units(2'000);  // narrower rests are left out
   int perimeters = 2;
@@ -178,7 +184,7 @@ struct Settings {
   Length contour_compensation;
   Length hole_compensation;  // negative: larger holes
 
-  // The share by which the filament shrinks as it cools: the part is made larger (shrinkage.h).
+  // The share by which the filament shrinks as it cools: the part is made larger (part_transform.h).
   double shrinkage_xy = 0;
   double shrinkage_z = 0;
 
@@ -263,6 +269,10 @@ struct Settings {
   bool centre = true;  // on the bed; otherwise at part_x, part_y
   Length part_x;       // from the bed's front left corner to the lowest x and y of the part
   Length part_y;
+  std::string part_scale = "1";     // this and the next three: what is done to what is read of the
+  std::string part_rotation = "0";  // part, before all else (host/part/part_transform.h)
+  PartMirror part_mirror = PartMirror::kNone;
+  PartUnits part_units = PartUnits::kMillimetre;
   double nozzle_celsius = 210;
   double nozzle_first_layer_celsius = 210;
   double bed_celsius = 60;

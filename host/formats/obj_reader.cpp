@@ -29,6 +29,11 @@ class ObjReader : public TriangleSource {
 
   [[nodiscard]] std::string format() const override { return "OBJ"; }
 
+  [[nodiscard]] bool read_in(double unit_mm) override {
+    unit_mm_ = unit_mm;
+    return true;
+  }
+
   [[nodiscard]] Result<std::optional<Triangle>> next() override {
     while (true) {
       if (corners_ >= 2) {
@@ -135,7 +140,7 @@ class ObjReader : public TriangleSource {
           ends_line(skip_spaces()) ? std::string_view() : text_.word("\\");
       const std::optional<double> value = parse_real(word);
       if (!value) return text_.unexpected(word, "a coordinate");
-      coordinate = *value;
+      coordinate = *value * unit_mm_;
     }
     const std::optional<Vertex> vertex = snapped_vertex(mm);
     if (!vertex) return text_.bad(vertex_too_far(mm));
@@ -215,6 +220,7 @@ class ObjReader : public TriangleSource {
     return triangle;
   }
 
+  double unit_mm_ = 1;
   TextScanner text_;
   MappedArray<Vertex> vertices_;
   MappedArray<Waiting> waiting_;

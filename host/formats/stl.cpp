@@ -58,10 +58,11 @@ Error StlReader::bad_part(const std::string& place, const std::string& cause) co
   return {ErrorCode::kBadPart, file_.name() + ": " + place + ": " + cause};
 }
 
-std::optional<core::Triangle> StlReader::snapped(const Corners& corners) {
+std::optional<core::Triangle> StlReader::snapped(const Corners& corners) const {
   core::Triangle triangle;
   for (std::size_t i = 0; i < 3; ++i) {
-    const auto& [x, y, z] = corners[i];
+    const double x = corners[i][0] * unit_mm_, y = corners[i][1] * unit_mm_;
+    const double z = corners[i][2] * unit_mm_;
     // Written so that NaN is refused, too.
     const bool near = std::abs(x) <= kPlaneMaxMm && std::abs(y) <= kPlaneMaxMm;
     if (!near || !(std::abs(z) <= kHeightMaxMm)) return std::nullopt;
@@ -73,7 +74,8 @@ std::optional<core::Triangle> StlReader::snapped(const Corners& corners) {
 }
 
 Error StlReader::not_snapped(const Corners& corners, const std::string& place) const {
-  for (const auto& [x, y, z] : corners) {
+  for (const auto& corner : corners) {
+    const double x = corner[0] * unit_mm_, y = corner[1] * unit_mm_, z = corner[2] * unit_mm_;
     if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z)) break;
     const bool far = std::abs(x) > kPlaneMaxMm || std::abs(y) > kPlaneMaxMm;
     if (!far && std::abs(z) <= kHeightMaxMm) continue;

@@ -33,18 +33,26 @@ class StlReader : public TriangleSource {
   // Reads only as far as needed to recognise the kind.
   static core::Result<std::unique_ptr<StlReader>> open(InputFile file);
 
+  [[nodiscard]] bool read_in(double unit_mm) override {
+    unit_mm_ = unit_mm;
+    return true;
+  }
+
  protected:
   explicit StlReader(InputFile file) : file_(std::move(file)) {}
 
-  using Corners = std::array<std::array<double, 3>, 3>;  // in mm
+  using Corners = std::array<std::array<double, 3>, 3>;  // as in the file
 
   // Nullopt if a corner is no number or out of range.
-  [[nodiscard]] static std::optional<core::Triangle> snapped(const Corners& corners);
+  [[nodiscard]] std::optional<core::Triangle> snapped(const Corners& corners) const;
   // The error for that. `place`: the position in the file.
   [[nodiscard]] core::Error not_snapped(const Corners& corners, const std::string& place) const;
   [[nodiscard]] core::Error bad_part(const std::string& place, const std::string& cause) const;
 
   InputFile file_;
+
+ private:
+  double unit_mm_ = 1;
 };
 
 }  // namespace host

@@ -25,6 +25,10 @@ class TriangleSource {
   // Errors name the file and the position in it, and are final.
   [[nodiscard]] virtual core::Result<std::optional<core::Triangle>> next() = 0;
 
+  // From now on a number of the file is so many mm. False: the file tells its own unit, and nothing
+  // has changed. REQUIRES: before the first next()
+  [[nodiscard]] virtual bool read_in(double /*unit_mm*/) { return false; }
+
   // What is marked in the file for supports.
   [[nodiscard]] virtual MarkCounts mark_counts() const { return {}; }
   // The same; nullptr if nothing is marked. Errors: as next(). REQUIRES: before the first next().

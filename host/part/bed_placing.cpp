@@ -53,7 +53,7 @@ core::Status check_on_bed(const MeshExtent& extent, const Shift& shift,
   };
   if (right - left > bed_x || back - front > bed_y) {
     return refused("the part is " + mm_text(right - left) + " × " + mm_text(back - front) +
-                   " mm, the bed " + bed + "; scale the part, or check bed_x and bed_y");
+                   " mm, the bed " + bed + "; make it smaller (--scale), or check bed_x and bed_y");
   }
   if (left < 0 || front < 0 || right > bed_x || back > bed_y) {
     return refused("the part would lie at " + mm_text(left) + " … " + mm_text(right) + ", " +

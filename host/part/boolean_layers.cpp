@@ -6,18 +6,18 @@
 #include <utility>
 #include <vector>
 
-#include "core/booleans/boolean.h"    // unite, intersect, subtract
-#include "core/limits.h"              // kCoordinateMax
-#include "core/slices/height_plan.h"  // adaptive_limits, layer_heights
-#include "core/slices/plane_sweep.h"  // PlaneSweep
-#include "host/part/bed_placing.h"    // shift_to_bed, check_on_bed
-#include "host/part/edge_ledger.h"    // EdgeLedger
-#include "host/part/mesh_sorter.h"    // MeshSorter
-#include "host/part/mesh_survey.h"    // is_degenerate, turned_text
-#include "host/part/part_heights.h"   // part_heights
-#include "host/part/shrinkage.h"      // Enlargement
-#include "host/system/limits.h"       // kSortBytesMin
-#include "host/system/stage_clock.h"  // CpuTimer
+#include "core/booleans/boolean.h"     // unite, intersect, subtract
+#include "core/limits.h"               // kCoordinateMax
+#include "core/slices/height_plan.h"   // adaptive_limits, layer_heights
+#include "core/slices/plane_sweep.h"   // PlaneSweep
+#include "host/part/bed_placing.h"     // shift_to_bed, check_on_bed
+#include "host/part/edge_ledger.h"     // EdgeLedger
+#include "host/part/mesh_sorter.h"     // MeshSorter
+#include "host/part/mesh_survey.h"     // is_degenerate, turned_text
+#include "host/part/part_heights.h"    // part_heights
+#include "host/part/part_transform.h"  // PartTransform
+#include "host/system/limits.h"        // kSortBytesMin
+#include "host/system/stage_clock.h"   // CpuTimer
 
 namespace host {
 namespace {
@@ -119,7 +119,7 @@ class BooleanLayers : public LayerSource {
       const MeshStore::Next next = tree_->store.next();
       if (!next.error.empty()) return refused(ErrorCode::kOutOfBounds, next.error);
       if (!next.triangle) break;
-      const Result<Triangle> larger = enlargement_.of(*next.triangle);
+      const Result<Triangle> larger = transform_.of(*next.triangle);
       if (!larger.ok()) return refused(larger.error().code, larger.error().message);
       const Triangle& triangle = larger.value();
       ++summary_.facets;
@@ -226,7 +226,7 @@ class BooleanLayers : public LayerSource {
 
   std::unique_ptr<ShellTree> tree_;
   core::Settings settings_;
-  Enlargement enlargement_{settings_};
+  PartTransform transform_{settings_};
   std::size_t sort_bytes_;
   std::optional<core::HeightLimits> limits_ = adaptive_limits(settings_);  // of all operands
   core::LayerHeights heights_ = layer_heights(settings_);

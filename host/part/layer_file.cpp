@@ -4,10 +4,10 @@
 #include <optional>
 #include <utility>
 
-#include "host/part/bed_placing.h"    // shift_to_bed, check_on_bed
-#include "host/part/layer_rules.h"    // check_layer_height
-#include "host/part/shrinkage.h"      // Enlargement
-#include "host/system/stage_clock.h"  // CpuTimer
+#include "host/part/bed_placing.h"     // shift_to_bed, check_on_bed
+#include "host/part/layer_rules.h"     // check_layer_height
+#include "host/part/part_transform.h"  // PartTransform
+#include "host/system/stage_clock.h"   // CpuTimer
 
 namespace host {
 namespace {
@@ -59,7 +59,7 @@ class PlacedLayers : public LayerSource {
     }
     const std::optional<core::Box>& promised = file_.layers->box_promised();
     if (promised) {
-      const Result<core::Box> larger = enlargement_.of(*promised);
+      const Result<core::Box> larger = transform_.of(*promised);
       if (!larger.ok()) return refused(larger.error());
       extent.box = larger.value();
     }
@@ -116,8 +116,8 @@ class PlacedLayers : public LayerSource {
   [[nodiscard]] Result<std::optional<Slice>> read() {
     const CpuTimer timer(counters_.read_cpu_s);
     Result<std::optional<Slice>> slice = file_.layers->next();
-    if (!slice.ok() || !slice.value() || enlargement_.none()) return slice;
-    Result<core::Region> larger = enlargement_.of(slice.value()->region);
+    if (!slice.ok() || !slice.value() || transform_.none()) return slice;
+    Result<core::Region> larger = transform_.of(slice.value()->region);
     if (!larger.ok()) return refused(larger.error());
     slice.value()->region = std::move(larger).value();
     return slice;
@@ -178,7 +178,7 @@ class PlacedLayers : public LayerSource {
 
   LayerFileInput file_;
   core::Settings settings_;
-  Enlargement enlargement_{settings_};
+  PartTransform transform_{settings_};
   PartSummary summary_;
   PartCounters counters_;
   Shift shift_;
@@ -188,11 +188,13 @@ class PlacedLayers : public LayerSource {
 }  // namespace
 
 Result<OpenedPart> open_layer_file(LayerFileInput file, const core::Settings& settings) {
-  if (Enlargement(settings).of_heights()) {
+  const PartTransform by(settings);
+  if (!by.keeps_heights() || by.units_told()) {
     return Error{ErrorCode::kBadSetting,
                  file.name +
-                     ": shrinkage_z cannot be made up for in a file of layers, whose heights are "
-                     "fixed: set it to 0, or print the mesh"};
+                     ": the heights and the unit of a file of layers are fixed: it can be mirrored "
+                     "along x and y, turned about z and scaled sideways (--scale 2,2,1), but "
+                     "shrinkage_z, part_units and others would change them; or print the mesh"};
   }
   const bool twice = file.again != nullptr;
   auto layers = std::make_unique<PlacedLayers>(std::move(file), settings);

@@ -13,7 +13,7 @@
 #include "core/slices/plane_sweep.h"        // PlaneSweep
 #include "host/part/mesh_sorter.h"          // MeshSorter
 #include "host/part/mesh_survey.h"          // can_be_cut, is_degenerate
-#include "host/part/shrinkage.h"            // Enlargement
+#include "host/part/part_transform.h"       // PartTransform
 #include "host/system/limits.h"             // kSortBytesMin
 #include "host/system/stage_clock.h"        // CpuTimer
 
@@ -54,7 +54,9 @@ Status check_near(const core::Box& box, const Shift& shift, const std::string& n
 // Of the bodies, enlarged; painted facets are the part's own.
 Status check_near(const core::Box& bodies, const core::Settings& settings, const Shift& shift,
                   const std::string& name) {
-  const Result<core::Box> larger = Enlargement(settings).of(bodies);
+  const PartTransform by(settings);
+  if (by.tilts() || by.longest_mm()) return {};  // told when they are read
+  const Result<core::Box> larger = by.of(bodies);
   if (!larger.ok()) return refused(name, larger.error().message);
   return check_near(larger.value(), shift, name);
 }
@@ -63,7 +65,9 @@ Status check_near(const core::Box& bodies, const core::Settings& settings, const
 Status check_so_far(const MarkedFacets& marks, const core::Box& bodies,
                     const core::Settings& settings, const std::string& name) {
   if (marks.printed.box.empty()) return {};
-  const Result<core::Box> larger = Enlargement(settings).of(marks.printed.box);
+  const PartTransform by(settings);
+  if (by.tilts() || by.longest_mm()) return {};
+  const Result<core::Box> larger = by.of(marks.printed.box);
   if (!larger.ok()) return {};  // told of the part itself
   MeshExtent printed = marks.printed;
   printed.box = larger.value();
@@ -194,12 +198,12 @@ class MarkedLayers : public LayerSource {
   // Sorts those that matter, where the part is.
   [[nodiscard]] Status take(FacetSpool& facets, const Shift& shift, bool bodies,
                             MarkedRegions& into) const {
-    const Enlargement enlargement(settings_);
+    const PartTransform transform(settings_);
     while (true) {
       const Result<std::optional<Triangle>> next = facets.next();
       if (!next.ok()) return next.error();
       if (!next.value()) return {};
-      const Result<Triangle> larger = enlargement.of(*next.value());
+      const Result<Triangle> larger = transform.of(*next.value());
       if (!larger.ok()) return refused(name_, larger.error().message);
       const Triangle& triangle = larger.value();
       if (bodies ? !can_be_cut(triangle) : is_degenerate(triangle)) continue;

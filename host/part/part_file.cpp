@@ -17,7 +17,7 @@
 #include "host/part/layer_file.h"          // open_layer_file
 #include "host/part/marked_layers.h"       // with_marks
 #include "host/part/mesh_layers.h"         // open_mesh
-#include "host/part/shrinkage.h"           // enlarged
+#include "host/part/part_transform.h"      // transform
 
 namespace host {
 namespace {
@@ -36,17 +36,10 @@ std::function<Result<Reader>()> opener(const InputFile& file, const std::string&
   };
 }
 
-Result<OpenedPart> open_enlarged(MeshInput mesh, const core::Settings& settings,
-                                 const OpenOptions& options) {
-  const Enlargement by(settings);
-  mesh.triangles = enlarged(std::move(mesh.triangles), by, mesh.name);
-  if (mesh.again) {
-    mesh.again = [again = std::move(mesh.again), by,
-                  name = mesh.name]() -> Result<std::unique_ptr<TriangleSource>> {
-      Result<std::unique_ptr<TriangleSource>> opened = again();
-      if (!opened.ok()) return opened;
-      return enlarged(std::move(opened).value(), by, name);
-    };
+Result<OpenedPart> open_transformed(MeshInput mesh, const core::Settings& settings,
+                                    const OpenOptions& options) {
+  if (core::Status done = transform(mesh.triangles, mesh.again, settings, mesh.name); !done.ok()) {
+    return done.error();
   }
   return open_mesh(std::move(mesh), settings, options);
 }
@@ -60,7 +53,7 @@ Result<OpenedPart> open_sif(InputFile file, MeshInput input, const core::Setting
     return open_booleans(std::move(tree).value(), settings, options);
   }
   input.triangles = plain_triangles(std::move(tree).value());
-  return open_enlarged(std::move(input), settings, options);
+  return open_transformed(std::move(input), settings, options);
 }
 
 OpenedPart with_warnings(OpenedPart part, std::vector<std::string> texts) {
@@ -131,7 +124,7 @@ Result<OpenedPart> open_zipped(InputFile file, const std::string& path,
     if (!facets.ok()) return facets.error();
     marks.facets = std::move(facets).value();
   }
-  return with(open_enlarged(std::move(mesh), settings, options));
+  return with(open_transformed(std::move(mesh), settings, options));
 }
 
 Result<OpenedPart> open_alone(const std::string& path, const core::Settings& settings,
@@ -157,7 +150,7 @@ Result<OpenedPart> open_alone(const std::string& path, const core::Settings& set
   Result<std::unique_ptr<TriangleSource>> triangles = open_triangles(kind.value(), std::move(file));
   if (!triangles.ok()) return triangles.error();
   input.triangles = std::move(triangles).value();
-  return open_enlarged(std::move(input), settings, options);
+  return open_transformed(std::move(input), settings, options);
 }
 
 PartSummary on_raft(PartSummary summary, const core::Settings& settings) {

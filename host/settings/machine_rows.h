@@ -159,6 +159,16 @@ inline constexpr std::array kMachineRows = {
             "distance of the part's left side from the bed's"},
     Setting{"part_y", &PrintSettings::part_y, "mm", 0, kBedMaxMm,
             "distance of the part's front from the bed's"},
+    Setting{"part_scale", &PrintSettings::part_scale, "", 0, 0,
+            "factor by which the part is made larger, as 2 or 150%; along x, y, z, as 1,1,2; or "
+            "its longest side, as to 100mm"},
+    Setting{"part_rotation", &PrintSettings::part_rotation, "", 0, 0,
+            "angle by which the part is turned about z, as 45; or about x, then y, then z, as "
+            "90,0,45"},
+    Setting{"part_mirror", choice<&PrintSettings::part_mirror>("none", "x", "y", "z"), "", 0, 0,
+            "axis along which the part is mirrored"},
+    Setting{"part_units", choice<&PrintSettings::part_units>("mm", "inch", "m"), "", 0, 0,
+            "unit of the numbers in a file that does not tell it (STL, OBJ)"},
     Setting{"nozzle_celsius", &PrintSettings::nozzle_celsius, "°C", 0, 500,
             "temperature of the nozzle; 0: not heated"},
     Setting{"nozzle_first_layer_celsius", &PrintSettings::nozzle_first_layer_celsius, "°C", 0, 500,

@@ -50,6 +50,38 @@ void add_lines(CLI::App& command, Options& options, const std::string& flag, con
       ->trigger_on_parse();
 }
 
+// "40,30": a place on the bed, and no action.
+bool is_place(const std::string& text) {
+  const std::size_t comma = text.find(',');
+  return comma != std::string::npos && read_number(text.substr(0, comma), "").ok() &&
+         read_number(text.substr(comma + 1), "").ok();
+}
+
+void add_at(CLI::App& command, Options& options) {
+  auto lines = std::make_shared<std::vector<std::string>>();
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--at",
+          [&options, lines](const std::vector<std::string>& values) {
+            for (const std::string& value : values) {
+              if (!is_place(value)) {
+                lines->push_back(value);
+                options.settings.assignments.emplace_back("at_height", write_lines(*lines));
+                continue;
+              }
+              const std::size_t comma = value.find(',');
+              options.settings.assignments.emplace_back("centre", "0");
+              options.settings.assignments.emplace_back("part_x", value.substr(0, comma));
+              options.settings.assignments.emplace_back("part_y", value.substr(comma + 1));
+            }
+          },
+          "what is done at a height, as '12.4 pause', '12.4 M600', '30 nozzle_celsius 220'; may "
+          "be repeated. X,Y, as 40,30: where the part's front left corner lies on the bed")
+      ->type_name("'MM ACTION'|X,Y")
+      ->allow_extra_args(false)
+      ->trigger_on_parse();
+}
+
 void add_assignment(Options& options, const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals == 0) {
@@ -99,15 +131,20 @@ void add_settings(CLI::App& command, Options& options) {
                    "leave out the profile's bed and G-code if they can't be read");
   add_shortcut(command, options, "--allow-gcode", "allow_gcode", "CODES",
                "send these commands, which are refused otherwise, as M500,M501");
-  add_lines(
-      command, options, "--at", "at_height", "'MM ACTION'",
-      "what is done at a height, as '12.4 pause', '12.4 M600', '30 nozzle_celsius 220'; may be "
-      "repeated");
+  add_at(command, options);
   add_lines(command, options, "--height-range", "height_range", "'MM-MM MM'",
             "height of a mesh's layers between two heights, as '10-12.5 0.1'; may be repeated");
   add_lines(command, options, "--support-range", "support_height_range", "'MM-MM on|off'",
             "whether supports hold what hangs between two heights, as '0-20 off'; may be repeated");
   add_assignments(command, options);
+  add_shortcut(command, options, "--scale", "part_scale", "FACTOR",
+               "size of the part, as 2, 150%, 1,1,2 (along x, y, z), or 'to 100mm' (longest side)");
+  add_shortcut(command, options, "--rotate", "part_rotation", "DEGREES",
+               "turn the part about z, as 45, or about x, y, z, as 90,0,45");
+  add_shortcut(command, options, "--mirror", "part_mirror", "AXIS",
+               "mirror the part along x, y or z");
+  add_shortcut(command, options, "--units", "part_units", "UNIT",
+               "unit of an STL's or OBJ's numbers: mm, inch, m");
   add_shortcut(command, options, "--layer-height", "layer_height", "MM", "thickness of a layer");
   add_shortcut(command, options, "--wall-thickness", "wall_thickness", "MM",
                "depth below the surface to which the part is dense");

@@ -15,6 +15,7 @@
 #include "core/slices/height_ranges.h"      // height_ranges
 #include "core/supports/support_heights.h"  // support_ranges
 #include "host/output/thumbnail_text.h"     // read_thumbnails
+#include "host/part/part_transform.h"       // check_part_transform
 #include "host/settings/own_accelerations.h"
 #include "host/settings/settings_table.h"
 
@@ -268,6 +269,8 @@ Status thumbnails_are_known(const PrintSettings& settings) {
   return read.ok() ? Status() : bad("thumbnails: " + read.error().message);
 }
 
+Status part_can_be_placed(const PrintSettings& settings) { return check_part_transform(settings); }
+
 }  // namespace
 
 Status validate_settings(const PrintSettings& settings) {
@@ -275,7 +278,7 @@ Status validate_settings(const PrintSettings& settings) {
        {every_value_in_range, wall_fits_window, roads_fit_nozzle, other_heights_fit,
         vase_has_a_thin_wall, vase_has_no_supports, lookahead_is_enough,
         accelerations_have_a_default, heights_of_slowdown_fit, part_has_a_place,
-        support_heights_are_known, actions_are_known, thumbnails_are_known}) {
+        support_heights_are_known, actions_are_known, thumbnails_are_known, part_can_be_placed}) {
     Status status = rule(settings);
     if (!status.ok()) return status;
   }

@@ -1,0 +1,92 @@
+#include "host/part/transform_words.h"
+
+#include <charconv>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace host {
+namespace {
+
+using core::Error;
+using core::ErrorCode;
+using core::Result;
+
+Error bad(std::string_view setting, std::string_view text, const std::string& expected) {
+  return {ErrorCode::kBadSetting,
+          std::string(setting) + " = " + std::string(text) + ": expected " + expected};
+}
+
+std::string_view bare(std::string_view text) {
+  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+  return text;
+}
+
+// A number that the end may follow.
+std::optional<double> number(std::string_view text, std::string_view end = {}) {
+  text = bare(text);
+  double value = 0;
+  const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || !std::isfinite(value)) return std::nullopt;
+  text.remove_prefix(static_cast<std::size_t>(rest - text.data()));
+  text = bare(text);
+  if (text.empty() || (!end.empty() && text == end)) return value;
+  return std::nullopt;
+}
+
+std::vector<std::string_view> parts_of(std::string_view text) {
+  std::vector<std::string_view> parts;
+  while (true) {
+    const std::size_t comma = text.find(',');
+    parts.push_back(text.substr(0, comma));
+    if (comma == std::string_view::npos) return parts;
+    text.remove_prefix(comma + 1);
+  }
+}
+
+std::optional<double> factor(std::string_view text) {
+  if (const auto plain = number(text)) return plain;
+  const auto percent = number(text, "%");
+  return percent ? std::optional(*percent / 100) : std::nullopt;
+}
+
+}  // namespace
+
+Result<ScaleWords> read_scale(std::string_view text) {
+  const std::string expected =
+      "a factor from 0.0001 to 10000 as 2 or 150%, three of them as 1,1,2, or a longest side as "
+      "to 100mm";
+  ScaleWords words;
+  if (bare(text).substr(0, 3) == "to ") {
+    words.longest_mm = number(bare(text).substr(3), "mm");
+    if (words.longest_mm && *words.longest_mm > 0 && *words.longest_mm < 1e6) return words;
+    return bad("part_scale", text, expected);
+  }
+  const std::vector<std::string_view> parts = parts_of(text);
+  if (parts.size() != 1 && parts.size() != 3) return bad("part_scale", text, expected);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const std::optional<double> read = factor(parts[i]);
+    if (!read || *read < kScaleMin || *read > kScaleMax) return bad("part_scale", text, expected);
+    if (parts.size() == 1) words.factors.fill(*read);
+    words.factors[i] = *read;
+  }
+  return words;
+}
+
+Result<std::array<double, 3>> read_rotation(std::string_view text) {
+  std::array<double, 3> degrees{};
+  const std::vector<std::string_view> parts = parts_of(text);
+  const auto is_wrong = [](const std::optional<double>& read) {
+    return !read || std::abs(*read) > 3'600;
+  };
+  for (std::size_t i = 0; i < parts.size() && parts.size() <= 3; ++i) {
+    const std::optional<double> read = number(parts[i]);
+    if (is_wrong(read)) break;
+    degrees[parts.size() == 1 ? 2 : i] = *read;
+    if (i + 1 == parts.size() && i != 1) return degrees;
+  }
+  return bad("part_rotation", text, "degrees about x, y, z as 90,0,45, or about z as 45");
+}
+
+}  // namespace host
