@@ -47,6 +47,7 @@ struct Options {
   std::string socket;
   std::string listen;
   std::string log;
+  bool as_sent = false;
   std::string scenario = "clean";
   VirtualDialect dialect = VirtualDialect::kMarlin;
   std::uint64_t seed = 1;
@@ -306,6 +307,7 @@ int main(int argc, char** argv) {
   app.add_option("--socket", options.socket, "serve on this unix socket instead");
   app.add_option("--listen", options.listen, "serve on this TCP ADDRESS:PORT instead");
   app.add_option("--log", options.log, "write each executed command to this file");
+  app.add_flag("--as-sent", options.as_sent, "log moves in the words that came, not spelled out");
   app.add_option("--speed", options.speed, "how many times as fast as real time")
       ->check(CLI::PositiveNumber);
   const std::map<std::string, VirtualDialect> dialects = {{"marlin", VirtualDialect::kMarlin},
@@ -352,8 +354,8 @@ int main(int argc, char** argv) {
   if (!options.log.empty()) {
     log.open(options.log);
     if (!log) fail(options.log);
-    controller_options.executed = [&log](const firmware_link::ExecutedCommand& command) {
-      log << command.text << '\n';
+    controller_options.executed = [&](const firmware_link::ExecutedCommand& command) {
+      log << (options.as_sent ? command.words : command.text) << '\n';
     };
   }
   serve(options, scenario, controller_options, log);

@@ -53,6 +53,13 @@ void PositionWatch::gave(const Move& move) {
   ++expected_.moves;
 }
 
+void PositionWatch::gave_ready(const ReadyLine& line, bool counts) {
+  if (line.place == PlaceAfter::kAsBefore || line.place == PlaceAfter::kAxesLost) gave_unknown();
+  const bool set = line.effect.kind == Effect::Kind::kFilamentCount;
+  if (set && line.effect.value == 0 && counts) return gave_filament_reset();
+  if (set || line.place == PlaceAfter::kFilament) expected_.e_10nm.reset();
+}
+
 void PositionWatch::gave_filament_reset() {
   expected_.e_10nm = 0;
   expected_.moves = 0;

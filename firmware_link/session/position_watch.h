@@ -36,6 +36,8 @@ class PositionWatch {
   void gave_filament_reset();  // G92 E0
   // A line whose effect is not known here.
   void gave_unknown() { expected_ = {}; }
+  // Behind the move of a file's line. `counts`: the controller's count of filament is compared.
+  void gave_ready(const ReadyLine& line, bool counts);
 
   [[nodiscard]] const Expected& expected() const { return expected_; }
 

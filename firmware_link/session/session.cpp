@@ -72,9 +72,9 @@ void Session::insert(const Command& command, Instant now) { give(command, false,
 void Session::give(const Command& command, bool is_command, Instant now) {
   LINK_CHECK(can_take());
   if (is_command) ++statistics_.commands_taken;
-  const auto* move = std::get_if<Move>(&command);
-  const bool extrudes = move != nullptr && move->e_10nm;
-  if (rules().tells_position && extrudes && !position_.watch().expected().e_10nm) {
+  const Move* move = move_of(command);
+  const bool counts = options_.count_filament && move != nullptr && move->e_10nm;
+  if (rules().tells_position && counts && !position_.watch().expected().e_10nm) {
     // From here on the controller's count of filament is to be known. Not earlier, because the
     // user's own lines may count in their own way.
     requests_.reset_filament();

@@ -207,16 +207,18 @@ void Session::push_command(const Command& command, bool is_command) {
   TextBuffer buffer;
   const std::string_view text = encode(command, long_buffer);
   LineEffort effort;
-  if (const auto* move = std::get_if<Move>(&command)) {
+  const auto* ready = std::get_if<ReadyLine>(&command);
+  if (const Move* move = move_of(command)) {
     effort.nominal = position_.watch().nominal_time(*move);
     effort.blocks = planner_blocks_of(*move);
     position_.watch().gave(*move);
-  } else if (std::holds_alternative<Verbatim>(command)) {
-    position_.watch().gave_unknown();
-    if (word_of(text) == "M113") silence_.may_be_silent();
   }
+  if (ready != nullptr) position_.watch().gave_ready(*ready, options_.count_filament);
+  if (std::holds_alternative<Verbatim>(command)) position_.watch().gave_unknown();
+  const bool words = ready != nullptr || std::holds_alternative<Verbatim>(command);
+  if (words && word_of(text) == "M113") silence_.may_be_silent();
   if (wait_of(text, rules().macros).planner_runs_empty) effort = kWaitsForPlanner;
-  window_.push(shortened(text, buffer), is_command, effort);
+  window_.push(ready != nullptr ? text : shortened(text, buffer), is_command, effort);
 }
 
 // --- what the controller told of its position ---

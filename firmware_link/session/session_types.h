@@ -102,6 +102,10 @@ struct SessionOptions {
   std::int64_t filament_correction_10nm_max = 50'000;
   int filament_corrections_max = 10;
 
+  // Compare the controller's count of filament with what it was given. It is set to 0 for that now
+  // and then (G92 E0), which commands with absolute filament do not bear.
+  bool count_filament = true;
+
   // Ask a controller that did not reset for its last line, before the greeting makes it forget that
   // (Session::found_line()).
   bool ask_found_line = false;

@@ -63,7 +63,7 @@ void VirtualController::Firmware::start_command() {
   if (!handler_.number) ++totals_.unnumbered_commands;
   if (options_.executed && !std::exchange(handler_.refused, false)) {
     SpelledBuffer buffer;
-    options_.executed({now_, handler_.number, spelled_out(text, buffer), known});
+    options_.executed({now_, handler_.number, spelled_out(text, buffer), known, text});
   }
   if (!known) {
     print(unknown_command(options_.dialect, text));

@@ -34,6 +34,7 @@ struct ExecutedCommand {
   std::string_view text;               // without number and checksum, moves spelled out; valid
                                        // during the call only
   bool known = true;                   // false: answered with `echo:Unknown command:`
+  std::string_view words = {};         // the text as it was sent; likewise
 };
 
 // Whose words it speaks, and by whose rules it takes lines (README.md, dialects/).

@@ -72,7 +72,27 @@ std::string refusal(std::string_view text) {
 
 bool blank_or_comment(std::string_view line) { return normalised(line).empty(); }
 
+bool is_plain_move(std::string_view line) {
+  constexpr std::string_view kLetters = "XYZEFIJ";
+  if (line.size() < 4 || line.size() > kTextBytesMax || line[0] != 'G') return false;
+  if (line[1] < '0' || line[1] > '3' || line[2] != ' ') return false;
+  char before = ' ';
+  for (const char c : line.substr(3)) {
+    const bool after_blank = before == ' ';
+    before = c;
+    if (is_digit(c) || c == '.' || c == '-') continue;
+    if (after_blank ? kLetters.find(c) == std::string_view::npos : c != ' ') return false;
+  }
+  return before != ' ';
+}
+
 std::variant<Verbatim, std::string> verbatim_from(std::string_view line) {
+  if (is_plain_move(line)) {
+    Verbatim verbatim;
+    std::copy(line.begin(), line.end(), verbatim.text_.begin());
+    verbatim.size_ = static_cast<std::uint8_t>(line.size());
+    return verbatim;
+  }
   const std::string text = normalised(line);
   if (text.empty()) return std::string("nothing is left of it without its comment");
   for (const char c : text) {

@@ -90,8 +90,55 @@ class Verbatim {
   std::uint8_t size_ = 0;
 };
 
-using Command =
-    std::variant<Move, SetTemperature, SetFan, SetAcceleration, SetPressureAdvance, Verbatim>;
+// What a line of a file does to the machine besides its move, as far as that is followed.
+struct Effect {
+  enum class Kind : std::uint8_t {
+    kNone,
+    kModes,          // value: kRelativePlace, kRelativeFilament, kInches
+    kFilamentCount,  // value: what the controller counts from here on, in 10 nm
+    kNozzle,         // value: its target in tenths of a degree Celsius; likewise the bed's
+    kBed,
+    kFan,          // value: 0 … 255
+    kFeedPercent,  // M220
+    kFlowPercent,  // M221
+    kTool,
+  };
+  static constexpr std::int32_t kRelativePlace = 1;
+  static constexpr std::int32_t kRelativeFilament = 2;
+  static constexpr std::int32_t kInches = 4;
+
+  Kind kind = Kind::kNone;
+  std::int64_t value = 0;
+};
+
+// What is known of the nozzle's place behind a line of a file.
+enum class PlaceAfter : std::uint8_t {
+  kByMove,    // all of it: only what the move says has changed
+  kFilament,  // likewise, but the controller's count of filament is not known
+  kAsBefore,  // the nozzle comes back to where it was (M600); nobody can tell how exactly
+  kAxesLost,  // the axes in lost_axes are not known (G28)
+};
+
+// One line of a ready G-code file: it is sent in its own words. `move` is what these mean: absolute
+// in x, y, z and relative in e, in millimetres, whatever modes the file is in; empty: no move.
+struct ReadyLine {
+  Verbatim words;
+  Move move;
+  Effect effect;
+  PlaceAfter place = PlaceAfter::kByMove;
+  std::uint8_t lost_axes = 0;  // bits: 1 x, 2 y, 4 z
+  // The coordinates are not the machine's own any more (G92 X0), or are again (G28).
+  std::optional<bool> shifted = std::nullopt;
+};
+
+using Command = std::variant<Move, SetTemperature, SetFan, SetAcceleration, SetPressureAdvance,
+                             Verbatim, ReadyLine>;
+
+// The command's move; null: it has none.
+[[nodiscard]] inline const Move* move_of(const Command& command) {
+  if (const auto* ready = std::get_if<ReadyLine>(&command)) return &ready->move;
+  return std::get_if<Move>(&command);
+}
 
 // Turns a line of a user's G-code into a Verbatim, or tells in a sentence why it may not be sent.
 //
@@ -103,6 +150,10 @@ using Command =
 // sent (refused_commands.h; the others there are whoever asks the user's to refuse), and a text
 // that the controller would say and that would be taken for its answer (M118, RESPOND).
 [[nodiscard]] std::variant<Verbatim, std::string> verbatim_from(std::string_view line);
+
+// True for a move of plain words, such as "G1 X10 Y5.5 E.03", which verbatim_from() leaves as it is
+// and nothing refuses: a fast answer for nearly all of a file.
+[[nodiscard]] bool is_plain_move(std::string_view line);
 
 // True when a line of G-code holds nothing to send.
 [[nodiscard]] bool blank_or_comment(std::string_view line);

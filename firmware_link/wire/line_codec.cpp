@@ -139,6 +139,10 @@ void write_command(TextWriter& writer, const Verbatim& verbatim) {
   writer.literal(verbatim.text());
 }
 
+void write_command(TextWriter& writer, const ReadyLine& ready) {
+  writer.literal(ready.words.text());
+}
+
 // Digits of a decimal number, a power of ten at a time; stops at the first that is none.
 std::int64_t read_fixed(std::string_view text, int decimals) {
   std::size_t i = 0;

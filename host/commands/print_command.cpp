@@ -66,6 +66,7 @@ JournalHead head_of(const Options& options, const PrintPlan& print_plan, const s
 
 // Has the part's content hashed before the rest of it is read.
 void hash_part(const Options& options, PrintPlan& print_plan, JournalKeeper& keeper) {
+  if (print_plan.ready) return keeper.part_known(print_plan.ready->summary().content);
   const auto hash = [path = options.part.path, &keeper]() -> core::Status {
     const core::Result<FileContent> content = content_of(path);
     if (!content.ok()) return content.error();

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <memory>
 #include <utility>
 
 #include "core/raft_heights.h"
 #include "host/commands/commands.h"
 #include "host/commands/output_names.h"
+#include "host/commands/ready_plan.h"
 #include "host/files/output_file.h"
 #include "host/pipeline/inside_stage.h"  // holds_its_roof
 #include "host/pipeline/user_gcode.h"
@@ -100,6 +102,13 @@ core::Result<PrintPlan> open_print_plan(const Options& options, Reporter& report
     return known.error();
   }
   PrintSettings& settings = whole.value().settings;
+  const bool prints =
+      options.subcommand == Subcommand::kPrint || options.subcommand == Subcommand::kResume;
+  if (prints) {
+    core::Result<std::shared_ptr<ReadyFile>> ready = open_ready(options);
+    if (!ready.ok()) return ready.error();
+    if (ready.value()) return ready_plan(options, settings, ready.value(), reporter);
+  }
   if (settings.raft_layers > 0 && !lays_whole_print(options)) {
     core::Settings& of_part = settings;
     of_part = core::settings_above_raft(of_part);
@@ -110,8 +119,6 @@ core::Result<PrintPlan> open_print_plan(const Options& options, Reporter& report
     settings.supports = core::SupportPlace::kOff;
     reporter.note("supports", "supports are left out here: the layers are the part's alone");
   }
-  const bool prints =
-      options.subcommand == Subcommand::kPrint || options.subcommand == Subcommand::kResume;
   const bool sliced = options.subcommand == Subcommand::kSlice;
   OpenOptions open;
   open.sort_bytes = options.part.sort_bytes;

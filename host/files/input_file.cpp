@@ -27,11 +27,26 @@ std::atomic<bool> g_stop_waiting = false;
 
 constexpr int kWait_ms = 50;
 
+std::optional<InputFile>& given_back() {
+  static std::optional<InputFile> file;
+  return file;
+}
+
 }  // namespace
+
+void InputFile::give_back(InputFile standard_input) {
+  RIND_CHECK(standard_input.position() == 0);
+  given_back().emplace(std::move(standard_input));
+}
 
 void stop_waiting_for_input() { g_stop_waiting.store(true); }
 
 core::Result<InputFile> InputFile::open(const std::string& path) {
+  if (path == "-" && given_back()) {
+    InputFile file = *std::move(given_back());
+    given_back().reset();
+    return file;
+  }
   if (path == "-") return InputFile(kStandardInput, ::dup(STDIN_FILENO));
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) {

@@ -26,6 +26,9 @@ class InputFile {
 
   // `path` "-" is standard input. Folders are refused.
   static core::Result<InputFile> open(const std::string& path);
+  // Standard input of which only the start was looked at: open("-") gives it again. REQUIRES: none
+  // of it was skipped.
+  static void give_back(InputFile standard_input);
   // Takes over an open file, and closes it at the end. `name` is for messages.
   static InputFile from_descriptor(std::string name, int descriptor);
   // Reads bytes in memory.

@@ -44,7 +44,7 @@ constexpr std::array kFormats = {
     FormatRow{"SLC 2.0", ".slc", "layers", true, false, "3D Systems"},
     FormatRow{"Slice V0", ".ssl .slc", "layers", true, true, "Stratasys, ASCII, inches"},
     FormatRow{"SVG layers", ".svg", "layers", true, true, "Slic3r's two dialects"},
-    FormatRow{"G-code", ".gcode", "roads", false, true, "what the controller is sent"},
+    FormatRow{"G-code", ".gcode", "roads", true, true, "print: as it is; slice writes it"},
 };
 
 Error not_as_before(const std::string& name) {

@@ -13,11 +13,12 @@
 #include "host/formats/formats.h"          // kind_of
 #include "host/formats/sif_reader.h"       // read_sif
 #include "host/formats/triangle_source.h"  // TriangleSource
-#include "host/part/boolean_layers.h"      // open_booleans
-#include "host/part/layer_file.h"          // open_layer_file
-#include "host/part/marked_layers.h"       // with_marks
-#include "host/part/mesh_layers.h"         // open_mesh
-#include "host/part/part_transform.h"      // transform
+#include "host/gcode/gcode_kind.h"
+#include "host/part/boolean_layers.h"  // open_booleans
+#include "host/part/layer_file.h"      // open_layer_file
+#include "host/part/marked_layers.h"   // with_marks
+#include "host/part/mesh_layers.h"     // open_mesh
+#include "host/part/part_transform.h"  // transform
 
 namespace host {
 namespace {
@@ -133,6 +134,14 @@ Result<OpenedPart> open_alone(const std::string& path, const core::Settings& set
   if (!opened.ok()) return opened.error();
   InputFile& file = opened.value();
   const std::string name = file.name();
+  const Result<std::optional<GcodeKind>> ready = gcode_kind(file);
+  if (!ready.ok()) return ready.error();
+  if (ready.value()) {
+    return core::Error{core::ErrorCode::kBadPart,
+                       name +
+                           ": this is G-code, which was sliced already: rind print prints it as "
+                           "it is, and rind plan tells of it; for anything else name the part"};
+  }
   const Result<FileKind> kind = kind_of(file);
   if (!kind.ok()) return kind.error();
   if (kind.value() == FileKind::kZip) return open_zipped(std::move(file), path, settings, options);

@@ -3,12 +3,14 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 
 #include "core/motions/motion_builder.h"   // MotionState
 #include "core/roads/seams.h"              // SeamMemory
 #include "core/settings.h"                 // Settings
 #include "core/slices/slice.h"             // Slice
 #include "core/units.h"                    // LayerIndex, Length
+#include "host/gcode/file_place.h"         // FilePlace
 #include "host/pipeline/motion_encoder.h"  // MotionEncoder
 
 namespace host {
@@ -21,6 +23,10 @@ struct Checkpoint {
   core::MotionState motions;
   MotionEncoder::State encoder;
   core::SeamMemory seams;
+
+  // Of a ready file: where in it reading goes on. All above but `layer`, `commands` and
+  // `filament_mm` says nothing then. Null: a part.
+  std::shared_ptr<const FilePlace> file = nullptr;
 };
 
 // Whether the slice is too far below the start to matter to any layer from there on: to walls, to

@@ -15,6 +15,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,6 +25,7 @@
 #include "core/roads/road.h"               // Road
 #include "core/walls/split_layer.h"        // SplitLayer
 #include "firmware_link/wire/command.h"    // Command
+#include "host/gcode/ready_file.h"         // ReadyFile
 #include "host/part/bad_layers.h"          // OnBadLayer
 #include "host/part/part_file.h"           // OpenedPart
 #include "host/pipeline/checkpoint.h"      // Checkpoint
@@ -45,7 +47,7 @@ struct CommandForm {
 // A part and how it is to be printed.
 struct PrintPlan {
   PrintSettings settings;  // REQUIRES: validated, check_user_gcode() fine
-  OpenedPart part;         // consumed by the run
+  OpenedPart part;         // consumed by the run; of a ready file its summary alone
   std::string part_path;   // for messages
   OnBadLayer on_bad_layer = OnBadLayer::kRepair;
   OnFloating on_floating = OnFloating::kWarn;
@@ -60,6 +62,9 @@ struct PrintPlan {
   // Resumes a print at the layer of this checkpoint. The layer is computed as in the whole print,
   // from the slices around it; slices below are read and dropped.
   std::optional<Checkpoint> start = std::nullopt;
+
+  // A ready G-code file is printed as it is; there is nothing to slice. Null: a part.
+  std::shared_ptr<const ReadyFile> ready = nullptr;
 };
 
 // Receivers of the results. Any may be empty; results without a receiver are not computed.
@@ -82,6 +87,9 @@ struct PipelineSignals {
   std::function<bool()> stop_asked;  // called on each layer; may be empty
   std::atomic<std::int64_t> slices_cut = 0;
   std::atomic<core::LayerIndex> layers = 0;  // of the print; 0: not known
+  // Of a ready file: how long it moves at full speed, and how long it takes; 0: not known.
+  std::atomic<double> full_speed_s = 0;
+  std::atomic<double> time_s = 0;
   WarningBox warnings;
   PreparationBox preparation;
   // Called while a layer takes long, by a thread of its own (layer_watch.h); may be empty.

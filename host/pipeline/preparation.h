@@ -12,9 +12,10 @@
 namespace host {
 
 struct Preparation {
-  std::string_view step;        // what is done; a literal
-  core::LayerIndex done = 0;    // layers of this step
-  core::LayerIndex layers = 0;  // of the part; 0: not known
+  std::string_view step;              // what is done; a literal
+  core::LayerIndex done = 0;          // layers of this step
+  core::LayerIndex layers = 0;        // of the part; 0: not known
+  std::string_view counts = "layer";  // what `done` and `layers` count
 };
 
 // Passes it from the thread of the geometry to that which shows it.

@@ -12,6 +12,13 @@ namespace {
 
 using firmware_link::Move;
 
+// Of lines that somebody else has written.
+std::string_view words_of(const firmware_link::Command& command) {
+  if (const auto* line = std::get_if<firmware_link::Verbatim>(&command)) return line->text();
+  const auto* ready = std::get_if<firmware_link::ReadyLine>(&command);
+  return ready != nullptr ? ready->words.text() : std::string_view();
+}
+
 // Marlin's own code waits for the planner in these; in M109 and M190 it does not.
 bool empties_planner(std::string_view text) {
   const std::string_view word = text.substr(0, text.find(' '));
@@ -27,15 +34,15 @@ std::int64_t distance_um(const std::optional<std::int64_t>& to,
 }  // namespace
 
 std::size_t blocks_at_least(const firmware_link::Command& command, const MachineState& before) {
-  if (const auto* move = std::get_if<Move>(&command)) {
+  if (empties_planner(words_of(command))) return kAllBlocks;
+  if (const Move* move = firmware_link::move_of(command)) {
     if (move->arc) return planner_blocks_of(*move);
     const std::int64_t farthest =
         std::max({distance_um(move->x_um, before.x_um), distance_um(move->y_um, before.y_um),
                   distance_um(move->z_um, before.z_um), std::abs(move->e_10nm.value_or(0)) / 100});
     return farthest >= kBlockLengthUm ? 1 : 0;
   }
-  const auto* words = std::get_if<firmware_link::Verbatim>(&command);
-  return words != nullptr && empties_planner(words->text()) ? kAllBlocks : 0;
+  return 0;
 }
 
 std::optional<std::int64_t> CommandHistory::executed_before(std::int64_t number,
@@ -59,7 +66,7 @@ std::optional<std::int64_t> CommandHistory::executed_before(std::int64_t number,
 
 std::int64_t CommandHistory::last_z_um(std::int64_t number) const {
   for (std::int64_t i = number; i > begin_; --i) {
-    const auto* move = std::get_if<Move>(&at(i - 1).command);
+    const Move* move = firmware_link::move_of(at(i - 1).command);
     if (move != nullptr && move->z_um) return *move->z_um;
   }
   return before_.z_um.value_or(0);
@@ -71,8 +78,7 @@ std::optional<std::int64_t> CommandHistory::executed_before(std::int64_t number,
   const double until = at(number - 1).seconds - seconds;
   while (number > begin_ && at(number - 1).seconds > until) {
     // Klipper, too, waits for its moves in M400.
-    const auto* words = std::get_if<firmware_link::Verbatim>(&at(number - 1).command);
-    if (words != nullptr && words->text() == "M400") return number;
+    if (words_of(at(number - 1).command) == "M400") return number;
     --number;
   }
   return number > begin_ ? std::optional(number) : std::nullopt;

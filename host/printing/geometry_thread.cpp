@@ -10,6 +10,7 @@
 
 #include "host/files/input_file.h"  // stop_waiting_for_input
 #include "host/printing/queue_filler.h"
+#include "host/printing/ready_commands.h"
 #include "host/printing/slow_layer_note.h"
 #include "host/system/limits.h"
 #include "host/system/stop_signals.h"
@@ -48,6 +49,7 @@ struct GeometryThread::Shared {
         filler(queue, print_plan.settings, resumed ? &*resumed : nullptr) {}
 
   void run();
+  [[nodiscard]] bool make_commands();
 
   PrintPlan& print_plan;
   const std::optional<JournalRecord> resumed;
@@ -60,26 +62,32 @@ struct GeometryThread::Shared {
   std::promise<void> ended;
 };
 
+// The thread's work, to its end; false: it was stopped.
+bool GeometryThread::Shared::make_commands() {
+  if (print_plan.ready) {
+    const core::Result<bool> whole =
+        run_ready(print_plan, resumed ? &*resumed : nullptr, filler, signals, outcome.statistics);
+    if (!whole.ok()) outcome.error = whole.error().message;
+    return whole.ok() && whole.value();
+  }
+  PipelineOutputs outputs;
+  outputs.on_checkpoint = [this](const Checkpoint& checkpoint) { filler.start_layer(checkpoint); };
+  outputs.on_pause = [this](const std::string& why) { filler.pause(why); };
+  outputs.on_motion = [this](const core::Motion& motion,
+                             const std::optional<firmware_link::Command>& command) {
+    return filler.take(motion, command);
+  };
+  const core::Result<PipelineEnd> end =
+      run_pipeline(print_plan, outputs, signals, outcome.statistics);
+  if (!end.ok()) outcome.error = end.error().message;
+  return end.ok() && end.value() == PipelineEnd::kDone;
+}
+
 void GeometryThread::Shared::run() {
   bool whole = false;
   try {
-    PipelineOutputs outputs;
-    outputs.on_checkpoint = [this](const Checkpoint& checkpoint) {
-      filler.start_layer(checkpoint);
-    };
-    outputs.on_pause = [this](const std::string& why) { filler.pause(why); };
-    outputs.on_motion = [this](const core::Motion& motion,
-                               const std::optional<firmware_link::Command>& command) {
-      return filler.take(motion, command);
-    };
-    const core::Result<PipelineEnd> end =
-        run_pipeline(print_plan, outputs, signals, outcome.statistics);
-    if (!end.ok()) {
-      outcome.error = end.error().message;
-    } else if (end.value() == PipelineEnd::kDone) {
-      (void)filler.finish();
-      whole = true;
-    }
+    whole = make_commands();
+    if (whole) (void)filler.finish();
     if (!outcome.error) outcome.error = filler.error();
   } catch (const std::exception& error) {
     outcome.error = std::string("the geometry gave up: ") + error.what();

@@ -2,6 +2,8 @@
 
 #include <bit>
 #include <cstring>
+#include <memory>
+#include <utility>
 
 #include "core/check.h"               // RIND_CHECK
 #include "core/limits.h"              // kSeamsMax
@@ -182,8 +184,10 @@ std::string record_bytes(const JournalRecord& record, std::int64_t sequence) {
   writer.number(sequence);
   JournalRecord copy = record;
   pass(writer, copy);
-  const std::string seams = seam_bytes(record.checkpoint.seams);
-  writer.whole(record.checkpoint.seams.size());
+  const Checkpoint& checkpoint = record.checkpoint;
+  const std::string seams =
+      checkpoint.file ? bytes_of(*checkpoint.file) : seam_bytes(checkpoint.seams);
+  writer.whole(checkpoint.file ? kFileRecord + seams.size() : checkpoint.seams.size());
   writer.whole(hash_of(seams));
   std::string bytes = std::move(writer.bytes());
   RIND_CHECK(bytes.size() <= kRecordBytes - kSumBytes);
@@ -203,12 +207,20 @@ std::optional<SequencedRecord> read_record(std::string_view bytes) {
   reader.number(read.sequence);
   pass(reader, read.record);
   const std::uint64_t count = reader.whole();
-  if (count > core::kSeamsMax) return std::nullopt;
+  const bool of_file = count >= kFileRecord;
+  const std::uint64_t length = of_file ? count - kFileRecord : count * kSeamBytes;
+  if (length > kRecordBytesMax - kRecordBytes) return std::nullopt;
   // A file that was cut short gets zeros for what it lacks when it is opened again.
-  std::string seams(bytes.substr(kRecordBytes, count * kSeamBytes));
-  seams.resize(count * kSeamBytes, '\0');
-  if (reader.whole() != hash_of(seams)) return std::nullopt;
-  read.record.checkpoint.seams = seams_in(seams);
+  std::string more(bytes.substr(kRecordBytes, length));
+  more.resize(length, '\0');
+  if (reader.whole() != hash_of(more)) return std::nullopt;
+  if (!of_file) {
+    read.record.checkpoint.seams = seams_in(more);
+    return read;
+  }
+  std::optional<FilePlace> place = place_of(more);
+  if (!place) return std::nullopt;
+  read.record.checkpoint.file = std::make_shared<const FilePlace>(*std::move(place));
   return read;
 }
 

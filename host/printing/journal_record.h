@@ -15,6 +15,7 @@
 #include <string_view>
 
 #include "core/limits.h"                  // kSeamsMax
+#include "host/gcode/file_place.h"        // kPlaceBytesMax
 #include "host/pipeline/checkpoint.h"     // Checkpoint
 #include "host/printing/machine_state.h"  // MachineState
 
@@ -50,10 +51,14 @@ struct JournalRecord {
 
 // First kRecordBytes, whatever is in them, with sequence number and checksum; then kSeamBytes for
 // each seam, whose number and checksum the first part has. A seam is its x and y, then its
-// layers_ago doubled, and 1 more for a hole: 4 bytes each, lowest first.
+// layers_ago doubled, and 1 more for a hole: 4 bytes each, lowest first. A ready file has a place
+// in it instead of seams (file_place.h); the first part has kFileRecord and its length for their
+// number.
 inline constexpr std::size_t kRecordBytes = 512;
 inline constexpr std::size_t kSeamBytes = 12;
 inline constexpr std::size_t kRecordBytesMax = kRecordBytes + core::kSeamsMax * kSeamBytes;
+inline constexpr std::uint64_t kFileRecord = std::uint64_t{1} << 32;
+static_assert(kPlaceBytesMax <= core::kSeamsMax * kSeamBytes);
 [[nodiscard]] std::string record_bytes(const JournalRecord& record, std::int64_t sequence);
 
 struct SequencedRecord {

@@ -1,28 +1,69 @@
 #include "host/printing/machine_state.h"
 
-#include <algorithm>
+#include <fmt/format.h>
+
 #include <variant>
 
+#include "core/check.h"  // RIND_CHECK
+#include "host/gcode/gcode_modes.h"
 #include "host/pipeline/wire_units.h"
 
 namespace host {
 namespace {
 
+using firmware_link::Effect;
 using firmware_link::Move;
 
 void apply_move(const Move& move, MachineState& state) {
-  const bool filament_alone = move.e_10nm && !move.x_um && !move.y_um;
   if (move.x_um) state.x_um = move.x_um;
   if (move.y_um) state.y_um = move.y_um;
   if (move.z_um) state.z_um = move.z_um;
   if (move.f_mm_min) state.f_mm_min = move.f_mm_min;
-  // A wipe draws filament back while the nozzle moves.
-  if (filament_alone || move.e_10nm.value_or(0) < 0) {
-    state.drawn_back_10nm = std::max<std::int64_t>(0, state.drawn_back_10nm - *move.e_10nm);
-  }
+  state.drawn_back_10nm = drawn_back_after(move, state.drawn_back_10nm);
+}
+
+// The two hold the same of a file; the state of a part's print has more.
+GcodeModes modes_of(const MachineState& state) {
+  GcodeModes modes;
+  modes.x_um = state.x_um;
+  modes.y_um = state.y_um;
+  modes.z_um = state.z_um;
+  modes.f_mm_min = state.f_mm_min;
+  modes.e_count_10nm = state.e_count_10nm;
+  modes.drawn_back_10nm = state.drawn_back_10nm;
+  modes.nozzle_tenths = state.nozzle_tenths;
+  modes.bed_tenths = state.bed_tenths;
+  modes.fan = state.fan;
+  modes.modes = state.file_modes;
+  modes.feed_percent = state.feed_percent;
+  modes.flow_percent = state.flow_percent;
+  modes.shifted = state.shifted;
+  return modes;
+}
+
+void put_modes(const GcodeModes& modes, MachineState& state) {
+  state.x_um = modes.x_um;
+  state.y_um = modes.y_um;
+  state.z_um = modes.z_um;
+  state.f_mm_min = modes.f_mm_min;
+  state.e_count_10nm = modes.e_count_10nm;
+  state.drawn_back_10nm = modes.drawn_back_10nm;
+  state.nozzle_tenths = modes.nozzle_tenths;
+  state.bed_tenths = modes.bed_tenths;
+  state.fan = modes.fan;
+  state.file_modes = modes.modes;
+  state.feed_percent = modes.feed_percent;
+  state.flow_percent = modes.flow_percent;
+  state.shifted = modes.shifted;
 }
 
 }  // namespace
+
+firmware_link::Command command_of(const std::string& line) {
+  auto made = firmware_link::verbatim_from(line);
+  RIND_CHECK(std::holds_alternative<firmware_link::Verbatim>(made));
+  return std::get<firmware_link::Verbatim>(made);
+}
 
 void MachineState::apply(const firmware_link::Command& command) {
   if (const auto* move = std::get_if<Move>(&command)) {
@@ -38,6 +79,10 @@ void MachineState::apply(const firmware_link::Command& command) {
   } else if (const auto* advance = std::get_if<firmware_link::SetPressureAdvance>(&command)) {
     flavor = advance->flavor;
     pressure_advance_tens_us = advance->tens_us;
+  } else if (const auto* ready = std::get_if<firmware_link::ReadyLine>(&command)) {
+    GcodeModes modes = modes_of(*this);
+    modes.apply(*ready);
+    put_modes(modes, *this);
   } else {
     x_um = y_um = z_um = f_mm_min = std::nullopt;
   }
@@ -54,8 +99,33 @@ std::vector<firmware_link::Command> MachineState::ways_of_moving() const {
   return commands;
 }
 
+std::vector<firmware_link::Command> MachineState::own_modes() const {
+  std::vector<firmware_link::Command> commands;
+  if (file_modes == Effect::kRelativeFilament) return commands;
+  if ((file_modes & Effect::kInches) != 0) commands.push_back(command_of("G21"));
+  if ((file_modes & Effect::kRelativePlace) != 0) commands.push_back(command_of("G90"));
+  commands.push_back(command_of("M83"));
+  return commands;
+}
+
+std::vector<firmware_link::Command> MachineState::file_modes_again() const {
+  std::vector<firmware_link::Command> commands;
+  if (file_modes == Effect::kRelativeFilament) return commands;
+  const double count_mm = static_cast<double>(e_count_10nm) * 1e-5;
+  commands.push_back(command_of(fmt::format("G92 E{:.5f}", count_mm)));
+  if ((file_modes & Effect::kRelativePlace) != 0) commands.push_back(command_of("G91"));
+  const bool relative = (file_modes & Effect::kRelativeFilament) != 0;
+  commands.push_back(command_of(relative ? "M83" : "M82"));
+  if ((file_modes & Effect::kInches) != 0) commands.push_back(command_of("G20"));
+  return commands;
+}
+
 MachineState state_at(const Checkpoint& checkpoint, const core::Settings& settings) {
   MachineState state;
+  if (checkpoint.file) {
+    put_modes(checkpoint.file->modes, state);
+    return state;
+  }
   state.x_um = checkpoint.encoder.x_um;
   state.y_um = checkpoint.encoder.y_um;
   state.z_um = checkpoint.encoder.z_um;

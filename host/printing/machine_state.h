@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/settings.h"               // Settings
@@ -23,13 +24,29 @@ struct MachineState {
   std::int32_t acceleration_mm_s2 = 0;         // 0: the machine's own, never told
   std::int32_t pressure_advance_tens_us = -1;  // negative: likewise
 
+  // Of a ready file: the modes that it is in (Effect), what the controller counts of filament, and
+  // what it has changed. A part has rind's own modes.
+  std::int32_t file_modes = firmware_link::Effect::kRelativeFilament;
+  std::int64_t e_count_10nm = 0;
+  std::int32_t feed_percent = 100;
+  std::int32_t flow_percent = 100;
+  bool shifted = false;  // its coordinates are not the machine's own
+
   void apply(const firmware_link::Command& command);
 
   // What tells a controller how it was told to move; empty: nothing was.
   [[nodiscard]] std::vector<firmware_link::Command> ways_of_moving() const;
 
   [[nodiscard]] bool position_known() const { return x_um && y_um && z_um; }
+
+  // Millimetres, absolute positions and relative filament, which moves of rind's own need; and what
+  // restores the file's modes behind these. Empty where the file is in these modes.
+  [[nodiscard]] std::vector<firmware_link::Command> own_modes() const;
+  [[nodiscard]] std::vector<firmware_link::Command> file_modes_again() const;
 };
+
+// A line of G-code as a command. REQUIRES: it is one.
+[[nodiscard]] firmware_link::Command command_of(const std::string& line);
 
 // After all commands before the checkpoint's layer.
 [[nodiscard]] MachineState state_at(const Checkpoint& checkpoint, const core::Settings& settings);

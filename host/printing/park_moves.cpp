@@ -14,6 +14,7 @@
 #include "core/check.h"                      // RIND_CHECK
 #include "core/motions/park_place.h"         // kParkEdge, park_place
 #include "firmware_link/wire/gcode_words.h"  // commands_in
+#include "host/gcode/set_up_lines.h"         // sets_up
 #include "host/pipeline/user_gcode.h"        // restored_after
 #include "host/pipeline/wire_units.h"
 #include "host/printing/safe_moves.h"
@@ -28,13 +29,9 @@ using firmware_link::Move;
 constexpr std::int64_t kEdge_um = core::kParkEdge.units() / kUnitsPerUm;
 
 // Whether the line sets the controller up and moves nothing.
-bool sets_up(const std::string& line) {
-  constexpr std::array<std::string_view, 22> kCodes = {
-      "M92",  "M200", "M201", "M203", "M204", "M205", "M206", "M207", "M208", "M209", "M211",
-      "M218", "M220", "M221", "M301", "M304", "M412", "M413", "M420", "M425", "M572", "M900"};
+bool sets_up_alone(const std::string& line) {
   const std::vector<std::string> codes = firmware_link::commands_in(line);
-  return codes.size() == 1 &&
-         std::find(kCodes.begin(), kCodes.end(), codes.front()) != kCodes.end();
+  return codes.size() == 1 && sets_up(codes.front());
 }
 
 ParkingPosition from_bed_origin(ParkingPosition position, const core::Settings& settings) {
@@ -58,12 +55,6 @@ std::int64_t gap(std::int64_t at, std::int64_t low, std::int64_t high) {
 }
 
 }  // namespace
-
-Command command_of(const std::string& line) {
-  auto made = firmware_link::verbatim_from(line);
-  RIND_CHECK(std::holds_alternative<firmware_link::Verbatim>(made));
-  return std::get<firmware_link::Verbatim>(made);
-}
 
 ParkingPosition parking_position(const core::Settings& settings, const core::Box& part) {
   const auto inside = [](core::Length side) {
@@ -96,8 +87,12 @@ ParkingPosition parking_position(const core::Settings& settings, const core::Box
 
 std::vector<Command> ParkMoves::leave_part(const MachineState& here) const {
   if (!here.position_known()) return {};
-  std::vector<Command> way =
+  std::vector<Command> way = here.own_modes();
+  const std::vector<Command> off =
       lift_off(retraction_10nm(settings_) - here.drawn_back_10nm, here.z_um, settings_);
+  way.insert(way.end(), off.begin(), off.end());
+  // Where the parking position is in a file's own coordinates, nobody knows.
+  if (here.shifted) return way;
   way.push_back(travel_move(position_.x_um, position_.y_um, settings_.travel_speed_mm_s));
   return way;
 }
@@ -108,7 +103,11 @@ std::vector<Command> ParkMoves::come_back(const MachineState& here, bool reheat)
     way.emplace_back(firmware_link::SetTemperature{Heater::kBed, here.bed_tenths, false});
     way.emplace_back(firmware_link::SetTemperature{Heater::kNozzle, here.nozzle_tenths, true});
   }
-  if (!here.position_known()) return way;
+  const std::vector<Command> modes = here.file_modes_again();
+  if (!here.position_known()) {
+    way.insert(way.end(), modes.begin(), modes.end());
+    return way;
+  }
   const std::int64_t back = retraction_10nm(settings_);
   const std::int64_t drawn = std::max(here.drawn_back_10nm, back);
   if (drawn > 0) way.push_back(filament_move(drawn, settings_.retraction_speed_mm_s));
@@ -127,14 +126,18 @@ std::vector<Command> ParkMoves::come_back(const MachineState& here, bool reheat)
     feed.f_mm_min = here.f_mm_min;
     way.emplace_back(feed);
   }
+  way.insert(way.end(), modes.begin(), modes.end());
   return way;
 }
 
 std::vector<Command> ParkMoves::restart(const MachineState& here, std::int64_t nozzle_z_um,
-                                        std::string_view height_command) const {
-  std::vector<std::string> set_up;
-  std::copy_if(settings_.start_gcode.begin(), settings_.start_gcode.end(),
-               std::back_inserter(set_up), sets_up);
+                                        std::string_view height_command,
+                                        const std::vector<std::string>& file_set_up) const {
+  std::vector<std::string> set_up = file_set_up;
+  if (set_up.empty()) {
+    std::copy_if(settings_.start_gcode.begin(), settings_.start_gcode.end(),
+                 std::back_inserter(set_up), sets_up_alone);
+  }
   std::vector<Command> way = {command_of("G21"), command_of("G90"), command_of("M83")};
   for (const std::string& line : set_up) way.push_back(command_of(line));
   for (const std::string& line : restored_after(set_up)) way.push_back(command_of(line));

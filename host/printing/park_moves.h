@@ -7,6 +7,9 @@
 //                   road's next point, go down, return the filament, set fan, acceleration and
 //                   feed as they were
 //
+// A ready file may be in other modes than these moves: they begin with their own, and end with the
+// file's (MachineState::own_modes).
+//
 //        ┌──────── travel ────────┐
 //        │ lift                   │ down
 //     ▂▂▂│▂▂▂ layer ▂▂▂▂▂▂▂▂▂▂▂▂▂▂▼▂▂▂
@@ -43,9 +46,6 @@ struct ParkingPosition {
 [[nodiscard]] ParkingPosition parking_position(const core::Settings& settings,
                                                const core::Box& part);
 
-// A line of G-code as a command. REQUIRES: it is one.
-[[nodiscard]] firmware_link::Command command_of(const std::string& line);
-
 class ParkMoves {
  public:
   ParkMoves(const core::Settings& settings, ParkingPosition position)
@@ -62,10 +62,11 @@ class ParkMoves {
   // For a controller that may have forgotten everything. `nozzle_z_um`: how high the nozzle is; the
   // controller is told by `height_command` (LinkRules::height_command), unless that is empty. Lines
   // of the start G-code that set the controller up and move nothing (M92, M220, M420 …) are sent
-  // again, and what the print told it of acceleration and pressure advance.
-  [[nodiscard]] std::vector<firmware_link::Command> restart(const MachineState& here,
-                                                            std::int64_t nozzle_z_um,
-                                                            std::string_view height_command) const;
+  // again, and what the print told it of acceleration and pressure advance. `file_set_up`: of a
+  // ready file, such lines of its own instead (SetUpLines).
+  [[nodiscard]] std::vector<firmware_link::Command> restart(
+      const MachineState& here, std::int64_t nozzle_z_um, std::string_view height_command,
+      const std::vector<std::string>& file_set_up = {}) const;
 
  private:
   core::Settings settings_;

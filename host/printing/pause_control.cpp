@@ -54,7 +54,8 @@ bool PauseControl::advance(double now_s, const MachineState& here) {
         set_out(Phase::kReturning, park_moves_.come_back(here, cooled_));
         return true;
       }
-      if (!cooled_ && now_s - away_since_s_ >= hot_s_) {
+      // Where nobody has told how hot it is to be, nobody could heat it again.
+      if (!cooled_ && here.nozzle_tenths > 0 && now_s - away_since_s_ >= hot_s_) {
         cooled_ = true;
         way_.emplace_back(firmware_link::SetTemperature{firmware_link::Heater::kNozzle, 0, false});
       }

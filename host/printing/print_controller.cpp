@@ -27,7 +27,7 @@ PrintController::PrintController(const PrintSettings& settings, const PrintOptio
       geometry_(parts.geometry),
       control_(parts.control),
       reporter_(parts.reporter),
-      link_(settings, options.banner_wait_s, parts.port),
+      link_(settings, {options.banner_wait_s, options.count_filament}, parts.port),
       commands_(geometry_.queue()),
       start_(settings, options.space.value_or(space_of(settings)), part),
       pauses_(start_.park_moves(), options.hot_s),
@@ -104,7 +104,12 @@ bool PrintController::feed_one(Instant now) {
     return true;
   }
   if (!pauses_.printing()) return false;
-  if (recovery_.searching() && !recovery_.find_start()) return false;
+  if (recovery_.searching()) {
+    if (!recovery_.find_start()) return false;
+    const MachineState here = commands_.state();
+    feed_.file_set_feed(here.feed_percent);
+    feed_.file_set_flow(here.flow_percent);
+  }
   if (commands_.peek() == nullptr) return false;
   if (commands_.next_was_executed()) {
     commands_.skip();
@@ -118,7 +123,9 @@ bool PrintController::give_next(Instant now) {
   const QueuedCommand& next = *commands_.peek();
   // The position is asked for before a layer, and before the user's own lines, which may move
   // anything.
-  const bool unknown = std::holds_alternative<firmware_link::Verbatim>(next.command);
+  const auto* ready = std::get_if<firmware_link::ReadyLine>(&next.command);
+  const bool unknown = std::holds_alternative<firmware_link::Verbatim>(next.command) ||
+                       (ready != nullptr && ready->place == firmware_link::PlaceAfter::kAxesLost);
   if (unchecked_road_ && (next.layer != commands_.last().layer || unknown)) {
     unchecked_road_ = false;
     session().check_position(now);
@@ -129,15 +136,31 @@ bool PrintController::give_next(Instant now) {
     reporter_.note(next.pause->event, next.pause->why, {{"layer", next.layer}});
     return true;
   }
-  const auto* move = std::get_if<firmware_link::Move>(&next.command);
+  // What a file moves beside its layers is its printer's own affair.
+  const firmware_link::Move* move = firmware_link::move_of(next.command);
+  const bool looked_at = ready == nullptr || (next.lays_road && next.layer > 0);
   const std::optional<firmware_link::TravelLimits>& limits = session().capabilities().travel;
-  if (move != nullptr && limits && !within_travel(*move, *limits)) {
+  if (looked_at && move != nullptr && limits && !within_travel(*move, *limits)) {
     refused_ = fmt::format("layer {} leaves the controller's axes; check bed_x, bed_y and axis_z",
                            next.layer);
     return false;
   }
+  const firmware_link::Effect effect = ready != nullptr ? ready->effect : firmware_link::Effect();
   take(next, now);
+  note_percents(effect, now);
   return true;
+}
+
+// A file has factors of its own, which the user's come on top of: told behind the file's.
+void PrintController::note_percents(const firmware_link::Effect& effect, Instant now) {
+  const auto percent = static_cast<int>(effect.value);
+  if (effect.kind == firmware_link::Effect::Kind::kFeedPercent) {
+    feed_.file_set_feed(percent);
+    tell_feed(now);
+  } else if (effect.kind == firmware_link::Effect::Kind::kFlowPercent) {
+    feed_.file_set_flow(percent);
+    if (feed_.requested_flow() != 100) session().set_flow_percent(feed_.flow_to_tell(), now);
+  }
 }
 
 void PrintController::take(const QueuedCommand& queued, Instant now) {
@@ -184,7 +207,7 @@ void PrintController::obey(UserRequest request, Instant now) {
     case UserRequest::kFlowDown:
       feed_.change_flow(request == UserRequest::kFlowUp ? 1 : -1);
       if (session().state() == SessionState::kStreaming) {
-        session().set_flow_percent(feed_.requested_flow(), now);
+        session().set_flow_percent(feed_.flow_to_tell(), now);
       }
       break;
   }

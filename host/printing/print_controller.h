@@ -42,6 +42,7 @@ struct PrintOptions {
   double underrun_s = 0;        // with nothing to lay: off the part; 0: never
   double hot_s = kPausedHot_s;  // how long a paused nozzle stays hot
   double banner_wait_s = 2.5;   // for a `start` (SessionOptions)
+  bool count_filament = true;   // likewise
   std::optional<MachineSpace> space = std::nullopt;  // nothing: as the settings say
   std::optional<Resumption> resumption = std::nullopt;
 };
@@ -79,6 +80,7 @@ class PrintController {
   [[nodiscard]] bool feed_one(firmware_link::Instant now);
   [[nodiscard]] bool give_next(firmware_link::Instant now);
   void take(const QueuedCommand& queued, firmware_link::Instant now);
+  void note_percents(const firmware_link::Effect& effect, firmware_link::Instant now);
   void keep_journal();
 
   // What people want, and whether geometry keeps up.

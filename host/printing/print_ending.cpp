@@ -54,16 +54,19 @@ bool PrintEnding::on_part() const {
 
 std::vector<Command> PrintEnding::safe_sequence() const {
   const core::Settings& machine = parts_.start.machine();
+  const MachineState here = parts_.commands.state();
   std::vector<Command> commands;
+  const auto add = [&commands](const std::vector<Command>& more) {
+    commands.insert(commands.end(), more.begin(), more.end());
+  };
   if (on_part()) {
-    const std::optional<std::int64_t> z_um = parts_.commands.state().z_um;
-    commands = lift_off(retraction_10nm(machine), z_um, machine);
-    if (z_um) commands.push_back(park_move(machine));
+    add(here.own_modes());
+    add(lift_off(retraction_10nm(machine), here.z_um, machine));
+    if (here.z_um && !here.shifted) commands.push_back(park_move(machine));
   }
-  const std::vector<Command> off = heaters_off();
-  commands.insert(commands.end(), off.begin(), off.end());
-  const std::vector<Command> back = acceleration_given_back(parts_.commands.state(), machine);
-  commands.insert(commands.end(), back.begin(), back.end());
+  add(heaters_off());
+  add(acceleration_given_back(here, machine));
+  add(percents_given_back(here));
   return commands;
 }
 

@@ -64,7 +64,10 @@ PrintOutcome print_part(const PrintRequest& request) {
                         request.print_plan.part.summary.height};
   GeometryThread thread(request.print_plan, resumption ? &resumption->record : nullptr,
                         request.reporter);
-  PrintController controller(request.print_plan.settings, request.options, part,
+  PrintOptions options = request.options;
+  const ReadyFile* ready = request.print_plan.ready.get();
+  options.count_filament = ready == nullptr || ready->summary().counts_filament;
+  PrintController controller(request.print_plan.settings, options, part,
                              {request.port, thread, request.control, request.reporter},
                              request.started_s);
   LinkOutcome link;

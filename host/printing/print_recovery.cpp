@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/check.h"
+#include "host/gcode/set_up_lines.h"
 #include "host/printing/port_clock.h"         // link_now
 #include "host/printing/reported_position.h"  // commands_sent, resume_point_at
 #include "host/system/stage_clock.h"          // steady_seconds
@@ -127,10 +128,29 @@ ResumePoint PrintRecovery::point_of(const JournalRecord& left, bool same_boot) c
       [&history](std::int64_t command) { return history.state_before(command); });
 }
 
-// Why a controller that has lost its position cannot be told its height; empty: it can, or need not
-// be told.
+// Of a ready file: the place before the command that all was set up for that the print needs.
+const FilePlace* PrintRecovery::file_before(std::int64_t command) const {
+  const HistoryMark mark = parts_.commands.history().mark_before(command);
+  return mark.checkpoint ? mark.checkpoint->file.get() : nullptr;
+}
+
+// Why a controller that has lost its position cannot be told its height, or what else it has
+// forgotten; empty: it can, or need not be told.
 std::string PrintRecovery::height_unknown(const ResumePoint& point) const {
   if (point.position_known) return {};
+  if (const FilePlace* file = file_before(point.command)) {
+    const MachineState here = parts_.commands.history().state_before(point.command);
+    if (here.shifted) {
+      return fmt::format(
+          "line {} of the file is reached in coordinates that the file has moved, "
+          "and the controller has forgotten them",
+          file->lines);
+    }
+    if (here.nozzle_tenths == 0) {
+      return "the controller has forgotten how hot the nozzle was, and no line of the file that "
+             "rind knows has told it";
+    }
+  }
   const firmware_link::Session& session = parts_.link.session();
   return std::string(session.dialect().no_height_command(session.capabilities()));
 }
@@ -143,8 +163,11 @@ std::vector<Command> PrintRecovery::way_back(const ResumePoint& point, std::int6
   const bool from_here = still_hot && point.position_known;
   const std::string_view height_command =
       point.position_known ? std::string_view() : parts_.link.session().rules().height_command;
+  const FilePlace* file = file_before(point.command);
+  const std::vector<std::string> set_up =
+      file != nullptr ? SetUpLines(file->set_up).lines() : std::vector<std::string>();
   std::vector<Command> way =
-      from_here ? moves.leave_part(here) : moves.restart(here, nozzle_z_um, height_command);
+      from_here ? moves.leave_part(here) : moves.restart(here, nozzle_z_um, height_command, set_up);
   // What is accepted behind it shows that all before it was executed (JournalWriter::record()).
   if (from_here) way.push_back(command_of("M400"));
   const std::vector<Command> back = moves.come_back(here, false);

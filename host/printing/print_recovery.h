@@ -78,6 +78,7 @@ class PrintRecovery {
 
  private:
   [[nodiscard]] ResumePoint point_of(const JournalRecord& left, bool same_boot) const;
+  [[nodiscard]] const FilePlace* file_before(std::int64_t command) const;
   [[nodiscard]] std::string height_unknown(const ResumePoint& point) const;
   [[nodiscard]] std::vector<firmware_link::Command> way_back(const ResumePoint& point,
                                                              std::int64_t nozzle_z_um,

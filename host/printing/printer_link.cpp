@@ -36,12 +36,13 @@ class GonePort final : public firmware_link::BytePort {
 
 }  // namespace
 
-PrinterLink::PrinterLink(const PrintSettings& settings, double banner_wait_s,
+PrinterLink::PrinterLink(const PrintSettings& settings, const Options& options,
                          firmware_link::BytePort& port)
     : port_(&port) {
   options_.pack = settings.meatpack == PackUse::kAuto;
   options_.wait_limit = duration_of(settings.wait_limit_s);
-  options_.banner_wait = duration_of(banner_wait_s);
+  options_.banner_wait = duration_of(options.banner_wait_s);
+  options_.count_filament = options.count_filament;
 }
 
 void PrinterLink::start_session(bool ask_found_line) {

@@ -15,8 +15,12 @@ namespace host {
 
 class PrinterLink {
  public:
-  // `banner_wait_s`: how long a `start` is waited for. The port outlives the link.
-  PrinterLink(const PrintSettings& settings, double banner_wait_s, firmware_link::BytePort& port);
+  struct Options {
+    double banner_wait_s;  // how long a `start` is waited for
+    bool count_filament;   // SessionOptions
+  };
+  // The port outlives the link.
+  PrinterLink(const PrintSettings& settings, const Options& options, firmware_link::BytePort& port);
 
   // Forgets the session before. `ask_found_line`: the controller may live (SessionOptions).
   void start_session(bool ask_found_line);

@@ -32,8 +32,10 @@ void append_heat(std::string& line, const char* name, std::optional<double> is,
   line += " C";
 }
 
-std::string layer_text(core::LayerIndex layer, core::LayerIndex layers) {
-  return layers > 0 ? fmt::format("layer {}/{}", layer, layers) : fmt::format("layer {}", layer);
+std::string layer_text(core::LayerIndex layer, core::LayerIndex layers,
+                       std::string_view counts = "layer") {
+  return layers > 0 ? fmt::format("{} {}/{}", counts, layer, layers)
+                    : fmt::format("{} {}", counts, layer);
 }
 
 std::string state_before_layer(std::string_view state) {
@@ -41,6 +43,7 @@ std::string state_before_layer(std::string_view state) {
 }
 
 double share_done(const ProgressReport& report) {
+  if (report.share) return *report.share;
   if (report.layers <= 0) return 0;
   return static_cast<double>(report.layer) / static_cast<double>(report.layers);
 }
@@ -55,14 +58,16 @@ std::string duration_text(double seconds) {
 std::string progress_line(const ProgressReport& report) {
   std::string line;
   if (report.preparation) {
-    const auto& [step, done, layers] = *report.preparation;
-    line = fmt::format("{}, {}", step, layer_text(done, layers));
+    const auto& [step, done, layers, counts] = *report.preparation;
+    line = fmt::format("{}, {}", step, layer_text(done, layers, counts));
   } else if (report.state == "heating" || report.state == "starting") {
     line = report.state;
   } else {
     line = fmt::format("{}{} | {:.1f} mm", state_before_layer(report.state),
                        layer_text(report.layer, report.layers), report.height.mm());
-    if (report.layers > 0) line += fmt::format(" | {:.0f} %", 100 * share_done(report));
+    if (report.layers > 0 || report.share) {
+      line += fmt::format(" | {:.0f} %", 100 * share_done(report));
+    }
   }
   line += report.left_s ? " | " + duration_text(*report.left_s) + " left"
                         : " | " + duration_text(report.elapsed_s);

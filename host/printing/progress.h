@@ -27,6 +27,7 @@ struct ProgressReport {
   double filament_mm = 0;
   double elapsed_s = 0;
   std::optional<double> left_s;
+  std::optional<double> share;  // of its time; nothing: layers tell it
   std::optional<double> nozzle_celsius, nozzle_target_celsius;
   std::optional<double> bed_celsius, bed_target_celsius;
   std::optional<std::size_t> lines_in_flight;

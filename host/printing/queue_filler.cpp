@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "firmware_link/wire/line_codec.h"  // encode
+#include "host/pipeline/wire_units.h"       // kUnitsPerUm
 
 namespace host {
 namespace {
@@ -73,22 +74,34 @@ void QueueFiller::note(const core::Motion& motion) {
 bool QueueFiller::take(const core::Motion& motion,
                        const std::optional<firmware_link::Command>& command) {
   note(motion);
-  if (!command) return true;
+  return !command || put(*command);
+}
+
+bool QueueFiller::take_ready(const ReadyCommand& command, const FilePlace& behind) {
+  next_.layer = behind.layer;
+  next_.top = core::Length::from_units(behind.top_um * kUnitsPerUm);
+  next_.lays_road = command.lays_road;
+  next_.filament_mm = behind.filament_mm;
+  next_.seconds = behind.seconds;
+  return put(command.meaning.line);
+}
+
+bool QueueFiller::put(const firmware_link::Command& command) {
   if (resumed_ != nullptr && number_ == resumed_->sure) {
     if (!finish()) return false;
     next_.before = std::make_shared<const MachineState>(machine_);
     resumed_ = nullptr;
   }
   firmware_link::TextBuffer buffer;
-  next_.hash = hash_of("\n", hash_of(firmware_link::encode(*command, buffer), next_.hash));
+  next_.hash = hash_of("\n", hash_of(firmware_link::encode(command, buffer), next_.hash));
   last_hash_ = next_.hash;
   ++number_;
   if (resumed_ != nullptr) {
-    machine_.apply(*command);
+    machine_.apply(command);
     next_.pause = nullptr;
     return true;
   }
-  next_.command = *command;
+  next_.command = command;
   seconds_made_.store(next_.seconds);
   const bool queued = queue_.push(next_, sizeof next_);
   next_.before = nullptr;

@@ -12,6 +12,7 @@
 #include "core/motions/motion.h"           // Motion
 #include "core/settings.h"                 // Settings
 #include "firmware_link/wire/command.h"    // Command
+#include "host/gcode/ready_reader.h"       // ReadyCommand
 #include "host/pipeline/checkpoint.h"      // Checkpoint
 #include "host/printing/journal_record.h"  // JournalRecord
 #include "host/printing/queued_command.h"  // CommandQueue
@@ -32,6 +33,10 @@ class QueueFiller {
   [[nodiscard]] bool take(const core::Motion& motion,
                           const std::optional<firmware_link::Command>& command);
 
+  // Of a ready file: the command, and how the print stands behind it. Its checkpoint has what it
+  // sets up.
+  [[nodiscard]] bool take_ready(const ReadyCommand& command, const FilePlace& behind);
+
   // The pipeline came to its end. False: error() says why.
   [[nodiscard]] bool finish();
 
@@ -42,6 +47,7 @@ class QueueFiller {
   [[nodiscard]] double seconds_made() const { return seconds_made_.load(); }
 
  private:
+  [[nodiscard]] bool put(const firmware_link::Command& command);
   void note(const core::Motion& motion);
   void add_line(core::Point to, double speed_mm_s);
 

@@ -49,6 +49,13 @@ std::vector<Command> acceleration_given_back(const MachineState& here,
   return {firmware_link::SetAcceleration{here.flavor, own_mm_s2}};
 }
 
+std::vector<Command> percents_given_back(const MachineState& here) {
+  std::vector<Command> commands;
+  if (here.feed_percent != 100) commands.push_back(command_of("M220 S100"));
+  if (here.flow_percent != 100) commands.push_back(command_of("M221 S100"));
+  return commands;
+}
+
 Command filament_move(std::int64_t by_10nm, double speed_mm_s) {
   Move move;
   move.extruding = true;

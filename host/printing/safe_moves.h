@@ -34,6 +34,9 @@ namespace host {
 [[nodiscard]] std::vector<firmware_link::Command> acceleration_given_back(
     const MachineState& here, const core::Settings& settings);
 
+// The same for the factors of feed and flow that a ready file has set.
+[[nodiscard]] std::vector<firmware_link::Command> percents_given_back(const MachineState& here);
+
 // One move each, at a speed of its own.
 [[nodiscard]] firmware_link::Command filament_move(std::int64_t by_10nm, double speed_mm_s);
 [[nodiscard]] firmware_link::Command travel_move(std::int64_t x_um, std::int64_t y_um,

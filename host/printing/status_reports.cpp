@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string_view>
@@ -233,6 +234,10 @@ void StatusReports::show_progress(const firmware_link::Session& session) {
   report.filament_mm = last.filament_mm;
   report.elapsed_s = now - started_s_;
   report.left_s = left_s(report);
+  if (const double all_s = signals_.full_speed_s.load(); all_s > 0) {
+    report.share = std::clamp(last.seconds / all_s, 0.0, 1.0);
+    report.left_s = (1 - *report.share) * signals_.time_s.load();
+  }
   const firmware_link::SessionStatistics link = session.statistics();
   report.state = state(link.temperatures);
   report.nozzle_celsius = link.temperatures.nozzle_celsius;

@@ -19,6 +19,7 @@
 #include "host/pipeline/pipeline.h"
 #include "host/printing/port_clock.h"
 #include "host/printing/print_part.h"
+#include "tests/host/ready_files.h"
 #include "tests/host/scripted_control.h"
 #include "tests/support/own_lines.h"
 #include "tests/support/part_folder.h"
@@ -59,6 +60,7 @@ class BreakablePort final : public firmware_link::BytePort {
 };
 
 inline host::PrintPlan open(const core::Settings& settings, const std::string& path) {
+  if (path.ends_with("gcode")) return open_ready(settings, path, path.ends_with(".bgcode"));
   core::Result<host::OpenedPart> part = host::open_whole_part(path, settings);
   if (!part.ok()) FAIL(part.error().message);
   return {settings, std::move(part).value(), path};
@@ -68,6 +70,7 @@ struct Rig {
   host::PrintPlan print_plan;
   // Commands as the controller took them, without the link's own; to a Marlin the numbered ones.
   std::vector<std::string> executed;
+  std::vector<std::string> sent;      // the same as they were sent: moves are not spelled out
   std::function<void()> on_executed;  // after each
   ScriptedControl control;
   host::PrintOptions options;  // what a test wants of it
@@ -88,7 +91,10 @@ struct Rig {
                          machine.dialect == firmware_link::VirtualDialect::kPrusa;
     machine.executed = [this, numbers](const firmware_link::ExecutedCommand& command) {
       const std::string text(command.text);
-      if ((command.number || !numbers) && !test::is_own_line(text)) executed.push_back(text);
+      if ((command.number || !numbers) && !test::is_own_line(text)) {
+        executed.push_back(text);
+        sent.emplace_back(command.words);
+      }
       if (on_executed) on_executed();
     };
     port = std::make_unique<firmware_link::VirtualPort>(machine, host::steady_port_clock(), 0);

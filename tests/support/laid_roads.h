@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdlib>
 #include <string>
 #include <vector>
@@ -23,11 +24,14 @@ struct LaidPiece {
 
 class RoadTracer {
  public:
-  // REQUIRES: unpacked moves; absolute positions, relative filament.
+  // REQUIRES: unpacked moves; absolute positions. Filament is relative, unless M82 says otherwise.
   void execute(const std::string& text) {
     const std::string word = text.substr(0, text.find(' '));
     if (word == "G92") {
       read(text, 'Z', height_);
+      read(text, 'E', count_);
+    } else if (word == "M82" || word == "M83") {
+      absolute_ = word == "M82";
     } else if (word == "G28") {
       place_ = {-1, -1};  // nothing is laid from there
     } else if (word == "G0" || word == "G1") {
@@ -64,6 +68,9 @@ class RoadTracer {
     read(text, 'F', feed_);
     double filament = 0;
     if (!read(text, 'E', filament)) return;
+    const double told = filament;
+    if (absolute_) filament = std::round((told - count_) * 1e5) / 1e5;
+    count_ = absolute_ ? told : count_ + told;
     if (x || y) {
       laid_.push_back({from, place_, turn, centre, height_, filament, feed_});
     } else {
@@ -74,6 +81,8 @@ class RoadTracer {
   std::array<double, 2> place_{-1, -1};
   double height_ = 0;
   double feed_ = 0;
+  double count_ = 0;  // of filament, as the controller has it
+  bool absolute_ = false;
   double primed_mm_ = 0;
   std::vector<LaidPiece> laid_;
 };

@@ -335,11 +335,25 @@ Case supported_case(const test::PartFolder& folder) {
   return {settings, part, test::laid_by(print_test::sliced_lines(settings, part))};
 }
 
+// The same roads out of a ready file, with relative and with absolute filament.
+Case ready_case(const test::PartFolder& folder, bool absolute) {
+  const std::string part =
+      folder.add("ready.stl", parts::together({parts::box({8, 8, 0}, 6, 5, 3)}));
+  std::vector<std::string> lines = print_test::sliced_lines(coarse(), part);
+  // Something to be set up again after a reset.
+  lines.insert(lines.begin() + 30, {"M204 P1200 T1500", "M220 S95"});
+  if (absolute) lines = print_test::with_absolute_filament(lines);
+  const std::string path = folder.add_text(absolute ? "absolute.gcode" : "relative.gcode",
+                                           print_test::dressed(lines, absolute ? "\r\n" : "\n"));
+  return {coarse(), path, test::laid_by(lines)};
+}
+
 }  // namespace
 
 TEST_CASE("any two interruptions leave no road out, and lay few twice") {
   const test::PartFolder parts_folder;
-  const std::vector<Case> cases = {plain_case(parts_folder), supported_case(parts_folder)};
+  const std::vector<Case> cases = {plain_case(parts_folder), supported_case(parts_folder),
+                                   ready_case(parts_folder, false), ready_case(parts_folder, true)};
   const char* told = std::getenv("RIND_SEED");
   const std::uint64_t first =
       told != nullptr ? std::strtoull(told, nullptr, 10) : std::random_device()();

@@ -1,0 +1,24 @@
+// The plan of a ready G-code file, which is printed as it is.
+#pragma once
+
+#include <memory>
+
+#include "core/result.h"             // Result
+#include "host/gcode/ready_file.h"   // ReadyFile
+#include "host/pipeline/pipeline.h"  // PrintPlan
+#include "host/printing/progress.h"  // Reporter
+#include "host/settings/options.h"   // Options
+
+namespace host {
+
+// Null: the file is no G-code, but a part. What comes through a pipe is spooled first, to its end.
+[[nodiscard]] core::Result<std::shared_ptr<ReadyFile>> open_ready(const Options& options);
+
+// Looks through the whole file, and tells what is known of it. Errors: a line that may not be sent;
+// roads beyond a bed or an axis that the user has named.
+[[nodiscard]] core::Result<PrintPlan> ready_plan(const Options& options,
+                                                 const PrintSettings& settings,
+                                                 const std::shared_ptr<ReadyFile>& file,
+                                                 Reporter& reporter);
+
+}  // namespace host
