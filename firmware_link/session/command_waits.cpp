@@ -16,7 +16,9 @@ struct Row {
 };
 
 // Generous: a bed of 400 mm takes half an hour to warm, a mesh of 15 × 15 points twenty minutes. A
-// limit that is too long costs a warm nozzle, one that is too short a part.
+// limit that is too long costs a warm nozzle, one that is too short a part. Whoever is to change
+// filament may be away for days.
+constexpr minutes kUsersTime(30 * 24 * 60);
 constexpr Row kRows[] = {
     {"G4", "a pause in the G-code", minutes(60)},
     {"G12", "cleaning the nozzle", minutes(10)},
@@ -33,25 +35,25 @@ constexpr Row kRows[] = {
     {"G76", "calibrating the probe's warmth", minutes(240)},
     {"G80", "probing the bed", minutes(60)},
     {"G425", "calibrating", minutes(30)},
-    {"M0", "its user", minutes(24 * 60)},
-    {"M1", "its user", minutes(24 * 60)},
+    {"M0", "its user", kUsersTime},
+    {"M1", "its user", kUsersTime},
     {"M18", "the last moves", minutes(10)},
-    {"M25", "its user", minutes(24 * 60)},
+    {"M25", "its user", kUsersTime},
     {"M45", "calibrating", minutes(60)},
     {"M48", "testing the probe", minutes(60)},
     {"M84", "the last moves", minutes(10)},
     {"M109", "the nozzle to be warm", minutes(20)},
     {"M116", "all heaters to be warm", minutes(90)},
-    {"M125", "parking", minutes(24 * 60)},
+    {"M125", "parking", kUsersTime},
     {"M190", "the bed to be warm", minutes(90)},
     {"M191", "the chamber to be warm", minutes(240)},
     {"M192", "the probe to be warm", minutes(60)},
-    {"M226", "its user", minutes(24 * 60)},
+    {"M226", "its user", kUsersTime},
     {"M303", "tuning a heater", minutes(60)},
     {"M306", "tuning a heater", minutes(60)},
     {"M400", "the last moves", minutes(10)},
-    {"M600", "a change of filament", minutes(24 * 60)},
-    {"M601", "its user", minutes(24 * 60)},
+    {"M600", "a change of filament", kUsersTime},
+    {"M601", "its user", kUsersTime},
     {"M701", "loading filament", minutes(10)},
     {"M702", "unloading filament", minutes(10)},
 };

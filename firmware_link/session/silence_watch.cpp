@@ -16,7 +16,7 @@ constexpr int kAsksMax = 5;
 
 // How long a command may take while it says that it is being worked at.
 constexpr Duration kBusyMax = minutes(15);
-constexpr Duration kUserMax = minutes(24 * 60);
+constexpr Duration kUserMax = minutes(30 * 24 * 60);  // away for days
 
 constexpr Duration kTellAfter = seconds(5);
 

@@ -16,6 +16,9 @@ class TemperatureWatch {
   void told(const Temperatures& temperatures);
   [[nodiscard]] const Temperatures& known() const { return known_; }
 
+  // Forgets how warm they were.
+  void restart() { nozzle_.restart(), bed_.restart(); }
+
   // A sentence when a heater does not do what it was told (heater_watch.h).
   [[nodiscard]] std::optional<std::string> complaint(const Temperatures& told, Instant now);
 

@@ -45,20 +45,20 @@ Status scan(const PrintSettings& settings, ReadyFile& file, Reporter& reporter) 
 }
 
 // Whether the roads lie on the bed, as far as the user has said how large it is.
-Status check_bed(const ReadyFile& file, const MachineSpace& space) {
+Status check_bed(const ReadyFile& file, const PrintSettings& settings, const MachineSpace& space) {
   const ReadySummary& summary = file.summary();
-  const auto length = [](std::int32_t units) { return core::Length::from_units(units); };
-  const core::Box& box = summary.box;
-  if (!space.guessed && (box.min.x < 0 || box.min.y < 0 || length(box.max.x) > space.bed_x ||
-                         length(box.max.y) > space.bed_y)) {
+  const bool known = !space.guessed || !space.bed_shape.empty();
+  if (known && summary.outside_line > 0) {
+    const auto mm = [](std::int32_t units) { return core::Length::from_units(units).mm(); };
+    const core::Box& box = summary.box;
     return Error{
         ErrorCode::kOutOfBounds,
-        fmt::format("{}: line {}: the roads reach from X {:g}, Y {:g} to X {:g}, Y {:g} mm "
-                    "of the bed, which is {:g} by {:g} mm; slice it for this printer, or "
-                    "check bed_x, bed_y and bed_origin_x, bed_origin_y",
-                    file.name(), summary.outermost_line, length(box.min.x).mm(),
-                    length(box.min.y).mm(), length(box.max.x).mm(), length(box.max.y).mm(),
-                    space.bed_x.mm(), space.bed_y.mm())};
+        fmt::format("{}: line {}: a road lies beyond the bed; all of them reach from X {:g}, "
+                    "Y {:g} to X {:g}, Y {:g} mm from its corner, and it is {:g} by {:g} mm; "
+                    "slice the part for this printer, or check bed_x, bed_y and bed_origin_x, "
+                    "bed_origin_y",
+                    file.name(), summary.outside_line, mm(box.min.x), mm(box.min.y), mm(box.max.x),
+                    mm(box.max.y), settings.bed_x.mm(), settings.bed_y.mm())};
   }
   if (space.axis_z > core::Length() && summary.height > space.axis_z) {
     return Error{
@@ -87,9 +87,8 @@ void tell(const PrintSettings& settings, const ReadyFile& file, Reporter& report
     reporter.note("warning",
                   "after a reset of the controller this print may not be resumed well: " + why);
   }
-  if (!settings.start_gcode.empty() || !settings.end_gcode.empty() || !settings.at_height.empty()) {
-    reporter.note("warning",
-                  "start_gcode, end_gcode and at_height are left out: the file has its own lines");
+  if (!settings.at_height.empty()) {
+    reporter.note("warning", "at_height is left out: the file is printed as it is");
   }
 }
 
@@ -107,10 +106,6 @@ Result<std::shared_ptr<ReadyFile>> open_ready(const Options& options) {
     if (path == "-") InputFile::give_back(std::move(file));
     return std::shared_ptr<ReadyFile>();
   }
-  if (*kind.value() == GcodeKind::kBinary) {
-    return Error{ErrorCode::kBadPart,
-                 file.name() + ": binary G-code can't be read yet; save it as plain .gcode"};
-  }
   Result<FileBytes> bytes =
       rereadable ? FileBytes::open(path) : spooled(std::move(file), options.part.spool);
   if (!bytes.ok()) return bytes.error();
@@ -120,7 +115,8 @@ Result<std::shared_ptr<ReadyFile>> open_ready(const Options& options) {
 Result<PrintPlan> ready_plan(const Options& options, const PrintSettings& settings,
                              const std::shared_ptr<ReadyFile>& file, Reporter& reporter) {
   if (Status scanned = scan(settings, *file, reporter); !scanned.ok()) return scanned.error();
-  if (Status fits = check_bed(*file, space_in(settings, options)); !fits.ok()) return fits.error();
+  if (Status fits = check_bed(*file, settings, space_in(settings, options)); !fits.ok())
+    return fits.error();
   tell(settings, *file, reporter);
   PrintPlan print_plan{settings, OpenedPart{}, part_title(options.part.path)};
   print_plan.part.summary.format = "G-code";

@@ -45,6 +45,7 @@ constexpr std::array kFormats = {
     FormatRow{"Slice V0", ".ssl .slc", "layers", true, true, "Stratasys, ASCII, inches"},
     FormatRow{"SVG layers", ".svg", "layers", true, true, "Slic3r's two dialects"},
     FormatRow{"G-code", ".gcode", "roads", true, true, "print: as it is; slice writes it"},
+    FormatRow{"binary G-code", ".bgcode", "roads", true, false, "Prusa's; print: as it is"},
 };
 
 Error not_as_before(const std::string& name) {

@@ -1,7 +1,7 @@
 // The text of a G-code file, in pieces, from any place on.
 //
 //     plain    the file's own bytes
-//     bgcode   what its G-code blocks hold, one behind the other
+//     bgcode   what its G-code blocks hold, one behind the other (bgcode_text.h)
 #pragma once
 
 #include <cstdint>

@@ -1,10 +1,13 @@
 #include "host/gcode/ready_file.h"
 
 #include "host/files/spill_file.h"
+#include "host/gcode/bgcode_text.h"
 
 namespace host {
 
-std::unique_ptr<GcodeText> ReadyFile::text() const { return plain_text(bytes_); }
+std::unique_ptr<GcodeText> ReadyFile::text() const {
+  return binary_ ? bgcode_text(bytes_) : plain_text(bytes_);
+}
 
 core::Status ReadyFile::scan(const core::Settings& settings, const ScanRequest& request) {
   const std::unique_ptr<GcodeText> whole = text();

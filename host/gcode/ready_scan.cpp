@@ -6,6 +6,7 @@
 #include <array>
 #include <utility>
 
+#include "core/bed.h"
 #include "core/motions/motion_clock.h"
 #include "host/gcode/gcode_comments.h"
 #include "host/gcode/ready_reader.h"
@@ -34,7 +35,7 @@ core::MotionModel model_of(const core::Settings& settings) {
 struct Extent {
   core::Box box;
   std::int64_t top_um = 0;
-  std::int64_t outermost_line = 0;
+  std::int64_t outside_line = 0;  // the first road beyond the bed
   std::int64_t highest_line = 0;
 };
 
@@ -43,6 +44,8 @@ class Scan {
   Scan(const core::Settings& settings, ReadySummary& summary)
       : origin_x_(settings.bed_origin_x.units()),
         origin_y_(settings.bed_origin_y.units()),
+        bed_(settings),
+        rectangular_(settings.bed_shape.empty()),
         clock_(model_of(settings)),
         summary_(summary) {}
 
@@ -62,6 +65,8 @@ class Scan {
 
   std::int64_t origin_x_;
   std::int64_t origin_y_;
+  core::Bed bed_;
+  bool rectangular_;
   core::MotionClock clock_;
   ReadySummary& summary_;
   std::int64_t layer_marks_ = 0;
@@ -88,7 +93,9 @@ void Scan::grow(Extent& extent, const GcodeModes& at, std::int64_t line) const {
     const core::Point point{unit(*at.x_um, origin_x_), unit(*at.y_um, origin_y_)};
     const core::Box was = extent.box;
     extent.box.add(point);
-    if (!(was == extent.box)) extent.outermost_line = line;
+    // Within a box that is on the bed, all is; but for beds that are no rectangle.
+    const bool looks = !rectangular_ || !(was == extent.box);
+    if (looks && extent.outside_line == 0 && !bed_.holds(point)) extent.outside_line = line;
   }
   if (at.z_um && *at.z_um > extent.top_um) {
     extent.top_um = *at.z_um;
@@ -168,6 +175,7 @@ void Scan::command(const ReadyCommand& command, const GcodeModes& before, const 
     const bool known = std::find(macros_.begin(), macros_.end(), name) != macros_.end();
     if (!known && macros_.size() < kMacrosTold) macros_.push_back(name);
   }
+  if (command.lays_road) summary_.last_road = behind.commands;
   if (!summary_.told_s) summary_.told_s = time_left_in(line.words.text());
 }
 
@@ -179,7 +187,7 @@ void Scan::end(const FilePlace& last) {
   const Extent& extent = in_layers_.box.empty() ? all_ : in_layers_;
   summary_.box = extent.box;
   summary_.height = core::Length::from_units(extent.top_um * kUnitsOfUm);
-  summary_.outermost_line = extent.outermost_line;
+  summary_.outside_line = extent.outside_line;
   summary_.highest_line = extent.highest_line;
   summary_.filament_mm = last.filament_mm;
   summary_.seconds = last.seconds;

@@ -31,12 +31,13 @@ struct ReadySummary {
   // beside its bed does not count.
   core::Box box;  // from the bed's front left corner; empty: there is no road
   core::Length height;
-  std::int64_t outermost_line = 0;  // where the box became as large as it is
+  std::int64_t outside_line = 0;  // where the first of these leaves the settings' bed; 0: none does
   std::int64_t highest_line = 0;
   double filament_mm = 0;        // in roads
   double seconds = 0;            // at full speed
   double clock_s = 0;            // as core::MotionClock has it
   std::optional<double> told_s;  // as the slicer tells it
+  std::int64_t last_road = 0;     // the command of that number, from 1
   std::int64_t arcs = 0;
   std::int64_t first_arc_line = 0;
   bool counts_filament = true;  // every move counts its filament by itself, in mm (M83)

@@ -34,6 +34,13 @@ void warn_of_arcs(const ReadySummary& summary, const CommandForm& form, Pipeline
       summary.arcs, summary.first_arc_line));
 }
 
+// What a printer moves before its first layer and behind its last may be cut short by the end stops
+// of its software, as where it wipes the nozzle beside the bed. So it is not asked whether it is there.
+void beside_layers(firmware_link::ReadyLine& line) {
+  using firmware_link::PlaceAfter;
+  if (line.place == PlaceAfter::kByMove) line.place = PlaceAfter::kAsBefore;
+}
+
 }  // namespace
 
 Result<bool> run_ready(const PrintPlan& print_plan, const JournalRecord* resumed,
@@ -70,12 +77,16 @@ Result<bool> run_ready(const PrintPlan& print_plan, const JournalRecord* resumed
     Result<std::optional<ReadyCommand>> read = reader.next();
     if (!read.ok()) return read.error();
     if (!read.value()) return true;
-    const ReadyCommand& command = *read.value();
-    if (command.meaning.sets_up || reader.behind().commands > next_checkpoint) {
-      filler.start_layer(checkpoint_at(reader.before()));
-      next_checkpoint = reader.behind().commands + kCheckpointCommands - 1;
+    ReadyCommand& command = *read.value();
+    const FilePlace& behind = reader.behind();
+    if (behind.layer == 0 || behind.commands > summary.last_road) {
+      beside_layers(command.meaning.line);
     }
-    if (!filler.take_ready(command, reader.behind())) return false;
+    if (command.meaning.sets_up || behind.commands > next_checkpoint) {
+      filler.start_layer(checkpoint_at(reader.before()));
+      next_checkpoint = behind.commands + kCheckpointCommands - 1;
+    }
+    if (!filler.take_ready(command, behind)) return false;
   }
   return false;
 }

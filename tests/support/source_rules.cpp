@@ -46,7 +46,7 @@ constexpr std::array kLibraries = {
     Library{"fast_float/", {"host/formats/"}},
     Library{"expat.h", {"host/formats/xml_scanner.cpp"}},
     Library{"zip.h", {"host/formats/zip_archive.cpp"}},
-    Library{"zlib.h", {"host/output/png_writer.cpp"}},
+    Library{"zlib.h", {"host/output/png_writer.cpp", "host/gcode/bgcode_blocks.cpp"}},
     Library{"spdlog/", {"host/"}},
     Library{"nlohmann/", {"host/", "tools/"}},
     Library{"tbb/", {"host/"}},

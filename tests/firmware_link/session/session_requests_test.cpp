@@ -253,6 +253,22 @@ TEST_CASE("a printer that waits for its user says so once, and hears the user's 
   CHECK(std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()) == "\nM108\n");
 }
 
+TEST_CASE("filament may be changed days later, and the nozzle cools meanwhile") {
+  VirtualLink link({}, {});
+  while (link.session->state() == SessionState::kConnecting) link.turn();
+  for (int i = 0; i < 10; ++i) link.turn();
+  link.session->take(std::get<Verbatim>(verbatim_from("M600")), link.now);
+  const std::string busy = "echo:busy: paused for user\nT:90.00 /210.00 B:60.00 /60.00\n";
+  for (int minute = 0; minute < 6 * 24 * 60; ++minute) {
+    for (int second = 0; second < 60; second += 2) {
+      link.now += std::chrono::seconds(2);
+      link.session->input(std::as_bytes(std::span(busy)), link.now);
+      link.session->tick(link.now);
+    }
+    REQUIRE(link.session->state() == SessionState::kStreaming);
+  }
+}
+
 TEST_CASE("a nozzle that stands for want of an `ok` makes the link ask at once") {
   VirtualLink link({}, {});
   const auto commands = moves(60, 9);
