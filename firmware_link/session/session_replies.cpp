@@ -227,11 +227,7 @@ void Session::complaint_heard(const Reply& reply) {
 void Session::note_temperatures(const Temperatures& told, Instant now) {
   temperatures_.told(told);
   if (state_ != SessionState::kStreaming && state_ != SessionState::kFinishing) return;
-  if (silence_.user_awaited()) {
-    // It may let its nozzle cool meanwhile, and tell the target all the same.
-    temperatures_.restart();
-    return;
-  }
+  if (silence_.user_awaited()) return temperatures_.restart();
   if (const auto words = temperatures_.complaint(told, now)) {
     fault(FaultKind::kHeater, *words, true);
   }

@@ -16,7 +16,8 @@ class TemperatureWatch {
   void told(const Temperatures& temperatures);
   [[nodiscard]] const Temperatures& known() const { return known_; }
 
-  // Forgets how warm they were.
+  // Forgets how warm they were: a controller that waits for its user may let its nozzle cool, and
+  // tell the target all the same.
   void restart() { nozzle_.restart(), bed_.restart(); }
 
   // A sentence when a heater does not do what it was told (heater_watch.h).

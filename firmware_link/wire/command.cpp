@@ -19,6 +19,17 @@ std::string capitals(std::string_view text) {
   return result;
 }
 
+// The same, but for what stands between quotation marks: M862.3 P"name".
+std::string capitals_outside_quotes(std::string_view text) {
+  std::string result(text);
+  bool quoted = false;
+  for (char& c : result) {
+    if (c == '"') quoted = !quoted;
+    if (!quoted) c = capital(c);
+  }
+  return result;
+}
+
 // What is left of a line when comments are gone, in the capitals that it needs. Names stay as they
 // are: Klipper takes any, and Prusa's Tx and Tc are none in capitals.
 std::string normalised(std::string_view line) {
@@ -26,7 +37,7 @@ std::string normalised(std::string_view line) {
   const std::size_t size = command_word_size(text);
   const std::string command_word = capitals(std::string_view(text).substr(0, size));
   if (!is_classic(command_word)) return text;
-  if (!carries_text(canonical(command_word))) return capitals(text);
+  if (!carries_text(canonical(command_word))) return capitals_outside_quotes(text);
   return command_word + text.substr(size);
 }
 

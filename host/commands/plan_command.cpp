@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <iterator>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "core/roads/brim.h"
 #include "core/slices/standing.h"
 #include "host/commands/commands.h"
+#include "host/commands/ready_plan.h"
 #include "host/output/gcode_comments.h"  // filament_grams
 #include "host/pipeline/pipeline.h"
 #include "host/pipeline/standing_text.h"
@@ -129,6 +131,13 @@ void tell_outlook(const GeometryStatistics& statistics, Reporter& reporter) {
 }  // namespace
 
 int plan_command(const Options& options, Reporter& reporter) {
+  const core::Result<std::shared_ptr<ReadyFile>> ready = open_ready(options);
+  if (!ready.ok()) return fail(ready.error(), reporter);
+  if (ready.value()) {
+    const core::Result<WholeSettings> whole = load_settings_of(options, reporter);
+    if (!whole.ok()) return fail(whole.error(), reporter);
+    return plan_ready(options, whole.value().settings, ready.value(), reporter);
+  }
   core::Result<PrintPlan> opened = open_print_plan(options, reporter);
   if (!opened.ok()) return fail(opened.error(), reporter);
   PrintPlan& print_plan = opened.value();

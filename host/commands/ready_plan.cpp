@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <iterator>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <utility>
@@ -93,6 +95,45 @@ void tell(const PrintSettings& settings, const ReadyFile& file, Reporter& report
 }
 
 }  // namespace
+
+int plan_ready(const Options& options, const PrintSettings& settings,
+               const std::shared_ptr<ReadyFile>& file, Reporter& reporter) {
+  const Result<PrintPlan> plan = ready_plan(options, settings, file, reporter);
+  if (!plan.ok()) return fail(plan.error(), reporter);
+  const ReadySummary& summary = file->summary();
+  const auto mm = [](std::int64_t units) { return core::Length::from_units(units).mm(); };
+  const core::Box& box = summary.box;
+  const bool boxed = !box.empty();
+  const double x_mm = boxed ? mm(std::int64_t{box.max.x} - box.min.x) : 0;
+  const double y_mm = boxed ? mm(std::int64_t{box.max.y} - box.min.y) : 0;
+  if (options.json) {
+    const nlohmann::ordered_json json = {{"format", "G-code"},
+                                         {"commands", summary.commands},
+                                         {"layers", summary.layers},
+                                         {"x_mm", x_mm},
+                                         {"y_mm", y_mm},
+                                         {"height_mm", summary.height.mm()},
+                                         {"filament_mm", summary.filament_mm},
+                                         {"time_s", summary.time_s()},
+                                         {"motion_clock_s", summary.clock_s}};
+    return show_result(json.dump(2) + "\n", reporter);
+  }
+  std::string text;
+  const auto out = std::back_inserter(text);
+  fmt::format_to(out, "part       {} (ready G-code, {} commands)\n", part_title(file->name()),
+                 summary.commands);
+  fmt::format_to(out, "size       {:.2f} x {:.2f} x {:.2f} mm, with the roads' centres\n", x_mm,
+                 y_mm, summary.height.mm());
+  fmt::format_to(out, "layers     {}{}\n", summary.layers,
+                 summary.marks ? ", as its comments tell" : ", by height");
+  fmt::format_to(out, "filament   {:9.1f} mm in roads\n", summary.filament_mm);
+  if (summary.told_s) {
+    fmt::format_to(out, "time       {}, as its slicer tells\n", duration_text(*summary.told_s));
+  }
+  fmt::format_to(out, "time       about {} by rind's motion clock, without heating up\n",
+                 duration_text(summary.clock_s));
+  return show_result(text, reporter);
+}
 
 Result<std::shared_ptr<ReadyFile>> open_ready(const Options& options) {
   const std::string& path = options.part.path;

@@ -21,4 +21,8 @@ namespace host {
                                                  const std::shared_ptr<ReadyFile>& file,
                                                  Reporter& reporter);
 
+// `rind plan` of it: what it is like, on standard output. Returns the exit code.
+[[nodiscard]] int plan_ready(const Options& options, const PrintSettings& settings,
+                             const std::shared_ptr<ReadyFile>& file, Reporter& reporter);
+
 }  // namespace host

@@ -1,5 +1,5 @@
-// The blocks of a binary G-code file (Prusa's .bgcode, version 1): one after the other, each checked
-// by its checksum.
+// The blocks of a binary G-code file (Prusa's .bgcode, version 1): one after the other, each
+// checked by its checksum.
 //
 //     "GCDE" version checksum-kind │ block │ block │ …
 //     block: kind, compression, sizes │ parameters │ data │ CRC-32 of all of these
@@ -44,9 +44,9 @@ class BgcodeBlocks {
   // The bytes outlive this.
   explicit BgcodeBlocks(const FileBytes& bytes) : bytes_(bytes) {}
 
-  // The next block. G-code and metadata of the print are unpacked, all others checked alone. nullopt
-  // at the end. Errors name block and byte: a damaged one, one that is too long, a form that is not
-  // known.
+  // The next block. G-code and metadata of the print are unpacked, all others checked alone.
+  // nullopt at the end. Errors name block and byte: a damaged one, one that is too long, a form
+  // that is not known.
   [[nodiscard]] core::Result<std::optional<BgcodeBlock>> next();
 
   // Goes on with the block whose header starts there.

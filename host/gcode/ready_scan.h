@@ -37,7 +37,7 @@ struct ReadySummary {
   double seconds = 0;            // at full speed
   double clock_s = 0;            // as core::MotionClock has it
   std::optional<double> told_s;  // as the slicer tells it
-  std::int64_t last_road = 0;     // the command of that number, from 1
+  std::int64_t last_road = 0;    // the command of that number, from 1
   std::int64_t arcs = 0;
   std::int64_t first_arc_line = 0;
   bool counts_filament = true;  // every move counts its filament by itself, in mm (M83)

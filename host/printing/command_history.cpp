@@ -49,10 +49,21 @@ std::optional<std::int64_t> CommandHistory::executed_before(std::int64_t number,
                                                             std::size_t blocks) const {
   std::array<std::size_t, kHistoryCommandsMax> taken{};
   MachineState state = before_;
+  // Where the last block ended, and the filament since: moves too short for a block of their own
+  // are part of the next.
+  MachineState planned = before_;
+  std::int64_t filament_10nm = 0;
   for (std::int64_t i = begin_; i < number; ++i) {
-    taken[static_cast<std::size_t>(i) % kHistoryCommandsMax] =
-        blocks_at_least(at(i).command, state);
-    state.apply(at(i).command);
+    const firmware_link::Command& command = at(i).command;
+    const Move* move = firmware_link::move_of(command);
+    if (move != nullptr) filament_10nm += move->e_10nm.value_or(0);
+    std::size_t& here = taken[static_cast<std::size_t>(i) % kHistoryCommandsMax];
+    here = blocks_at_least(command, planned);
+    if (here == 0 && std::abs(filament_10nm) / 100 >= kBlockLengthUm) here = 1;
+    state.apply(command);
+    if (here == 0 && planned.position_known()) continue;
+    planned = state;
+    filament_10nm = 0;
   }
   while (blocks > 0) {
     if (number == begin_) return std::nullopt;

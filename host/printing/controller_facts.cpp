@@ -20,7 +20,7 @@ constexpr double kBannerWait_s = 2.5;
 ControllerFacts ask_controller(firmware_link::BytePort& port, double limit_s,
                                const std::function<bool()>& stop_asked) {
   const PrintSettings settings;
-  PrinterLink link(settings, kBannerWait_s, port);
+  PrinterLink link(settings, {kBannerWait_s, true}, port);
   PrintStart start(settings, space_of(settings), {});
   link.start_session(false);
   const double until_s = steady_seconds() + limit_s;

@@ -34,8 +34,9 @@ void warn_of_arcs(const ReadySummary& summary, const CommandForm& form, Pipeline
       summary.arcs, summary.first_arc_line));
 }
 
-// What a printer moves before its first layer and behind its last may be cut short by the end stops
-// of its software, as where it wipes the nozzle beside the bed. So it is not asked whether it is there.
+// What a printer moves before its first layer and behind its last may be cut short by the end
+// stops of its software, as where it wipes the nozzle beside the bed. So it is not asked whether it
+// is there.
 void beside_layers(firmware_link::ReadyLine& line) {
   using firmware_link::PlaceAfter;
   if (line.place == PlaceAfter::kByMove) line.place = PlaceAfter::kAsBefore;

@@ -154,6 +154,34 @@ TEST_CASE("thirty times the height, the same memory, where the inside holds up i
                   folder.add("high.stl", parts::shelves(6'000)), settings);
 }
 
+TEST_CASE("ten times the file, the same memory, for ready G-code") {
+  const PartFolder folder;
+  const auto peak_of = [&folder](int commands) {
+    std::string text = "M104 S200\nG28\nG90\nM82\nG1 X20 Y20 Z.2 F6000\n";
+    for (int i = 0; i < commands; ++i) {
+      if (i % 900 == 0) text += ";LAYER_CHANGE\nM204 P" + std::to_string(500 + i % 7) + "\n";
+      text += "G1 X" + std::to_string(20 + i % 150) + "." + std::to_string(i % 997) + " Y" +
+              std::to_string(20 + i % 90) + " E" + std::to_string(i) + ".125 ; a comment\n";
+    }
+    const std::string part = folder.add_text("part.gcode", text + "M104 S0\n");
+    const std::string stats = folder.file("stats.json");
+    const ProgramRun outcome =
+        run(kRind + " print " + part + " --port virtual --virtual-speed 0 " + "--quiet --journal " +
+            folder.file("journal") + " --stats " + stats);
+    CAPTURE(outcome.output);
+    REQUIRE_EQ(outcome.exit_code, 0);
+    std::ifstream file(stats);
+    const std::string written{std::istreambuf_iterator<char>(file), {}};
+    return nlohmann::json::parse(written)["peak_rss_bytes"].get<std::int64_t>();
+  };
+  const std::int64_t low = peak_of(3'000);
+  const std::int64_t high = peak_of(kSanitized ? 6'000 : 30'000);
+  CAPTURE(low);
+  CAPTURE(high);
+  if (!kSanitized) CHECK_LT(high - low, 1'000'000);
+  if (!kSanitized) CHECK_LT(high, 16'000'000);
+}
+
 TEST_CASE("a full disk and a folder that can't be written to end with code 3 and what to do") {
   const PartFolder folder;
   const std::string vase = folder.add("vase.stl", parts::vase(0.2));

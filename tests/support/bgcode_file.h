@@ -1,5 +1,5 @@
-// Writes binary G-code files (.bgcode), by other means than the reader's: from the description alone
-// (github.com/prusa3d/libbgcode, doc/specifications.md). Packs badly, but rightly.
+// Writes binary G-code files (.bgcode), by other means than the reader's: from the description
+// alone (github.com/prusa3d/libbgcode, doc/specifications.md). Packs badly, but rightly.
 #pragma once
 
 #include <algorithm>

@@ -121,6 +121,7 @@ TEST_CASE("words are sent as they are, without numbers and comments") {
   CHECK_EQ(sent("  G1 X1  Y2 "), "G1 X1  Y2");
   CHECK_EQ(sent("g1 x5 (note) y6"), "G1 X5  Y6");
   CHECK_EQ(sent("M117 Layer (3) of 9"), "M117 Layer (3) of 9");
+  CHECK_EQ(sent("m862.6 p\"Input shaper\""), "M862.6 P\"Input shaper\"");
   const std::string numbered = "N12 G1 X3";
   CHECK_EQ(sent(fmt::format("{}*{}", numbered, firmware_link::checksum_of(numbered))), "G1 X3");
   CHECK_EQ(sent("N7 G28"), "G28");

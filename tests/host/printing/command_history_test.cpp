@@ -78,6 +78,22 @@ TEST_CASE("short moves may have no block of their own, and some commands empty t
   CHECK_EQ(history.mark_before(0).hash, 7);
 }
 
+TEST_CASE("many short moves make a block together, and a file's lines count as moves") {
+  host::CommandHistory history;
+  history.start_at(0, in_a_road(), {std::make_shared<host::Checkpoint>(), 7});
+  host::QueuedCommand queued;
+  for (int i = 1; i <= 300; ++i) {
+    firmware_link::ReadyLine line;
+    line.move.x_um = *in_a_road().x_um + i * 90;  // three of them are longer than a block's least
+    queued.command = line;
+    history.push(queued);
+  }
+  const auto executed = history.executed_before(300, firmware_link::kPlannerBlocks);
+  REQUIRE(executed.has_value());
+  CHECK_GE(*executed, 300 - 3 * 16 - 3);
+  CHECK_LE(*executed, 300 - 3 * 16 + 3);
+}
+
 TEST_CASE("no time is gone back behind a command that waits for all moves") {
   host::CommandHistory history;
   history.start_at(0, in_a_road(), {std::make_shared<host::Checkpoint>(), 7});
