@@ -80,6 +80,14 @@ void MachineState::apply(const firmware_link::Command& command) {
     flavor = advance->flavor;
     pressure_advance_tens_us = advance->tens_us;
   } else if (const auto* ready = std::get_if<firmware_link::ReadyLine>(&command)) {
+    // Nearly all of a file are moves, and this is asked often.
+    const bool moves_alone = ready->effect.kind == Effect::Kind::kNone && !ready->shifted &&
+                             ready->place != firmware_link::PlaceAfter::kAxesLost;
+    if (moves_alone) {
+      apply_move(ready->move, *this);
+      e_count_10nm += ready->move.e_10nm.value_or(0);
+      return;
+    }
     GcodeModes modes = modes_of(*this);
     modes.apply(*ready);
     put_modes(modes, *this);
