@@ -58,8 +58,8 @@ TEST_CASE("short moves may have no block of their own, and some commands empty t
     move.x_um = i * 1'000;
     push(move);
   }
-  for (int i = 1; i <= 10; ++i) {  // all of them one block, or none
-    move.x_um = 9'000 + i * 20;
+  for (int i = 1; i <= 10; ++i) {  // even together too short to be sure of a block
+    move.x_um = 9'000 + i * 19;
     push(move);
   }
   CHECK_EQ(history.executed_before(20, std::size_t{2}), 8);

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -190,7 +191,8 @@ std::string short_segments(std::size_t commands) {
   std::string text = "M104 S200\nG28\nG90\nM82\nG1 X20 Y20 Z.2 F6000\nM204 P900\n";
   double filament = 0;
   for (std::size_t i = 0; i < commands; ++i) {
-    if (i % 700 == 0) text += fmt::format(";LAYER_CHANGE\nG1 Z{:.2f}\n", 0.2 + 0.2 * (i / 700));
+    if (i % 700 == 0)
+      text += fmt::format(";LAYER_CHANGE\nG1 Z{:.2f}\n", 0.2 + 0.2 * static_cast<double>(i / 700));
     filament += 0.00101;
     const auto turn = static_cast<double>(i) * 0.01;
     text += fmt::format("G1 X{:.3f} Y{:.3f} E{:.5f} F{}\n", 90 + 9 * std::cos(turn),
