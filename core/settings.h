@@ -184,7 +184,7 @@ struct Settings {
   Length contour_compensation;
   Length hole_compensation;  // negative: larger holes
 
-  // The share by which the filament shrinks as it cools: the part is made larger (part_transform.h).
+  // The share by which the filament shrinks as it cools; the part is made larger for it.
   double shrinkage_xy = 0;
   double shrinkage_z = 0;
 

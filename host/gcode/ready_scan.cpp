@@ -70,10 +70,8 @@ class Scan {
   core::MotionClock clock_;
   ReadySummary& summary_;
   std::int64_t layer_marks_ = 0;
-  std::int64_t layers_by_height_ = 0;
   Extent all_;
-  Extent in_layers_;     // that comments tell
-  bool placed_ = false;  // units and positions were set before the first move
+  Extent in_layers_;  // that comments tell
   std::optional<std::int64_t> first_unclear_line_;
   std::vector<std::string> macros_;
 };

@@ -124,7 +124,8 @@ TEST_CASE("a print that is killed is resumed, every road once") {
       "part.stl", parts::together({parts::box({8, 8, 0}, 14, 10, 6), parts::tube(7, 5, 6, 180)}));
   const std::vector<std::string> settings = {"--layer-height", "0.3",   "--set",
                                              "bed_x=200",      "--set", "bed_y=200"};
-  std::string typed;
+  // The controller draws arcs; a file has them if they are asked for.
+  std::string typed = " --set arcs=on";
   for (const std::string& word : settings) typed += " " + word;
   REQUIRE_EQ(run_program(kBinaries + "/rind slice " + part + " -o " + folder.path("whole.gcode") +
                          " --quiet" + typed)

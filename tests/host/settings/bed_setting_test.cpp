@@ -72,7 +72,8 @@ TEST_CASE("what is no outline is refused, and says why") {
       {"0,5,5,0", "no corner"},        {"0x0,250x0,250x0.5,0x0.5", "bed_y"},
       {"0x0,1x1,2x2", "three"},        {"0x0,10x0,10x10,5x0,0x10", "touches"},
       {"0x0,9e9x0,9x9", "farther"},    {"1x", "a number is missing"}};
-  for (const auto& [text, word] : kBad) {
+  for (const auto& [bad, word] : kBad) {
+    const auto& text = bad;
     CAPTURE(text);
     CHECK_NE(cause(text).find(word), std::string::npos);
   }

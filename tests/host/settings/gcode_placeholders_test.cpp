@@ -83,7 +83,8 @@ TEST_CASE("expressions, as PrusaSlicer works them out") {
       // What does not count is read, and need not be known.
       {"{if 0}{no_such_thing/0}[nor_this]{else}x{endif}{1 ? 2 : no_such_thing}", "x2"},
       {"M104 S{first_layer_temperature[0] + (bed_temperature[0] > 50 ? 5 : 0)}", "M104 S220"}};
-  for (const auto& [line, expected] : kCases) {
+  for (const auto& [given, expected] : kCases) {
+    const auto& line = given;
     CAPTURE(line);
     CHECK_EQ(filled(line), expected);
   }
@@ -125,7 +126,8 @@ TEST_CASE("what can't be worked out is refused, with its place, not guessed") {
       {"{notes =~ /(/}", "not closed"},
       {"{notes =~ /a{2}/}", "not understood"},
       {"{1..2}", "no number"}};
-  for (const auto& [line, word] : kCases) {
+  for (const auto& [given, word] : kCases) {
+    const auto& line = given;
     CAPTURE(line);
     const std::string message = filled(line);
     CAPTURE(message);
