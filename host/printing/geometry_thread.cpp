@@ -6,6 +6,7 @@
 #include <exception>
 #include <future>
 #include <mutex>
+#include <new>
 #include <utility>
 
 #include "host/files/input_file.h"  // stop_waiting_for_input
@@ -13,6 +14,7 @@
 #include "host/printing/ready_commands.h"
 #include "host/printing/slow_layer_note.h"
 #include "host/system/limits.h"
+#include "host/system/memory_budget.h"  // memory_refusal
 #include "host/system/stop_signals.h"
 
 namespace host {
@@ -89,6 +91,8 @@ void GeometryThread::Shared::run() {
     whole = make_commands();
     if (whole) (void)filler.finish();
     if (!outcome.error) outcome.error = filler.error();
+  } catch (const std::bad_alloc&) {
+    outcome.error = memory_refusal() + "; allow more, or simplify the part";
   } catch (const std::exception& error) {
     outcome.error = std::string("the geometry gave up: ") + error.what();
   }
