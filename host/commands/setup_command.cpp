@@ -59,6 +59,7 @@ Result<std::string> choose_port(const Options& options, SetupQuestions& question
         "controller inside this program");
   }
   std::vector<std::string> lines;
+  lines.reserve(ports.size());
   for (const firmware_link::PortDescription& port : ports) {
     lines.push_back(fmt::format("{}  {}{}", port.path, port.description,
                                 port.usb.empty() ? "" : "  " + port.usb));
@@ -296,7 +297,7 @@ class Setup {
 
   Status write() {
     const std::string text = written_printer(printer_);
-    if (const Status fits = check(text); !fits.ok()) return fits;
+    if (Status fits = check(text); !fits.ok()) return fits;
     if (Status room = make_room(options_, printer_.path, questions_, reporter_); !room.ok()) {
       return room;
     }

@@ -71,7 +71,7 @@ Result<double> SetupQuestions::number(const std::string& question, const std::st
   for (int i = 0; i < kTriesMax; ++i) {
     std::optional<std::string> said = answer(whole);
     if (!said || said->empty()) said = usual;
-    const Result<double> number = read_number(*said, "mm");
+    Result<double> number = read_number(*said, "mm");
     if (number.ok() && number.value() > 0) return number;
     if (!asks_ || stop_signal_count() > 0) break;
   }

@@ -58,8 +58,9 @@ class BgcodeText final : public GcodeText {
       if (!read.ok()) return read.error();
       if (!read.value()) return std::string_view();
       BgcodeBlock& block = *read.value();
-      if (block.kind == BlockKind::kPrintMetadata && metadata_.empty()) {
-        metadata_ = std::move(block.data);
+      if (block.kind == BlockKind::kPrintMetadata) {
+        if (metadata_.empty()) metadata_ = std::move(block.data);
+        continue;
       }
       if (block.kind != BlockKind::kGcode) continue;
       if (block.encoding > kMeatPackWithComments) {
@@ -67,7 +68,11 @@ class BgcodeText final : public GcodeText {
                                               ": G-code in an encoding that is not known"};
       }
       block_at_ = block.at;
-      text_ = block.encoding == kPlain ? std::move(block.data) : meat_unpacked(block.data);
+      if (block.encoding == kPlain) {
+        text_ = std::move(block.data);
+      } else {
+        text_ = meat_unpacked(block.data);
+      }
       within_ = std::exchange(skip_, 0);
       if (within_ >= text_.size()) continue;
       return std::string_view(text_).substr(within_);

@@ -20,7 +20,6 @@ namespace {
 using core::Error;
 using core::ErrorCode;
 using core::Result;
-using firmware_link::ReadyLine;
 using firmware_link::Verbatim;
 
 constexpr std::string_view kBlanks = " \t\r\n\v\f";
@@ -97,7 +96,7 @@ Result<std::optional<LineMeaning>> meaning_of(std::string_view text, const Meani
     meaning.sets_up = sets_up(command);
   }
   modes.apply(meaning.line);
-  return std::optional(std::move(meaning));
+  return std::optional(meaning);
 }
 
 }  // namespace host

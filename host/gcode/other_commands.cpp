@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdlib>
 #include <iterator>
 #include <optional>
@@ -116,7 +117,7 @@ void read_heater(const CommandWords& words, ReadyLine& line) {
   const std::size_t at = words.text.find("TARGET=");
   if (at == std::string_view::npos) return;
   const double celsius = std::strtod(std::string(words.text.substr(at + 7)).c_str(), nullptr);
-  const auto tenths = static_cast<std::int64_t>(std::clamp(celsius, 0.0, 999.0) * 10 + 0.5);
+  const auto tenths = std::int64_t{std::llround(std::clamp(celsius, 0.0, 999.0) * 10)};
   if (words.text.find("HEATER=extruder") != std::string_view::npos) {
     set(Effect::Kind::kNozzle, tenths, line);
   } else if (words.text.find("HEATER=heater_bed") != std::string_view::npos) {

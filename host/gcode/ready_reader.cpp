@@ -70,7 +70,7 @@ core::Result<std::optional<ReadyCommand>> ReadyReader::next() {
     command.meaning = *std::move(meaning).value();
     command.line_number = line.number;
     note(command);
-    return std::optional(std::move(command));
+    return std::optional(command);
   }
 }
 

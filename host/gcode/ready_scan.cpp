@@ -19,7 +19,6 @@ using core::ErrorCode;
 using core::Result;
 using firmware_link::Effect;
 using firmware_link::Move;
-using firmware_link::PlaceAfter;
 using firmware_link::ReadyLine;
 
 constexpr std::int64_t kUnitsOfUm = 10;

@@ -103,7 +103,6 @@ TEST_CASE("whatever the modes, the moves are those of the truth") {
       CAPTURE(text);
       const LineMeaning meaning = read(text, modes);
       truth_um = to;
-      count_10nm += filament;
       const std::int64_t rounding = inches ? 3 : 0;
       CHECK_LE(std::abs(*modes.x_um - truth_um[0]), rounding);
       CHECK_LE(std::abs(*modes.y_um - truth_um[1]), rounding);
