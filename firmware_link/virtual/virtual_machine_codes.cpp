@@ -11,9 +11,9 @@ namespace firmware_link {
 namespace {
 
 // Obeyed without a word, and without an effect that could be seen here.
-constexpr std::int64_t kSilentCodes[] = {17,  31,  75,  76,  77,  78,  85,  92,  108, 111,
-                                         117, 119, 120, 121, 200, 201, 203, 205, 206, 218,
-                                         301, 302, 410, 420, 428, 500, 501, 502, 504};
+constexpr std::int64_t kSilentCodes[] = {17,  31,  73,  75,  76,  77,  78,  85,  92,  108,
+                                         111, 117, 119, 120, 121, 200, 201, 203, 205, 206,
+                                         218, 301, 302, 410, 420, 428, 500, 501, 502, 504};
 
 }  // namespace
 
