@@ -211,7 +211,7 @@ int slice_command(const Options& options, Reporter& reporter) {
   std::optional<PartView> view;
   const bool gcode = options.output.format == OutputFormat::kGcode;
   const std::size_t limit = options.memory_limit_bytes;
-  if (gcode && (limit == 0 || PartView::kBytes <= limit / 4)) view.emplace();
+  if (gcode && (limit == 0 || PartView::kBytes <= limit / 16)) view.emplace();
   core::Result<PrintPlan> opened =
       open_print_plan(options, reporter, [&view](const core::Triangle& facet) {
         if (view) view->add(facet);

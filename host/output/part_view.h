@@ -28,7 +28,7 @@ namespace host {
 
 class PartView {
  public:
-  static constexpr int kCells = 1'024;
+  static constexpr int kCells = 512;
   // Its memory, whatever it sees. Cells that nothing was drawn into cost the system less.
   static constexpr std::size_t kBytes = std::size_t{kCells} * kCells * (sizeof(float) + 1);
 

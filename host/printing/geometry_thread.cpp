@@ -118,7 +118,10 @@ GeometryThread::GeometryThread(PrintPlan& print_plan, const JournalRecord* resum
   thread_ = std::thread([shared = shared_] { shared->run(); });
 }
 
-GeometryThread::~GeometryThread() = default;
+// Without end(), an exception has ended the link: the geometry has nobody to work for.
+GeometryThread::~GeometryThread() {
+  if (thread_.joinable()) (void)end(std::nullopt);
+}
 
 CommandQueue& GeometryThread::queue() { return shared_->queue; }
 

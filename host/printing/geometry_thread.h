@@ -31,7 +31,7 @@ class GeometryThread {
   // Starts it. `resumed_from`: of a print that is resumed; null: from the first layer. The plan and
   // the reporter outlive the thread, also when it is left behind.
   GeometryThread(PrintPlan& print_plan, const JournalRecord* resumed_from, Reporter& reporter);
-  // REQUIRES: end() was called.
+  // Ends it where end() was not called, because of an exception; waits for it then.
   ~GeometryThread();
   GeometryThread(const GeometryThread&) = delete;
   GeometryThread& operator=(const GeometryThread&) = delete;

@@ -81,7 +81,7 @@ TEST_CASE("a print that runs out of memory ends with code 3") {
   const PartFolder folder;
   const std::string comb = folder.add("comb.stl", parts::comb(3'000));
   const ProgramRun print = run(kRind + " print " + comb +
-                               " --port virtual --virtual-speed 0 --memory-limit 10M --quiet");
+                               " --port virtual --virtual-speed 0 --memory-limit 12M --quiet");
   CAPTURE(print.output);
   CHECK_EQ(print.exit_code, 3);
   CHECK(says(print, "--memory-limit"));
