@@ -6,8 +6,9 @@
 #include <tuple>
 #include <utility>
 
-#include "core/check.h"   // RIND_CHECK
-#include "core/limits.h"  // kHeightBinsMax
+#include "core/check.h"        // RIND_CHECK
+#include "core/facet_sides.h"  // FacetSides
+#include "core/limits.h"       // kHeightBinsMax
 
 namespace core {
 namespace {
@@ -45,18 +46,12 @@ std::size_t HeightLimits::slot(std::int64_t bin) {
 void HeightLimits::add(const Triangle& facet) {
   const std::int64_t low = facet.lowest_z(), high = facet.highest_z();
   if (high - low < kFlatSpan.units()) return flats_.add(facet);
-  const auto& [p, q, r] = facet.corners;
-  const auto ux = static_cast<double>(std::int64_t{q.x} - p.x);
-  const auto uy = static_cast<double>(std::int64_t{q.y} - p.y);
-  const auto uz = static_cast<double>(q.z - p.z);
-  const auto vx = static_cast<double>(std::int64_t{r.x} - p.x);
-  const auto vy = static_cast<double>(std::int64_t{r.y} - p.y);
-  const auto vz = static_cast<double>(r.z - p.z);
-  const double nx = uy * vz - uz * vy, ny = uz * vx - ux * vz, nz = std::abs(ux * vy - uy * vx);
+  const Direction normal = FacetSides(facet).normal();
+  const double upward = std::abs(normal.z);
   // Upright, or a line.
-  if (nz == 0) return;
-  const double length = std::sqrt(nx * nx + ny * ny + nz * nz);
-  const double allowed = static_cast<double>(cusp_height_.units()) * length / nz;
+  if (upward == 0) return;
+  const double length = std::sqrt(normal.length_squared());
+  const double allowed = static_cast<double>(cusp_height_.units()) * length / upward;
   if (allowed >= static_cast<double>(bounds_.highest.units())) return;
   limit(low, high, Length::from_units(static_cast<std::int64_t>(allowed)));
 }

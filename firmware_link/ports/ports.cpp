@@ -7,6 +7,7 @@
 #include <cstring>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 #include "firmware_link/ports/serial_port.h"  // SerialPort
 #include "firmware_link/ports/tcp_port.h"     // TcpPort
@@ -46,6 +47,9 @@ bool claim(int file) { return ::flock(file, LOCK_EX | LOCK_NB) == 0 || errno != 
 
 OpenedPort open_port(const std::string& path, int baud) {
   LINK_CHECK(baud > 0);
+  if (std::string mistake = port_name_mistake(path); !mistake.empty()) {
+    return PortError{std::move(mistake), "`rind ports` lists the ports"};
+  }
   if (TcpPort::names_one(path)) return TcpPort::open(path);
   std::error_code error;
   if (!std::filesystem::exists(path, error)) return open_error(path, ENOENT);

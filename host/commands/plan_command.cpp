@@ -11,7 +11,7 @@
 #include "core/slices/standing.h"
 #include "host/commands/commands.h"
 #include "host/commands/ready_plan.h"
-#include "host/output/gcode_comments.h"  // filament_grams
+#include "host/output/gcode_summary.h"  // filament_grams
 #include "host/pipeline/pipeline.h"
 #include "host/pipeline/standing_text.h"
 #include "host/system/exit_codes.h"

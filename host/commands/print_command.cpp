@@ -11,10 +11,10 @@
 #include "host/commands/print_run.h"
 #include "host/printing/journal_directory.h"  // choose_journal
 #include "host/settings/settings_table.h"
-#include "host/settings/settings_text.h"  // trimmed
 #include "host/system/exit_codes.h"
 #include "host/system/stage_clock.h"
 #include "host/system/stop_signals.h"
+#include "host/system/text.h"  // trimmed
 #include "host/system/version.h"
 
 namespace host {

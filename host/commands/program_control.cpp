@@ -7,8 +7,9 @@
 #include <variant>
 
 #include "firmware_link/ports/ports.h"
-#include "host/settings/settings_text.h"  // read_number, trimmed
+#include "host/settings/settings_text.h"  // read_number
 #include "host/system/stop_signals.h"
+#include "host/system/text.h"  // trimmed
 
 namespace host {
 namespace {

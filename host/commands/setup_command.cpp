@@ -23,6 +23,7 @@
 #include "host/settings/settings_text.h"  // write_number
 #include "host/system/exit_codes.h"
 #include "host/system/stop_signals.h"
+#include "host/system/text.h"  // lower_case
 
 namespace host {
 namespace {
@@ -46,10 +47,6 @@ bool stop_asked() { return stop_signal_count() > 0; }
 Error refusal(std::string message) { return {ErrorCode::kBadSetting, std::move(message)}; }
 
 Result<std::string> choose_port(const Options& options, SetupQuestions& questions) {
-  if (const std::string mistake = firmware_link::port_name_mistake(options.link.port);
-      !mistake.empty()) {
-    return refusal(mistake);
-  }
   if (!options.link.port.empty()) return options.link.port;
   const std::vector<firmware_link::PortDescription> ports = firmware_link::list_ports();
   if (ports.empty()) {
@@ -116,11 +113,6 @@ Result<Answer> ask_at_each_speed(const Options& options, const std::string& port
   return answer;
 }
 
-std::string lower(std::string text) {
-  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return text;
-}
-
 // The preset whose words the controller's name has; the longest words win.
 std::string preset_by_name(const std::string& machine_type) {
   std::string best, best_words;
@@ -129,7 +121,7 @@ std::string preset_by_name(const std::string& machine_type) {
     const Result<Preset> preset = find_preset(one.kind, one.name);
     if (!preset.ok() || preset.value().machine_type.empty()) continue;
     const std::string& words = preset.value().machine_type;
-    if (lower(machine_type).find(lower(words)) == std::string::npos) continue;
+    if (lower_case(machine_type).find(lower_case(words)) == std::string::npos) continue;
     if (words.size() > best_words.size()) std::tie(best, best_words) = std::pair(one.name, words);
   }
   return best;
@@ -140,10 +132,6 @@ std::string proposed_preset(const ControllerFacts& facts) {
   if (facts.dialect == "Klipper") return "klipper";
   if (facts.dialect == "RepRapFirmware") return "duet";
   return "marlin";
-}
-
-bool is_of_any_printer(const std::string& preset) {
-  return preset == "marlin" || preset == "klipper" || preset == "duet";
 }
 
 std::vector<std::string> names_of(PresetKind kind) {
@@ -282,7 +270,9 @@ class Setup {
 
   // What the presets of any printer can't know.
   Status measure() {
-    if (is_of_any_printer(printer_.preset)) {
+    const Result<Preset> preset = find_preset(PresetKind::kPrinter, printer_.preset);
+    if (!preset.ok()) return preset.error();
+    if (!preset.value().measured) {
       for (const std::size_t axis : {0U, 1U, 2U}) {
         const Result<std::string> line = side(options_, facts_, axis, questions_);
         if (!line.ok()) return line.error();

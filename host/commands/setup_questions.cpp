@@ -5,8 +5,9 @@
 
 #include <algorithm>
 
-#include "host/settings/settings_text.h"  // read_number, trimmed
+#include "host/settings/settings_text.h"  // read_number
 #include "host/system/stop_signals.h"
+#include "host/system/text.h"  // trimmed
 
 namespace host {
 namespace {

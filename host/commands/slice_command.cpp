@@ -18,7 +18,7 @@
 #include "host/formats/lsif_writer.h"
 #include "host/formats/slice_v0_writer.h"
 #include "host/formats/svg_writer.h"
-#include "host/output/gcode_comments.h"
+#include "host/output/gcode_summary.h"
 #include "host/output/gcode_writer.h"
 #include "host/output/part_view.h"
 #include "host/pipeline/pipeline.h"

@@ -14,6 +14,7 @@
 #include "host/formats/number_text.h"    // parse_real
 #include "host/formats/part_kind.h"      // part_kind_of
 #include "host/formats/text_scanner.h"   // is_blank, shown
+#include "host/system/text.h"            // lower_case, trimmed
 
 namespace host {
 namespace {
@@ -36,18 +37,6 @@ constexpr std::array kUnits{Unit{"millimeter", 1}, Unit{"inch", 25.4},       Uni
 constexpr std::array<const char*, 3> kAxes{"x", "y", "z"};
 constexpr std::array<const char*, 3> kCorners{"v1", "v2", "v3"};
 constexpr std::array<const char*, 6> kPlaces{"deltax", "deltay", "deltaz", "rx", "ry", "rz"};
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && is_blank(static_cast<unsigned char>(text.front()))) text.remove_prefix(1);
-  while (!text.empty() && is_blank(static_cast<unsigned char>(text.back()))) text.remove_suffix(1);
-  return text;
-}
-
-std::string lower(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-  return result;
-}
 
 // Rotations about x, y and z, in this order, then the translation.
 Transform placed(const std::array<double, 6>& places, double unit_mm) {
@@ -128,7 +117,7 @@ class AmfReader : public TriangleSource {
     if (event.name == "amf") {
       const std::string* unit = event.attribute("unit");
       if (unit == nullptr) return {};
-      const std::string name = lower(trimmed(*unit));
+      const std::string name = lower_case(trimmed(*unit));
       if (name.empty()) return {};
       for (const Unit& one : kUnits) {
         if (name != one.name && name != std::string(one.name) + "s") continue;

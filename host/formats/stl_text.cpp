@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "host/formats/stl_kinds.h"
+#include "host/system/text.h"  // lower_case
 
 namespace host {
 namespace {
@@ -19,11 +20,10 @@ constexpr int kNormalWordsMax = 4;
 
 bool is_line_end(char c) { return c == '\n' || c == '\r'; }
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\f' || c == '\v' || is_line_end(c); }
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
 bool is_word(std::string_view text, std::string_view word) {
   return std::equal(text.begin(), text.end(), word.begin(), word.end(),
-                    [](char a, char b) { return lower(a) == b; });
+                    [](char a, char b) { return lower_case(a) == b; });
 }
 
 std::string_view without_mark(std::string_view text) {

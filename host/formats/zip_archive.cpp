@@ -11,6 +11,8 @@
 #include <optional>
 #include <utility>
 
+#include "host/system/text.h"  // lower_case
+
 namespace host {
 namespace {
 
@@ -89,11 +91,6 @@ Result<int> copied(InputFile& file) {
   }
 }
 
-std::string lower(std::string text) {
-  for (char& c : text) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-  return text;
-}
-
 // The value of a hexadecimal digit, or -1.
 int digit_of(char c) {
   if (c >= '0' && c <= '9') return c - '0';
@@ -118,7 +115,7 @@ std::string entry_key(std::string_view name) {
     key += c;
   }
   while (key.starts_with('/') || key.starts_with("./")) key.erase(0, key.find('/') + 1);
-  return lower(std::move(key));
+  return lower_case(key);
 }
 
 struct ZipArchive::State {
@@ -183,7 +180,7 @@ std::string ZipArchive::find_ending(const std::string& ending) const {
   const zip_int64_t entries = zip_get_num_entries(state_->archive, 0);
   for (zip_int64_t i = 0; i < entries; ++i) {
     const char* entry = zip_get_name(state_->archive, static_cast<zip_uint64_t>(i), 0);
-    if (entry != nullptr && lower(entry).ends_with(ending)) return entry;
+    if (entry != nullptr && lower_case(entry).ends_with(ending)) return entry;
   }
   return {};
 }

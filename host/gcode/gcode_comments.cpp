@@ -7,6 +7,7 @@
 #include <string>
 
 #include "host/gcode/gcode_numbers.h"
+#include "host/system/text.h"  // is_digit
 
 namespace host {
 namespace {
@@ -15,8 +16,6 @@ std::string_view without_blanks(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t");
   return first == std::string_view::npos ? std::string_view() : text.substr(first);
 }
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 }  // namespace
 

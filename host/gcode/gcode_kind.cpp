@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <string_view>
 
+#include "host/system/text.h"  // is_digit
+
 namespace host {
 namespace {
 
@@ -12,8 +14,6 @@ namespace {
 constexpr std::array<std::size_t, 3> kLookBytes{134, 4'096, InputFile::kWindowMax};
 
 enum class Verdict { kYes, kNo, kMoreNeeded };
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 std::string_view without_blanks(std::string_view line) {
   const std::size_t first = line.find_first_not_of(" \t");

@@ -1,5 +1,7 @@
 #include "host/gcode/gcode_numbers.h"
 
+#include "host/system/text.h"  // is_digit
+
 namespace host {
 namespace {
 
@@ -7,8 +9,6 @@ constexpr int kDecimals = 5;
 constexpr std::int64_t kOne = 100'000;
 // Larger numbers stay there: ten thousand kilometres.
 constexpr std::int64_t kLargest = 1'000'000'000'000'000;
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 // Reads a number from `at` on, and moves `at` behind it.
 std::int64_t read_fixed(std::string_view text, std::size_t& at) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/check.h"
+#include "core/facet_sides.h"  // FacetSides
 
 namespace host {
 namespace {
@@ -47,24 +48,19 @@ struct Face {
 };
 
 Face face_of(const core::Triangle& triangle) {
-  const auto& [a, b, c] = triangle.corners;
-  const auto minus = [](std::int64_t to, std::int64_t from) {
-    return static_cast<double>(to - from);
-  };
-  const double ux = minus(b.x, a.x), uy = minus(b.y, a.y), uz = minus(b.z, a.z);
-  const double vx = minus(c.x, a.x), vy = minus(c.y, a.y), vz = minus(c.z, a.z);
-  const double x = uy * vz - uz * vy, y = uz * vx - ux * vz, z = ux * vy - uy * vx;
+  const core::FacetSides sides(triangle);
+  const core::Direction normal = sides.normal();
   Face face;
-  face.area_squared = x * x + y * y + z * z;
+  face.area_squared = normal.length_squared();
   if (face.area_squared <= 0) return face;
-  const double side = -x - y + z < 0 ? -1 : 1;  // the side that is seen
-  const double lit = side * (x * kLightX + y * kLightY + z * kLightZ);
+  const double side = -normal.x - normal.y + normal.z < 0 ? -1 : 1;  // the side that is seen
+  const double lit = side * (normal.x * kLightX + normal.y * kLightY + normal.z * kLightZ);
   const double bright =
       kAmbient + (1 - kAmbient) * std::max(0.0, lit / std::sqrt(face.area_squared));
   face.shade = static_cast<std::uint8_t>(std::clamp(kShadeMax * bright + 0.5, 1.0, kShadeMax));
-  const double wx = vx - ux, wy = vy - uy, wz = vz - uz;
-  face.longest_squared = std::max(
-      {ux * ux + uy * uy + uz * uz, vx * vx + vy * vy + vz * vz, wx * wx + wy * wy + wz * wz});
+  const core::Direction &u = sides.to_second, &v = sides.to_third;
+  const core::Direction third{v.x - u.x, v.y - u.y, v.z - u.z};
+  face.longest_squared = std::max({u.length_squared(), v.length_squared(), third.length_squared()});
   return face;
 }
 

@@ -11,18 +11,12 @@
 #include "host/output/part_view.h"   // PartView
 #include "host/output/png_writer.h"  // png_of
 #include "host/output/qoi_writer.h"  // qoi_of
+#include "host/system/text.h"        // trimmed
 
 namespace host {
 namespace {
 
 constexpr std::size_t kLineCharacters = 78;
-
-std::string_view trimmed(std::string_view text) {
-  const auto is_blank = [](char c) { return c == ' ' || c == '\t'; };
-  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
-  return text;
-}
 
 std::optional<int> side_of(std::string_view text) {
   int side = 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/facet_sides.h"       // FacetSides
 #include "host/part/bed_placing.h"  // mm_text
 #include "host/system/limits.h"     // kHeightGapsMax
 
@@ -29,13 +30,7 @@ bool can_be_cut(const core::Triangle& triangle) {
 }
 
 bool faces_down(const core::Triangle& triangle) {
-  const auto& [a, b, c] = triangle.corners;
-  const auto minus = [](std::int64_t to, std::int64_t from) {
-    return static_cast<double>(to - from);
-  };
-  const double ux = minus(b.x, a.x), uy = minus(b.y, a.y), uz = minus(b.z, a.z);
-  const double vx = minus(c.x, a.x), vy = minus(c.y, a.y), vz = minus(c.z, a.z);
-  const double x = uy * vz - uz * vy, y = uz * vx - ux * vz, z = ux * vy - uy * vx;
+  const auto [x, y, z] = core::FacetSides(triangle).normal();
   return z < 0 && z * z > kLeansOut * kLeansOut * (x * x + y * y);
 }
 

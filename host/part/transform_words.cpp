@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "host/system/text.h"  // trimmed
+
 namespace host {
 namespace {
 
@@ -17,20 +19,14 @@ Error bad(std::string_view setting, std::string_view text, const std::string& ex
           std::string(setting) + " = " + std::string(text) + ": expected " + expected};
 }
 
-std::string_view bare(std::string_view text) {
-  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
-  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
-  return text;
-}
-
 // A number that the end may follow.
 std::optional<double> number(std::string_view text, std::string_view end = {}) {
-  text = bare(text);
+  text = trimmed(text);
   double value = 0;
   const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || !std::isfinite(value)) return std::nullopt;
   text.remove_prefix(static_cast<std::size_t>(rest - text.data()));
-  text = bare(text);
+  text = trimmed(text);
   if (text.empty() || (!end.empty() && text == end)) return value;
   return std::nullopt;
 }
@@ -58,8 +54,8 @@ Result<ScaleWords> read_scale(std::string_view text) {
       "a factor from 0.0001 to 10000 as 2 or 150%, three of them as 1,1,2, or a longest side as "
       "to 100mm";
   ScaleWords words;
-  if (bare(text).substr(0, 3) == "to ") {
-    words.longest_mm = number(bare(text).substr(3), "mm");
+  if (trimmed(text).substr(0, 3) == "to ") {
+    words.longest_mm = number(trimmed(text).substr(3), "mm");
     if (words.longest_mm && *words.longest_mm > 0 && *words.longest_mm < 1e6) return words;
     return bad("part_scale", text, expected);
   }

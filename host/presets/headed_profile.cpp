@@ -4,18 +4,13 @@
 
 #include <algorithm>
 
+#include "host/system/text.h"  // trimmed
+
 namespace host {
 namespace {
 
 using core::Error;
 using core::ErrorCode;
-
-std::string_view bare(std::string_view text) {
-  constexpr std::string_view kBlank = " \t\r";
-  const std::size_t begin = text.find_first_not_of(kBlank);
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(kBlank) - begin + 1);
-}
 
 bool is_comment(std::string_view line) {
   return line.empty() || line.front() == '#' || line.front() == ';';
@@ -40,13 +35,13 @@ class HeadReader {
     if (equals == std::string_view::npos) {
       return error(number, "neither \"key = value\" nor [section] nor a comment");
     }
-    const std::string_view key = bare(line.substr(0, equals));
+    const std::string_view key = trimmed(line.substr(0, equals));
     if (std::find(keys_.begin(), keys_.end(), key) == keys_.end()) {
       return error(number, fmt::format("\"{}\" is not known in [{}]; known are {}; settings come "
                                        "behind a line [rind]",
                                        key, section_, listed(keys_)));
     }
-    const auto [at, added] = profile_.head.emplace(key, bare(line.substr(equals + 1)));
+    const auto [at, added] = profile_.head.emplace(key, trimmed(line.substr(equals + 1)));
     return added ? core::Status() : error(number, fmt::format("\"{}\" is there twice", key));
   }
 
@@ -82,7 +77,7 @@ core::Result<HeadedProfile> read_headed_profile(std::string_view text, const std
     const std::size_t end = std::min(text.find('\n'), text.size() - 1);
     const std::string_view whole = text.substr(0, end + 1);
     text.remove_prefix(whole.size());
-    const std::string_view line = bare(whole.substr(0, whole.find('\n')));
+    const std::string_view line = trimmed(whole.substr(0, whole.find('\n')));
     if (!line.empty() && line.front() == '[') in_head = line == opening;
     if (!in_head) {
       reader.profile().settings += whole;

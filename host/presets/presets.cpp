@@ -14,7 +14,7 @@ using core::Error;
 using core::ErrorCode;
 using core::Result;
 
-constexpr std::array<std::string_view, 2> kKeys = {"title", "machine_type"};
+constexpr std::array<std::string_view, 3> kKeys = {"title", "machine_type", "measured"};
 
 }  // namespace
 
@@ -34,7 +34,8 @@ Result<Preset> find_preset(PresetKind kind, std::string_view name) {
     if (!read.ok()) return read.error();
     HeadedProfile& profile = read.value();
     return Preset{std::string(name), std::string(profile.value("title")),
-                  std::string(profile.value("machine_type")), std::move(profile.settings)};
+                  std::string(profile.value("machine_type")), profile.value("measured") != "no",
+                  std::move(profile.settings)};
   }
   return Error{ErrorCode::kBadSetting, fmt::format("there is no {} preset \"{}\"; there are {}",
                                                    preset_kind_word(kind), name, known)};

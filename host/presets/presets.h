@@ -5,6 +5,7 @@
 //     [preset]
 //     title = Creality Ender 3
 //     machine_type = Ender-3     printers: words of the controller's own name (M115)
+//     measured = no              printers: it is for machines of any size, and people are asked
 //     [rind]
 //     bed_x = 220                settings, as in every profile
 //
@@ -32,6 +33,7 @@ struct Preset {
   std::string name;
   std::string title;
   std::string machine_type;  // printers: may be empty
+  bool measured = true;      // printers: it knows how large the machine is
   std::string settings;      // the text of a profile
 };
 

@@ -8,7 +8,8 @@
 #include <cstdint>
 #include <utility>
 
-#include "host/settings/settings_text.h"  // read_number, trimmed, write_number
+#include "host/settings/settings_text.h"  // read_number, write_number
+#include "host/system/text.h"             // trimmed
 
 namespace host {
 namespace {

@@ -13,7 +13,7 @@
 
 #include "host/settings/gcode_expression.h"
 #include "host/settings/settings_file.h"  // profile_text
-#include "host/settings/settings_text.h"  // escaped, read_number, trimmed, write_number
+#include "host/settings/settings_text.h"  // escaped, read_number, write_number
 
 namespace host {
 namespace {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "host/settings/regular_expression.h"
+#include "host/system/text.h"  // is_digit
 
 namespace host {
 namespace {
@@ -20,8 +21,6 @@ using core::ErrorCode;
 using core::Result;
 
 using Value = ExpressionValue;
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 bool in_name(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || is_digit(c) || c == '_';

@@ -9,7 +9,8 @@
 #include <string_view>
 #include <utility>
 
-#include "host/settings/settings_text.h"  // trimmed
+#include "host/settings/settings_text.h"  // kPlaceholderLineBytesMax
+#include "host/system/text.h"             // is_digit, trimmed
 
 namespace host {
 namespace {
@@ -18,8 +19,6 @@ using core::Error;
 using core::ErrorCode;
 using core::Result;
 using core::Status;
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 bool is_name(std::string_view text) {
   constexpr std::size_t kNameBytesMax = 200;

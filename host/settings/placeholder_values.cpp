@@ -12,7 +12,8 @@
 #include "host/settings/foreign_names.h"   // prusa_name
 #include "host/settings/settings_prusa.h"  // ours_for
 #include "host/settings/settings_table.h"  // describe_settings
-#include "host/settings/settings_text.h"   // read_number, trimmed, unescaped_lines, write_number
+#include "host/settings/settings_text.h"   // read_number, unescaped_lines, write_number
+#include "host/system/text.h"              // trimmed
 
 namespace host {
 namespace {

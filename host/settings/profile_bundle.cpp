@@ -10,7 +10,7 @@
 
 #include "host/settings/gcode_expression.h"    // read_expression
 #include "host/settings/placeholder_values.h"  // profile_value
-#include "host/settings/settings_text.h"       // trimmed
+#include "host/system/text.h"                  // lower_case, trimmed
 
 namespace host {
 namespace {
@@ -129,13 +129,9 @@ class Bundle {
   // Those that hold the asked text first, in any case.
   [[nodiscard]] static std::vector<std::string> likely(const std::vector<std::string>& names,
                                                        const std::string& asked) {
-    const auto lower = [](std::string text) {
-      for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-      return text;
-    };
     std::vector<std::string> some;
     std::copy_if(names.begin(), names.end(), std::back_inserter(some), [&](const auto& name) {
-      return lower(name).find(lower(asked)) != std::string::npos;
+      return lower_case(name).find(lower_case(asked)) != std::string::npos;
     });
     return some.empty() ? names : some;
   }

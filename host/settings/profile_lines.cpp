@@ -7,7 +7,7 @@
 #include <cstring>
 #include <utility>
 
-#include "host/settings/settings_text.h"  // trimmed
+#include "host/system/text.h"  // trimmed
 
 namespace host {
 namespace {

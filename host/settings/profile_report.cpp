@@ -7,7 +7,6 @@
 
 #include "host/settings/foreign_names.h"   // prusa_name
 #include "host/settings/prusa_left_out.h"  // left_out_rows, is_left_out, shortened_value
-#include "host/settings/settings_text.h"   // trimmed
 
 namespace host {
 namespace {

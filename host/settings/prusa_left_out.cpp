@@ -6,7 +6,8 @@
 #include <array>
 
 #include "firmware_link/wire/gcode_words.h"  // commands_in
-#include "host/settings/settings_text.h"     // read_number, unescaped_lines, trimmed
+#include "host/settings/settings_text.h"     // read_number, unescaped_lines
+#include "host/system/text.h"                // trimmed
 
 namespace host {
 namespace {

@@ -1,6 +1,7 @@
 #include "host/settings/setting_options.h"
 
 #include <CLI/CLI.hpp>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -33,16 +34,21 @@ void add_shortcut(CLI::App& command, Options& options, const std::string& flag,
       ->trigger_on_parse();
 }
 
-// An option that may be given several times: one line of a setting each.
+// An option that may be given several times: one line of a setting each, but for values that
+// `taken_otherwise` takes.
 void add_lines(CLI::App& command, Options& options, const std::string& flag, const std::string& key,
-               const std::string& value_name, const std::string& help) {
+               const std::string& value_name, const std::string& help,
+               const std::function<bool(const std::string&)>& taken_otherwise = {}) {
   auto lines = std::make_shared<std::vector<std::string>>();
   command
       .add_option_function<std::vector<std::string>>(
           flag,
-          [&options, lines, key](const std::vector<std::string>& values) {
-            lines->insert(lines->end(), values.begin(), values.end());
-            options.settings.assignments.emplace_back(key, write_lines(*lines));
+          [&options, lines, key, taken_otherwise](const std::vector<std::string>& values) {
+            for (const std::string& value : values) {
+              if (taken_otherwise && taken_otherwise(value)) continue;
+              lines->push_back(value);
+              options.settings.assignments.emplace_back(key, write_lines(*lines));
+            }
           },
           help)
       ->type_name(value_name)
@@ -58,28 +64,19 @@ bool is_place(const std::string& text) {
 }
 
 void add_at(CLI::App& command, Options& options) {
-  auto lines = std::make_shared<std::vector<std::string>>();
-  command
-      .add_option_function<std::vector<std::string>>(
-          "--at",
-          [&options, lines](const std::vector<std::string>& values) {
-            for (const std::string& value : values) {
-              if (!is_place(value)) {
-                lines->push_back(value);
-                options.settings.assignments.emplace_back("at_height", write_lines(*lines));
-                continue;
-              }
-              const std::size_t comma = value.find(',');
-              options.settings.assignments.emplace_back("centre", "0");
-              options.settings.assignments.emplace_back("part_x", value.substr(0, comma));
-              options.settings.assignments.emplace_back("part_y", value.substr(comma + 1));
-            }
-          },
-          "what is done at a height, as '12.4 pause', '12.4 M600', '30 nozzle_celsius 220'; may "
-          "be repeated. X,Y, as 40,30: where the part's front left corner lies on the bed")
-      ->type_name("'MM ACTION'|X,Y")
-      ->allow_extra_args(false)
-      ->trigger_on_parse();
+  const auto take_place = [&options](const std::string& value) {
+    if (!is_place(value)) return false;
+    const std::size_t comma = value.find(',');
+    options.settings.assignments.emplace_back("centre", "0");
+    options.settings.assignments.emplace_back("part_x", value.substr(0, comma));
+    options.settings.assignments.emplace_back("part_y", value.substr(comma + 1));
+    return true;
+  };
+  add_lines(
+      command, options, "--at", "at_height", "'MM ACTION'|X,Y",
+      "what is done at a height, as '12.4 pause', '12.4 M600', '30 nozzle_celsius 220'; may be "
+      "repeated. X,Y, as 40,30: where the part's front left corner lies on the bed",
+      take_place);
 }
 
 void add_assignment(Options& options, const std::string& text) {

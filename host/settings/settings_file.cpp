@@ -18,6 +18,7 @@
 #include "host/settings/settings_prusa.h"
 #include "host/settings/settings_table.h"
 #include "host/settings/settings_text.h"
+#include "host/system/text.h"  // trimmed
 
 namespace host {
 namespace {

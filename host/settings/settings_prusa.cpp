@@ -10,6 +10,7 @@
 #include "host/output/thumbnail_text.h"  // read_thumbnails
 #include "host/settings/bed_setting.h"
 #include "host/settings/settings_text.h"
+#include "host/system/text.h"  // trimmed
 
 namespace host {
 namespace {

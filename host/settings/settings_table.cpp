@@ -19,6 +19,7 @@
 #include "host/settings/settings_prusa.h"
 #include "host/settings/settings_rows.h"
 #include "host/settings/settings_text.h"
+#include "host/system/text.h"  // trimmed
 
 namespace host {
 namespace {

@@ -10,6 +10,8 @@
 #include <system_error>
 #include <utility>
 
+#include "host/system/text.h"  // lower_case, trimmed
+
 namespace host {
 namespace {
 
@@ -19,13 +21,6 @@ std::string_view without_sign(std::string_view text) {
   // from_chars takes "-" but not "+"; "+-1" stays an error.
   const bool plus = text.size() > 1 && text[0] == '+' && text[1] != '-';
   return plus ? text.substr(1) : text;
-}
-
-std::string lower(std::string_view text) {
-  std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return result;
 }
 
 // Conditions that stand in the comment ("; up{endif}") stay.
@@ -45,13 +40,6 @@ std::string without_comment(std::string_view line) {
 }
 
 }  // namespace
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kSpace = " \t\r\n\v\f";
-  const std::size_t first = text.find_first_not_of(kSpace);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kSpace) + 1 - first);
-}
 
 core::Result<double> read_number(std::string_view text, std::string_view unit) {
   const std::string_view whole = without_sign(trimmed(text));
@@ -88,7 +76,7 @@ core::Result<std::int64_t> read_whole_number(std::string_view text) {
 }
 
 core::Result<bool> read_switch(std::string_view text) {
-  const std::string word = lower(trimmed(text));
+  const std::string word = lower_case(trimmed(text));
   for (const char* yes : {"1", "true", "yes", "on"}) {
     if (word == yes) return true;
   }

@@ -22,9 +22,6 @@ inline constexpr std::size_t kPlaceholderLineBytesMax = 2'000;
 // Lines of start or end G-code.
 inline constexpr std::size_t kVerbatimLinesMax = 1'000;
 
-// The text without white space around it.
-[[nodiscard]] std::string_view trimmed(std::string_view text);
-
 // A finite number, which `unit` may follow ("0.2", "0.2 mm"). With the unit "%", "20%" and "0.2"
 // are the same. The error does not name the setting.
 [[nodiscard]] core::Result<double> read_number(std::string_view text, std::string_view unit);

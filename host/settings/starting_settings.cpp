@@ -8,6 +8,7 @@
 #include "host/presets/presets.h"
 #include "host/presets/printer_file.h"
 #include "host/settings/settings_file.h"
+#include "host/system/text.h"  // lower_case
 
 namespace host {
 namespace {
@@ -23,8 +24,7 @@ std::string plain_name(PresetKind kind, const std::string& typed) {
   if (kind == PresetKind::kQuality && name.size() > 2 && name.ends_with("mm")) {
     name.resize(name.size() - 2);
   }
-  for (char& c : name) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return name;
+  return lower_case(name);
 }
 
 class Start {

@@ -104,6 +104,8 @@ TEST_CASE("each preset has a title, and every combination fits together") {
     if (!preset.ok()) FAIL(preset.error().message);
     CAPTURE(one.name);
     CHECK_FALSE(preset.value().title.empty());
+    const bool any_size = preset.value().title.starts_with("any printer");
+    CHECK_EQ(preset.value().measured, !any_size);
   }
   for (const std::string& printer : printers) {
     for (const std::string& filament : filaments) {

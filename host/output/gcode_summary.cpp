@@ -1,4 +1,4 @@
-#include "host/output/gcode_comments.h"
+#include "host/output/gcode_summary.h"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 // The comments of a file as print hosts look for them: each field by a pattern of its own, and its
 // value against the G-code itself; the lines of progress.
-#include "host/output/gcode_comments.h"
+#include "host/output/gcode_summary.h"
 
 #include <doctest/doctest.h>
 
