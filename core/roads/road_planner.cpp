@@ -29,7 +29,7 @@ namespace core {
 namespace {
 
 // No rim is laid so many roads about the places where it would hang.
-constexpr int kHangingRimRoads = 3;
+constexpr int kHangingRimRoads = 6;
 
 void append(std::vector<Road> more, std::vector<Road>& roads) {
   std::move(more.begin(), more.end(), std::back_inserter(roads));
