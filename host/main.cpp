@@ -41,6 +41,8 @@ int run(const host::Options& options, host::Reporter& reporter) {
       return host::presets_command(options, reporter);
     case host::Subcommand::kSetup:
       return host::setup_command(options, reporter);
+    case host::Subcommand::kTest:
+      return host::test_command(options, reporter);
   }
   return host::kExitUsage;
 }

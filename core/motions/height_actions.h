@@ -1,5 +1,5 @@
-// What the user wants done at heights of the part: a pause, lines of G-code, another temperature of
-// the nozzle.
+// What the user wants done at heights of the part: a pause, lines of G-code, another value of a
+// setting (height_settings()).
 //
 //     12.4 pause                   4th layer of 0.2 mm ▔▔▔▔▔▔▔▔
 //     12.4 M600                    3rd                 ▔▔▔▔▔▔▔▔  what is due at 0.5: before
@@ -7,7 +7,7 @@
 //     30 gcode M117 half           1st                 ▔▔▔▔▔▔▔▔
 //
 // An action is due before the first layer with roads that starts at its height or above it: the
-// part is at least as high then. A temperature holds from there to the next one.
+// part is at least as high then. A value holds from there to the next one of the same setting.
 #pragma once
 
 #include <cstddef>
@@ -23,13 +23,25 @@
 
 namespace core {
 
+// A setting that may have another value from a height on. It changes no geometry.
+struct HeightSetting {
+  std::string_view key;  // its name in Settings
+  double Settings::*member;
+  int decimals;  // as many as are sent, or laid
+  double largest;
+  bool may_be_zero;
+};
+
+[[nodiscard]] std::span<const HeightSetting> height_settings();
+
 struct HeightAction {
-  enum class Kind { kPause, kGcode, kNozzleTemperature };
+  enum class Kind { kPause, kGcode, kValue };
 
   Length height;  // > 0
   Kind kind = Kind::kPause;
-  std::string line;    // of G-code
-  double celsius = 0;  // in tenths
+  std::string line;                        // of G-code
+  const HeightSetting* setting = nullptr;  // of height_settings(); kValue
+  double value = 0;
 };
 
 // Reads one line of Settings::at_height. The error does not name the setting.
@@ -47,8 +59,8 @@ class HeightActions {
   // REQUIRES: there are as many.
   [[nodiscard]] std::span<const HeightAction> due(std::size_t done, Length bottom) const;
 
-  // Of the nozzle, on a layer that starts at `bottom`. Nothing: what the settings say.
-  [[nodiscard]] std::optional<double> nozzle_celsius(Length bottom) const;
+  // The settings once the first `done` actions were carried out. REQUIRES: there are as many.
+  void apply(std::size_t done, Settings& settings) const;
 
   // Nothing: there are no more than `done`.
   [[nodiscard]] std::optional<Length> height_of(std::size_t done) const {

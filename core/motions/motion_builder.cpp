@@ -31,7 +31,10 @@ double length_mm(const std::vector<WidthStretch>& stretches) {
 }  // namespace
 
 MotionBuilder::MotionBuilder(const Settings& settings)
-    : settings_(settings), actions_(settings), pieces_(settings) {
+    : settings_(settings),
+      actions_(settings),
+      pieces_(settings),
+      pressure_advance_s_(settings.pressure_advance_s) {
   if (settings.arcs != ArcUse::kAuto) state_.arcs = settings.arcs == ArcUse::kOn;
 }
 
@@ -43,6 +46,7 @@ void MotionBuilder::decide_arcs(bool drawn) {
 void MotionBuilder::resume_from(const MotionState& state) {
   RIND_CHECK(!state_.preheated && !state_.started);
   state_ = state;
+  actions_.apply(static_cast<std::size_t>(state_.actions), settings_);
 }
 
 void MotionBuilder::preheat(const Sink& sink) {
@@ -84,37 +88,10 @@ void MotionBuilder::set_acceleration(double mm_s2, const Sink& sink) {
   state_.acceleration_mm_s2 = mm_s2;
 }
 
-// What is due before a layer that starts at `bottom`. The user's lines may move anything: the
-// nozzle is off the part meanwhile, and its way back goes over the part.
-void MotionBuilder::act(Length bottom, const Sink& sink) {
-  const auto due = actions_.due(static_cast<std::size_t>(state_.actions), bottom);
-  state_.actions += static_cast<std::int64_t>(due.size());
-  const auto stands = [](const HeightAction& action) {
-    return action.kind != HeightAction::Kind::kNozzleTemperature;
-  };
-  if (std::none_of(due.begin(), due.end(), stands)) return;
-  const Length away = std::max(park_height(bottom, settings_), state_.nozzle_z.value_or(bottom));
-  if (state_.position_known) {
-    retract(sink);
-    lift(away, sink);
-  }
-  for (const HeightAction& action : due) {
-    if (action.kind == HeightAction::Kind::kPause) sink(Pause{action.height});
-    if (action.kind != HeightAction::Kind::kGcode) continue;
-    sink(Verbatim{action.line});
-    state_.acceleration_mm_s2 = 0;  // may be another one now
-  }
-  sink(SetFan{state_.fan});
-  state_.position_known = false;
-  state_.nozzle_z.reset();
-  lift(away, sink);
-}
-
-void MotionBuilder::set_up_layer(const Slice& slice, double fan_share, const Sink& sink) {
+void MotionBuilder::set_up_layer(double fan_share, const Sink& sink) {
   set_fan(fan_share, sink);
   const double celsius =
-      index_ == 0 ? settings_.nozzle_first_layer_celsius
-                  : actions_.nozzle_celsius(slice.bottom).value_or(settings_.nozzle_celsius);
+      index_ == 0 ? settings_.nozzle_first_layer_celsius : settings_.nozzle_celsius;
   if (celsius != state_.nozzle_celsius) sink(SetNozzleTemperature{celsius, false});
   state_.nozzle_celsius = celsius;
   const double bed = index_ == 0 ? bed_first_layer_celsius(settings_) : settings_.bed_celsius;
@@ -137,7 +114,7 @@ void MotionBuilder::layer(const Slice& slice, const std::vector<Road>& roads, co
                     width_stretches(as_laid(each), height_ * each.layers)});
   }
   const std::vector<double> fan = plan_layer(laid);
-  set_up_layer(slice, cooling_.fan_share, sink);
+  set_up_layer(cooling_.fan_share, sink);
   SliceBoundary boundary(slice.region);
   space_ = space;
   std::size_t way = 0;
@@ -386,6 +363,9 @@ void MotionBuilder::finish(const Sink& sink) {
   sink(SetFan{0});
   if (state_.acceleration_mm_s2 > 0)
     set_acceleration(std::round(settings_.default_acceleration_mm_s2), sink);
+  if (settings_.pressure_advance_s != pressure_advance_s_ && pressure_advance_s_ >= 0) {
+    sink(SetPressureAdvance{pressure_advance_s_});
+  }
   for (const std::string& line : settings_.end_gcode) sink(Verbatim{line});
 }
 

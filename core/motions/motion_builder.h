@@ -109,7 +109,8 @@ class MotionBuilder {
   void preamble(const Sink& sink);
   void start_layer(const Slice& slice, const Sink& sink);
   void act(Length bottom, const Sink& sink);
-  void set_up_layer(const Slice& slice, double fan_share, const Sink& sink);
+  void take(const HeightAction& action, const Sink& sink);
+  void set_up_layer(double fan_share, const Sink& sink);
   // A road in stretches of one width, opened at its seam.
   struct LaidRoad {
     RoadKind kind;
@@ -145,9 +146,10 @@ class MotionBuilder {
   void lift(Length to, const Sink& sink);
   [[nodiscard]] double speed_mm_s(const LaidRoad& road, const WidthStretch& stretch) const;
 
-  Settings settings_;
+  Settings settings_;  // with the values from heights so far
   HeightActions actions_;
   RoadPieces pieces_;
+  double pressure_advance_s_;           // that the printer is left with; negative: as it is
   const TravelSpace* space_ = nullptr;  // of the layer at hand
   const LaidRoad* last_ = nullptr;      // of the layer at hand
   MotionTotals totals_;

@@ -24,6 +24,7 @@ int settings_command(const Options& options, Reporter& reporter);
 int formats_command(const Options& options, Reporter& reporter);
 int presets_command(const Options& options, Reporter& reporter);
 int setup_command(const Options& options, Reporter& reporter);
+int test_command(const Options& options, Reporter& reporter);
 
 // Printer, profile, then the command line's assignments, then the check that all fit together.
 // G-code that waits for the part is not in the settings.
@@ -69,6 +70,8 @@ void report_hanging(const HangingLog& hanging, Reporter& reporter);
 // "0.2 mm", or "0.07 to 0.3 mm": how high the layers of a mesh are.
 [[nodiscard]] std::string layer_words(const core::Settings& settings, const PartSummary& summary);
 
+// What the part is called, or its name without its folder.
+[[nodiscard]] std::string title_of(const PartOptions& part);
 // The part's name without its folder, for titles.
 [[nodiscard]] std::string part_title(const std::string& path);
 

@@ -47,7 +47,7 @@ core::Status fill_gcode(const Options& options, const OpenedPart& part, WholeSet
                         Reporter& reporter) {
   if (whole.pending.empty()) return {};
   const PartSummary& summary = part.summary;
-  PartFacts facts{part_title(options.part.path), core::Length(), summary.layers, summary.box};
+  PartFacts facts{title_of(options.part), core::Length(), summary.layers, summary.box};
   if (summary.layers > 0) facts.top = top_of(part, whole.settings);
   const std::size_t told = whole.notes.size();
   if (core::Status filled = fill_for_part(options.settings, facts, whole); !filled.ok()) {
@@ -153,7 +153,7 @@ core::Result<PrintPlan> open_print_plan(const Options& options, Reporter& report
   for (const std::string& warning : summary.warnings) reporter.note("warning", warning);
   core::Status filled = fill_gcode(options, part.value(), whole.value(), reporter);
   if (!filled.ok()) return filled.error();
-  return PrintPlan{std::move(settings), std::move(part).value(),  part_title(options.part.path),
+  return PrintPlan{std::move(settings), std::move(part).value(),  title_of(options.part),
                    on_bad_layer,        options.part.on_floating, options.part.spool,
                    options.threads};
 }
@@ -238,6 +238,10 @@ std::string layer_words(const core::Settings& settings, const PartSummary& summa
     return fmt::format("{:g} mm", summary.lowest_layer.mm());
   }
   return fmt::format("{:g} to {:g} mm", summary.lowest_layer.mm(), summary.highest_layer.mm());
+}
+
+std::string title_of(const PartOptions& part) {
+  return part.title.empty() ? part_title(part.path) : part.title;
 }
 
 std::string part_title(const std::string& path) {

@@ -153,8 +153,8 @@ Lines with_modes_at_heights(const core::Settings& settings) {
     if (action.kind == Kind::kPause) {
       whole.push_back(fmt::format("{} pause", mm));
       of_height.insert(of_height.end(), settings.pause_gcode.begin(), settings.pause_gcode.end());
-    } else if (action.kind == Kind::kNozzleTemperature) {
-      whole.push_back(fmt::format("{} nozzle_celsius {}", mm, action.celsius));
+    } else if (action.kind == Kind::kValue) {
+      whole.push_back(fmt::format("{} {} {}", mm, action.setting->key, action.value));
     } else {
       whole.push_back(fmt::format("{} gcode {}", mm, action.line));
       of_height.push_back(action.line);

@@ -4,8 +4,10 @@
 
 #include <variant>
 
-#include "core/check.h"  // RIND_CHECK
+#include "core/check.h"                   // RIND_CHECK
+#include "core/motions/height_actions.h"  // HeightActions
 #include "host/gcode/gcode_modes.h"
+#include "host/pipeline/user_gcode.h"  // with_own_modes
 #include "host/pipeline/wire_units.h"
 
 namespace host {
@@ -128,12 +130,15 @@ std::vector<firmware_link::Command> MachineState::file_modes_again() const {
   return commands;
 }
 
-MachineState state_at(const Checkpoint& checkpoint, const core::Settings& settings) {
+MachineState state_at(const Checkpoint& checkpoint, const core::Settings& of_print) {
   MachineState state;
   if (checkpoint.file) {
     put_modes(checkpoint.file->modes, state);
     return state;
   }
+  core::Settings settings = with_own_modes(of_print);
+  core::HeightActions(settings).apply(static_cast<std::size_t>(checkpoint.motions.actions),
+                                      settings);
   state.x_um = checkpoint.encoder.x_um;
   state.y_um = checkpoint.encoder.y_um;
   state.z_um = checkpoint.encoder.z_um;

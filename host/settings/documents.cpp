@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "host/calibration/calibration.h"  // calibration_names
 #include "host/presets/presets.h"
 #include "host/settings/command_texts.h"
 #include "host/settings/completions.h"
@@ -29,6 +30,9 @@ std::vector<std::string> known_words(const std::string& command, const std::stri
   if (name == "--preset") return preset_names(PresetKind::kPrinter);
   if (name == "--filament") return preset_names(PresetKind::kFilament);
   if (name == "--quality") return preset_names(PresetKind::kQuality);
+  if (command == "test" && name == "TEST") {
+    return {calibration_names().begin(), calibration_names().end()};
+  }
   if (command == "presets" && name == "NAME") return preset_names(std::nullopt);
   return {};
 }

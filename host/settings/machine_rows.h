@@ -218,7 +218,9 @@ inline constexpr std::array kMachineRows = {
             "lines of G-code that are sent last"},
     Setting{"at_height", &PrintSettings::at_height, "", 0, kVerbatimLinesMax,
             "lines of a height in mm and what is done before the first layer that starts there or "
-            "above: pause, nozzle_celsius NUMBER, gcode LINE, or a command as M600"},
+            "above: pause, gcode LINE, a command as M600, or a setting and its value, as "
+            "nozzle_celsius 220 (also retraction_mm, retraction_speed_mm_s, extrusion_multiplier, "
+            "volumetric_speed_max_mm3_s, pressure_advance_s)"},
     Setting{"pause_gcode", &PrintSettings::pause_gcode, "", 0, kVerbatimLinesMax,
             "lines of G-code that stand for a pause in a file; a print pauses by itself"},
     Setting{"allow_gcode", &PrintSettings::allow_gcode, "", 0, 0,

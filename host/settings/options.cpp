@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "host/calibration/calibration.h"  // calibration_names
 #include "host/settings/command_options.h"
 #include "host/settings/documents.h"
 #include "host/settings/section_words.h"
@@ -23,20 +24,24 @@ constexpr const char* kAbout =
     "rind prints a part while it is still being sliced: a dense wall where the surface is near, "
     "loose fill inside, in memory that does not grow with the part's height.";
 
+void add_journal(CLI::App& command, Options& options) {
+  CLI::Option* journal =
+      command
+          .add_option("--journal", options.print.journal,
+                      "journal for `rind resume`; default: a file in $XDG_STATE_HOME/rind or "
+                      "~/.local/state/rind")
+          ->type_name("FILE");
+  command.add_flag("--no-journal", options.print.no_journal, "keep no journal")->excludes(journal);
+  command.add_flag("--anew", options.print.anew,
+                   "set the journal of an interrupted print aside (.old)");
+}
+
 CLI::App* add_print(CLI::App& app, Options& options) {
   CLI::App* command = app.add_subcommand("print", "print a part while it is being sliced");
   add_part(*command, options);
   add_sorted(*command, options);
   add_port(*command, options);
-  CLI::Option* journal =
-      command
-          ->add_option("--journal", options.print.journal,
-                       "journal for `rind resume`; default: a file in $XDG_STATE_HOME/rind or "
-                       "~/.local/state/rind")
-          ->type_name("FILE");
-  command->add_flag("--no-journal", options.print.no_journal, "keep no journal")->excludes(journal);
-  command->add_flag("--anew", options.print.anew,
-                    "set the journal of an interrupted print aside (.old)");
+  add_journal(*command, options);
   add_settings(*command, options);
   add_reports(*command, options);
   return command;
@@ -139,6 +144,38 @@ CLI::App* add_show(CLI::App& app, Options& options) {
   return command;
 }
 
+void add_value(CLI::App& command, const char* flag, std::optional<double>& value,
+               const char* help) {
+  command.add_option(flag, value, help)->type_name("X");
+}
+
+CLI::App* add_test(CLI::App& app, Options& options) {
+  CLI::App* command = app.add_subcommand(
+      "test",
+      "print a part that shows which value of a setting is right, and say what to look for");
+  std::vector<std::string> names;
+  for (const std::string_view name : calibration_names()) names.emplace_back(name);
+  command->add_option("TEST", options.test.name, "what is tested")
+      ->required()
+      ->type_name("")
+      ->check(CLI::IsMember(names));
+  add_value(*command, "--from", options.test.from,
+            "the lowest block's value; default: by the filament and the printer");
+  add_value(*command, "--to", options.test.to, "the highest block's value");
+  add_value(*command, "--step", options.test.step,
+            "how much the value changes from block to block");
+  command
+      ->add_option("-o,--output", options.output.path,
+                   "write OUT.gcode instead, or the part alone as OUT.stl; - for standard output")
+      ->type_name("OUT");
+  add_memory(*command, options);
+  add_port(*command, options);
+  add_journal(*command, options);
+  add_settings(*command, options);
+  add_reports(*command, options);
+  return command;
+}
+
 CLI::App* add_formats(CLI::App& app, Options& options) {
   CLI::App* command =
       app.add_subcommand("formats", "list the file formats that are read and written");
@@ -207,6 +244,7 @@ Commands add_commands(CLI::App& app, Options& options, std::string& format, std:
   add_settings(plan, options);
   add_reports(plan, options);
   commands.add(Subcommand::kShow, add_show(app, options));
+  commands.add(Subcommand::kTest, add_test(app, options));
   CLI::App& ports =
       commands.add(Subcommand::kPorts, app.add_subcommand("ports", "list the serial ports"));
   ports.add_flag("--json", options.json, "as JSON");
@@ -230,6 +268,9 @@ OptionsExit usage_error(const std::string& message, const std::vector<std::strin
   return {kExitUsage, json ? message : message + "\nTry 'rind --help'.", json};
 }
 
+// A test's part alone, for other programs.
+bool is_body(const Options& options) { return options.output.path.ends_with(".stl"); }
+
 // What the names of outputs say.
 std::optional<std::string> name_outputs(Options& options, const std::string& format,
                                         const std::string& contents) {
@@ -237,6 +278,11 @@ std::optional<std::string> name_outputs(Options& options, const std::string& for
     return no_picture(options);
   }
   if (!options.translated.empty()) options.settings.profile = options.translated;
+  if (options.subcommand == Subcommand::kTest && !options.output.path.empty() &&
+      output_format_of(options.output.path, "") != OutputFormat::kGcode && !is_body(options)) {
+    return "a test is written as G-code, or its body as STL: name OUT.gcode or OUT.stl, not '" +
+           options.output.path + "'";
+  }
   if (options.subcommand != Subcommand::kSlice) return std::nullopt;
   const std::optional<OutputFormat> known = output_format_of(options.output.path, format);
   if (!known) return unknown_format(options);

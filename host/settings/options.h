@@ -29,6 +29,7 @@ enum class Subcommand {
   kFormats,
   kPresets,
   kSetup,
+  kTest,
 };
 
 // What to do if the port vanishes or the controller resets during a print.
@@ -47,7 +48,8 @@ enum class PipeSorted {
 
 // The part's file, and how it is read.
 struct PartOptions {
-  std::string path;  // "-": standard input
+  std::string path;   // "-": standard input
+  std::string title;  // for people, if it is not the file's name
   std::size_t sort_bytes = kSortBytesDefault;
   PipeSorted sorted = PipeSorted::kAuto;
   std::string spool;  // a folder for temporary files of supports; empty: $TMPDIR, or /tmp
@@ -89,6 +91,12 @@ struct OutputOptions {
   std::optional<SectionZoom> zoom;  // only with a section
 };
 
+// test: which one, and the values that it tries.
+struct TestOptions {
+  std::string name;
+  std::optional<double> from, to, step;
+};
+
 struct Options {
   Subcommand subcommand = Subcommand::kPlan;
   PartOptions part;
@@ -96,6 +104,7 @@ struct Options {
   LinkOptions link;
   PrintCommandOptions print;
   OutputOptions output;
+  TestOptions test;
   std::string preset_shown;  // presets: a name; empty: list them
 
   std::string translated;  // settings: the profile whose translation is shown; empty: none

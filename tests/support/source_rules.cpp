@@ -100,9 +100,9 @@ constexpr std::array<std::string_view, 10> kCoreFloors = {
     "walls", "roads",   "supports", "motions", "sections"};
 constexpr std::array<std::string_view, 5> kFirmwareLinkFloors = {"wire", "dialects", "ports",
                                                                  "session", "virtual"};
-constexpr std::array<std::string_view, 12> kHostFloors = {
-    "system", "files",    "formats",  "gcode",    "presets",  "output",
-    "part",   "pipeline", "printing", "settings", "commands", ""};
+constexpr std::array<std::string_view, 13> kHostFloors = {
+    "system",   "files",    "formats",     "gcode",    "presets",  "output", "part",
+    "pipeline", "printing", "calibration", "settings", "commands", ""};
 
 struct Floors {
   std::string_view room;
