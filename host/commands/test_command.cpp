@@ -23,9 +23,9 @@ namespace {
 using core::Result;
 using core::Status;
 
-// The body as a file. A print that may be interrupted has a real one, which `rind resume` reads
-// again; its name tells its content, so that another test does not replace it. Any other is in
-// memory alone.
+// The body as a file. A print that may be interrupted has a real one beside its journal, which
+// `rind resume` reads again; its name tells its content, so that nothing else is replaced. Any
+// other is in memory alone.
 class BodyFile {
  public:
   BodyFile() = default;
@@ -37,10 +37,16 @@ class BodyFile {
   BodyFile(const BodyFile&) = delete;
   BodyFile& operator=(const BodyFile&) = delete;
 
-  Status keep(const std::string& stl, const std::string& test) {
-    const std::filesystem::path folder = journal_directory();
+  // `journal`: as it was named; empty: one in the usual directory.
+  Status keep(const std::string& stl, const std::string& test, const std::string& journal) {
+    journal_ = journal;
     std::error_code error;
-    std::filesystem::create_directories(folder, error);
+    std::filesystem::path folder = std::filesystem::absolute(journal, error).parent_path();
+    if (journal.empty()) {
+      folder = journal_directory();
+      std::filesystem::create_directories(folder, error);
+      remove_old(folder);
+    }
     const std::string path =
         (folder / fmt::format("test-{}-{:016x}.stl", test, hash_of(stl))).string();
     if (Status written = write_output(path, stl); !written.ok()) return written;
@@ -68,13 +74,32 @@ class BodyFile {
  private:
   // Whether a journal is there with which it may be resumed.
   [[nodiscard]] bool needed() const {
-    const std::vector<FoundJournal> journals = find_journals();
+    if (!journal_.empty()) return find_journal(journal_).has_value();
+    return is_needed(find_journals(), kept_);
+  }
+
+  [[nodiscard]] static bool is_needed(const std::vector<FoundJournal>& journals,
+                                      const std::string& path) {
     return std::any_of(journals.begin(), journals.end(),
-                       [this](const FoundJournal& one) { return is_of_part(one, kept_); });
+                       [&](const FoundJournal& one) { return is_of_part(one, path); });
+  }
+
+  // Those of prints that were resumed and are done.
+  static void remove_old(const std::filesystem::path& folder) {
+    const std::vector<FoundJournal> journals = find_journals();
+    std::error_code error;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+      const std::string name = entry.path().filename().string();
+      const bool own = name.starts_with("test-") && name.ends_with(".stl");
+      if (own && !is_needed(journals, entry.path().string())) {
+        std::filesystem::remove(entry.path(), error);
+      }
+    }
   }
 
   int descriptor_ = -1;
   std::string kept_;
+  std::string journal_;
 };
 
 std::string own_key(std::string key) {
@@ -122,10 +147,9 @@ void tell(const Calibration& calibration, const Options& options, Reporter& repo
 }
 
 bool may_be_resumed(const Options& options) {
-  if (!options.output.path.empty() || options.print.no_journal || journal_directory().empty()) {
-    return false;
-  }
-  return options.link.port != "virtual" || !options.print.journal.empty();
+  if (!options.output.path.empty() || options.print.no_journal) return false;
+  if (!options.print.journal.empty()) return true;
+  return options.link.port != "virtual" && !journal_directory().empty();
 }
 
 int write_body(const std::string& stl, const Calibration& calibration, const Options& options,
@@ -156,8 +180,8 @@ int test_command(const Options& told, Reporter& reporter) {
   const std::string stl = calibration.solid.stl();
   if (options.output.path.ends_with(".stl")) return write_body(stl, calibration, options, reporter);
   BodyFile body;
-  const Status there =
-      may_be_resumed(options) ? body.keep(stl, test.name) : body.hold(stl, test.name);
+  const Status there = may_be_resumed(options) ? body.keep(stl, test.name, options.print.journal)
+                                               : body.hold(stl, test.name);
   if (!there.ok()) return fail(there.error(), reporter);
   options.part.path = body.path();
   options.part.title = "test " + test.name;

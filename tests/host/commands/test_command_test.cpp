@@ -225,3 +225,19 @@ TEST_CASE("actions of the user's own at heights are kept") {
   CHECK_EQ(run.exit_code, 0);
   CHECK_NE(test::content(path).find("M117 half"), std::string::npos);
 }
+
+TEST_CASE("a test that was interrupted is resumed from its own file") {
+  const test::TemporaryFolder folder;
+  const std::string journal = folder.path("test.journal");
+  const std::string port = " --port virtual --virtual-speed 0";
+  const test::ProgramRun stopped = test::run_program(
+      "timeout --preserve-status -s INT 1.5 " + test::kRind +
+      " test retraction --preset mk3s --port virtual --virtual-speed 200 --journal " + journal);
+  CAPTURE(stopped.output);
+  REQUIRE_EQ(stopped.exit_code, 5);
+  if (!test::says(stopped, "to resume it")) return;  // before the first road, on a slow machine
+  const test::ProgramRun resumed = test::rind("resume " + journal + port + " --yes");
+  CAPTURE(resumed.output);
+  CHECK_EQ(resumed.exit_code, 0);
+  CHECK(test::says(resumed, "printed "));
+}
