@@ -273,6 +273,7 @@ struct Settings {
   std::string part_rotation = "0";  // part, before all else (host/part/part_transform.h)
   PartMirror part_mirror = PartMirror::kNone;
   PartUnits part_units = PartUnits::kMillimetre;
+  std::string cut = "off";  // height, and the piece that is kept (host/part/cut_plane.h)
   double nozzle_celsius = 210;
   double nozzle_first_layer_celsius = 210;
   double bed_celsius = 60;

@@ -7,12 +7,14 @@
 
 #include "core/result.h"                 // Result
 #include "host/output/thumbnail_text.h"  // append_thumbnails, read_thumbnails
+#include "host/part/cut_plane.h"         // is_cut
 
 namespace host {
 namespace {
 
 // Why no picture shows the whole part.
-std::string_view cause_of(const PartSummary& summary, bool drawn) {
+std::string_view cause_of(const PartSummary& summary, bool cut, bool drawn) {
+  if (cut) return "the part is cut in two";
   if (summary.facets == 0) return "the part comes as slices, which have no surface to draw";
   if (summary.layers == 0) return "the part is sliced as it arrives";
   if (!drawn) return "--memory-limit leaves no memory for it";
@@ -33,8 +35,8 @@ std::string thumbnail_comments(const PrintPlan& print_plan, const std::optional<
     append_thumbnails(*view, thumbnails.value(), comments);
     return comments;
   }
-  const std::string none =
-      fmt::format("no thumbnail: {}", cause_of(print_plan.part.summary, view.has_value()));
+  const std::string none = fmt::format(
+      "no thumbnail: {}", cause_of(print_plan.part.summary, is_cut(settings), view.has_value()));
   reporter.note("thumbnail", none);
   return fmt::format("; {}\n", none);
 }

@@ -11,6 +11,7 @@
 #include "core/slices/height_plan.h"   // adaptive_limits, layer_heights
 #include "core/slices/plane_sweep.h"   // PlaneSweep
 #include "host/part/bed_placing.h"     // shift_to_bed, check_on_bed
+#include "host/part/cut_plane.h"       // CutPlane
 #include "host/part/edge_ledger.h"     // EdgeLedger
 #include "host/part/mesh_sorter.h"     // MeshSorter
 #include "host/part/mesh_survey.h"     // is_degenerate, turned_text
@@ -83,12 +84,7 @@ class BooleanLayers : public LayerSource {
         sweep.unsure = turned->placed ? shifted(turned->box, shift_) : core::Box();
         summary_.warnings.push_back(tree_->name + ": " + turned_text(*turned));
       }
-      source->sweep.emplace(sweep, [this, source]() -> Result<std::optional<Triangle>> {
-        const CpuTimer timer(counters_.sort_cpu_s);
-        Result<std::optional<Triangle>> triangle = source->sorter.next();
-        if (!triangle.ok() || !triangle.value()) return triangle;
-        return std::optional<Triangle>(shifted(*triangle.value(), shift_));
-      });
+      source->sweep.emplace(sweep, [this, source] { return next_of(*source); });
     }
     return summary_;
   }
@@ -159,12 +155,52 @@ class BooleanLayers : public LayerSource {
     return extent;
   }
 
-  [[nodiscard]] Status place() {
-    const MeshExtent extent = extent_of(tree_->nodes.back());
-    if (is_flat(extent)) {
-      return refused(ErrorCode::kBadPart,
-                     "the booleans leave nothing that has a height; check the part");
+  [[nodiscard]] Error nothing_left() const {
+    return refused(ErrorCode::kBadPart,
+                   "the booleans leave nothing that has a height; check the part" +
+                       std::string(plane_ ? ", and where it is cut" : ""));
+  }
+
+  // Makes the operands' extents those of their pieces, if there is a cut.
+  [[nodiscard]] Status cut_operands(const MeshExtent& whole) {
+    const Result<std::optional<CutPlane>> plane =
+        CutPlane::of(settings_, whole.lowest_z, whole.highest_z, tree_->name);
+    if (!plane.ok()) return plane.error();
+    plane_ = plane.value();
+    if (!plane_) return {};
+    if (limits_) limits_->add(plane_->face(whole.box));
+    const CpuTimer timer(counters_.sort_cpu_s);
+    for (const auto& operand : operands_) {
+      operand->extent = {};
+      while (true) {
+        const Result<std::optional<Triangle>> next = operand->sorter.next();
+        if (!next.ok()) return next.error();
+        if (!next.value()) break;
+        if (!plane_->keeps(*next.value())) continue;
+        for (const Triangle& part : plane_->clipped(*next.value())) operand->extent.add(part);
+      }
+      if (Status again = operand->sorter.rewind(); !again.ok()) return again;
     }
+    return {};
+  }
+
+  // The next facet that the sweep needs.
+  [[nodiscard]] Result<std::optional<Triangle>> next_of(Operand& operand) {
+    const CpuTimer timer(counters_.sort_cpu_s);
+    while (true) {
+      Result<std::optional<Triangle>> triangle = operand.sorter.next();
+      if (!triangle.ok() || !triangle.value()) return triangle;
+      if (plane_ && !plane_->keeps(*triangle.value())) continue;
+      return std::optional<Triangle>(shifted(*triangle.value(), shift_));
+    }
+  }
+
+  [[nodiscard]] Status place() {
+    MeshExtent extent = extent_of(tree_->nodes.back());
+    if (is_flat(extent)) return nothing_left();
+    if (Status cut = cut_operands(extent); !cut.ok()) return cut;
+    if (plane_) extent = extent_of(tree_->nodes.back());
+    if (is_flat(extent)) return nothing_left();
     summary_.height = Length::from_units(extent.highest_z - extent.lowest_z);
     Result<core::LayerHeights> heights =
         part_heights(settings_, limits_, extent.lowest_z, summary_.height, tree_->name);
@@ -235,6 +271,7 @@ class BooleanLayers : public LayerSource {
   std::vector<std::unique_ptr<Operand>> operands_;
   std::vector<Slice> slices_;  // of one plane
   Shift shift_;
+  std::optional<CutPlane> plane_;
 };
 
 }  // namespace

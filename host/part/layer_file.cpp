@@ -4,10 +4,12 @@
 #include <optional>
 #include <utility>
 
-#include "host/part/bed_placing.h"     // shift_to_bed, check_on_bed
-#include "host/part/layer_rules.h"     // check_layer_height
-#include "host/part/part_transform.h"  // PartTransform
-#include "host/system/stage_clock.h"   // CpuTimer
+#include "host/part/bed_placing.h"      // shift_to_bed, check_on_bed
+#include "host/part/cut_plane.h"        // is_cut
+#include "host/part/layer_rules.h"      // check_layer_height
+#include "host/part/part_transform.h"   // PartTransform
+#include "host/part/transform_words.h"  // read_cut
+#include "host/system/stage_clock.h"    // CpuTimer
 
 namespace host {
 namespace {
@@ -39,6 +41,56 @@ void add(const Slice& slice, MeshExtent& extent) {
   extent.highest_z = std::max(extent.highest_z, slice.top().units());
 }
 
+// Keeps the layers of one piece of a part that is cut in two. The cut lies where a layer begins.
+class LayerCut {
+ public:
+  // REQUIRES: check_part_transform() is fine, and not both pieces are asked for
+  explicit LayerCut(const core::Settings& settings) : words_(read_cut(settings.cut).value()) {}
+
+  [[nodiscard]] bool none() const { return !words_; }
+
+  // Takes the layers in order. Whether the layer belongs to the piece; its index is made that of
+  // the piece.
+  [[nodiscard]] bool keeps(Slice& slice) {
+    if (!words_) return true;
+    if (!lowest_) lowest_ = slice.bottom;
+    const Length plane = *lowest_ + Length::from_mm(words_->height_mm);
+    const bool lower = slice.bottom + slice.top() < plane * 2;
+    if (lower) moved_to_ = slice.top();
+    (lower ? below_ : above_) = true;
+    if (lower == (words_->piece == CutPiece::kLower)) {
+      slice.index -= left_out_;
+      return true;
+    }
+    ++left_out_;
+    return false;
+  }
+
+  // No further layer belongs to the piece.
+  [[nodiscard]] bool over() const { return words_ && words_->piece == CutPiece::kLower && above_; }
+
+  // All of the lower piece has been seen.
+  [[nodiscard]] bool over_below() const { return above_; }
+
+  // Of layers that were all taken: one piece holds nothing.
+  [[nodiscard]] bool misses() const { return words_ && !(below_ && above_); }
+
+  // Tells where the cut lies; nullopt if it is where it was asked for.
+  [[nodiscard]] std::optional<std::string> warning() const {
+    if (!words_ || !moved_to_) return std::nullopt;
+    const Length cut = *moved_to_ - *lowest_;
+    if (cut == Length::from_mm(words_->height_mm)) return std::nullopt;
+    return "cut at " + mm_text(cut.units()) + " mm, where a layer begins";
+  }
+
+ private:
+  std::optional<CutWords> words_;
+  std::optional<Length> lowest_;    // of the part
+  std::optional<Length> moved_to_;  // the top of the lower piece so far
+  core::LayerIndex left_out_ = 0;
+  bool below_ = false, above_ = false;  // layers of the pieces have been seen
+};
+
 class PlacedLayers : public LayerSource {
  public:
   PlacedLayers(LayerFileInput file, const core::Settings& settings)
@@ -48,7 +100,7 @@ class PlacedLayers : public LayerSource {
   [[nodiscard]] Status look_ahead() {
     summary_.format = file_.layers->format();
     if (file_.again) return {};
-    summary_.layers = file_.layers->layers_promised();
+    if (cut_.none()) summary_.layers = file_.layers->layers_promised();
     MeshExtent extent;
     while (extent.box.empty()) {
       Result<std::optional<Slice>> slice = read();
@@ -57,7 +109,9 @@ class PlacedLayers : public LayerSource {
       add(*slice.value(), extent);
       ahead_.push_back(*std::move(slice).value());
     }
-    const std::optional<core::Box>& promised = file_.layers->box_promised();
+    // Of the whole part.
+    const std::optional<core::Box> promised =
+        cut_.none() ? file_.layers->box_promised() : std::nullopt;
     if (promised) {
       const Result<core::Box> larger = transform_.of(*promised);
       if (!larger.ok()) return refused(larger.error());
@@ -89,6 +143,7 @@ class PlacedLayers : public LayerSource {
       add(*slice.value(), extent);
       summary_.layers = slice.value()->index + 1;
     }
+    if (cut_.misses()) return cut_misses();
     if (extent.box.empty()) return nothing_to_print();
     if (Status placed = place(extent); !placed.ok()) return placed.error();
     summary_.height = Length::from_units(extent.highest_z - extent.lowest_z);
@@ -96,6 +151,7 @@ class PlacedLayers : public LayerSource {
     Result<std::unique_ptr<LayerReader>> again = file_.again();
     if (!again.ok()) return again.error();
     file_.layers = std::move(again).value();
+    cut_ = LayerCut(settings_);
     return summary_;
   }
 
@@ -116,6 +172,10 @@ class PlacedLayers : public LayerSource {
   [[nodiscard]] Result<std::optional<Slice>> read() {
     const CpuTimer timer(counters_.read_cpu_s);
     Result<std::optional<Slice>> slice = file_.layers->next();
+    while (slice.ok() && slice.value() && !cut_.keeps(*slice.value())) {
+      if (cut_.over()) return std::optional<Slice>();
+      slice = file_.layers->next();
+    }
     if (!slice.ok() || !slice.value() || transform_.none()) return slice;
     Result<core::Region> larger = transform_.of(slice.value()->region);
     if (!larger.ok()) return refused(larger.error());
@@ -143,10 +203,19 @@ class PlacedLayers : public LayerSource {
 
   void take_warnings() {
     summary_.warnings = file_.layers->warnings();
+    // Of a lower piece from a pipe, it is not known yet.
+    const auto moved = file_.again || cut_.over_below() ? cut_.warning() : std::nullopt;
+    if (moved) summary_.warnings.push_back(file_.name + ": " + *moved);
     if (!core::has_unequal_layers(settings_)) return;
     summary_.warnings.push_back(file_.name +
                                 ": its layers have heights of their own: adaptive_layer_height "
                                 "and height_range change nothing");
+  }
+
+  [[nodiscard]] Error cut_misses() const {
+    return {ErrorCode::kBadSetting, file_.name + ": cut = " + settings_.cut +
+                                        ": all layers are on one side of it; give a height within "
+                                        "the part"};
   }
 
   [[nodiscard]] Error nothing_to_print() const {
@@ -179,6 +248,7 @@ class PlacedLayers : public LayerSource {
   LayerFileInput file_;
   core::Settings settings_;
   PartTransform transform_{settings_};
+  LayerCut cut_{settings_};
   PartSummary summary_;
   PartCounters counters_;
   Shift shift_;
@@ -196,6 +266,7 @@ Result<OpenedPart> open_layer_file(LayerFileInput file, const core::Settings& se
                      "along x and y, turned about z and scaled sideways (--scale 2,2,1), but "
                      "shrinkage_z, part_units and others would change them; or print the mesh"};
   }
+  if (Status one = check_one_piece(settings, file.name); !one.ok()) return one.error();
   const bool twice = file.again != nullptr;
   auto layers = std::make_unique<PlacedLayers>(std::move(file), settings);
   if (Status looked = layers->look_ahead(); !looked.ok()) return looked.error();

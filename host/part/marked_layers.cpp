@@ -11,6 +11,7 @@
 #include "core/offsets/voronoi_mountain.h"  // offset
 #include "core/slices/facet_slabs.h"        // FacetSlabs
 #include "core/slices/plane_sweep.h"        // PlaneSweep
+#include "host/part/cut_plane.h"            // is_cut
 #include "host/part/mesh_sorter.h"          // MeshSorter
 #include "host/part/mesh_survey.h"          // can_be_cut, is_degenerate
 #include "host/part/part_transform.h"       // PartTransform
@@ -66,7 +67,7 @@ Status check_so_far(const MarkedFacets& marks, const core::Box& bodies,
                     const core::Settings& settings, const std::string& name) {
   if (marks.printed.box.empty()) return {};
   const PartTransform by(settings);
-  if (by.tilts() || by.longest_mm()) return {};
+  if (by.tilts() || by.longest_mm() || is_cut(settings)) return {};
   const Result<core::Box> larger = by.of(marks.printed.box);
   if (!larger.ok()) return {};  // told of the part itself
   MeshExtent printed = marks.printed;

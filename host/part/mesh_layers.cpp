@@ -7,12 +7,13 @@
 #include <utility>
 #include <vector>
 
-#include "core/roads/beading.h"        // kRoomSlack
 #include "core/slices/height_plan.h"   // layer_heights
 #include "core/slices/plane_sweep.h"   // PlaneSweep
 #include "host/part/bed_placing.h"     // shift_to_bed, check_on_bed
 #include "host/part/height_check.h"    // check_height
+#include "host/part/mesh_piece.h"      // MeshPiece, check_size
 #include "host/part/mesh_sorter.h"     // MeshSorter
+#include "host/part/mesh_summary.h"    // summarise_file
 #include "host/part/mesh_survey.h"     // MeshSurvey
 #include "host/part/part_heights.h"    // part_heights
 #include "host/part/plane_check.h"     // check_planes
@@ -60,8 +61,9 @@ class MeshLayers : public LayerSource {
     if (ended_) return sort_all();
     if (Status plausible = check_so_far(); !plausible.ok()) return plausible;
     const bool in_order = survey_.in_order() && (options_.order_is_sure || guess_.in_order());
-    // Adaptive heights are known at the surface's end.
-    if (mesh_.again || !options_.stream_pipes || !in_order || survey_.limits()) return {};
+    // Adaptive heights are known at the surface's end, so is what a cut leaves.
+    const bool whole_first = survey_.limits() || is_cut(settings_);
+    if (mesh_.again || !options_.stream_pipes || !in_order || whole_first) return {};
     streaming_ = true;
     if (Status meant = check_tall(); !meant.ok()) return meant;
     shift_ = shift_to_bed(survey_.extent(), settings_);
@@ -111,7 +113,9 @@ class MeshLayers : public LayerSource {
       if (surveyed_ && !survey_.extent().holds(taken)) {
         return refused(ErrorCode::kUnreadable, "the file was changed while it was being read");
       }
-      if (surveyed_ ? can_be_cut(taken) : survey_.add(taken)) batch_.push_back(taken);
+      if (surveyed_ ? can_be_cut(taken) : survey_.add(taken)) {
+        if (piece_.keeps(taken)) batch_.push_back(taken);
+      }
     }
     return streaming_ ? check_tall() : Status();
   }
@@ -125,14 +129,15 @@ class MeshLayers : public LayerSource {
   }
 
   // The look-ahead may already be too large.
-  [[nodiscard]] Status check_so_far() const {
+  [[nodiscard]] Status check_so_far() {
+    if (is_cut(settings_)) return {};
     return check_fit(shift_to_bed(survey_.extent(), settings_));
   }
 
   // The error names the stray corners, if there are any.
-  [[nodiscard]] Status check_fit(const Shift& shift) const {
-    Status fits = check_on_bed(survey_.extent(), shift, settings_, mesh_.name);
-    if (fits.ok()) return fits;
+  [[nodiscard]] Status check_fit(const Shift& shift) {
+    Status fits = check_on_bed(piece().extent(), shift, settings_, mesh_.name);
+    if (fits.ok() || piece_.is_cut()) return fits;
     return Error{fits.error().code, fits.error().message + stray_text(survey_)};
   }
 
@@ -182,10 +187,17 @@ class MeshLayers : public LayerSource {
     batch_ = {};
     if (Status placed = place(); !placed.ok()) return placed;
     const CpuTimer timer(counters_.sort_cpu_s);
-    if (Status sorted = sorter_->finish(); !sorted.ok()) return sorted;
-    counters_.spilled_bytes = sorter_->spilled_bytes();
+    if (Status sorted = finish_sort(); !sorted.ok()) return sorted;
     start_sweep(summary_.layers);
     return check_and_restart();
+  }
+
+  [[nodiscard]] Status finish_sort() {
+    if (sorted_) return {};
+    sorted_ = true;
+    Status sorted = sorter_->finish();
+    counters_.spilled_bytes = sorter_->spilled_bytes();
+    return sorted;
   }
 
   // Runs before anything moves; the heaters are on already if there was more than the look-ahead.
@@ -236,59 +248,47 @@ class MeshLayers : public LayerSource {
     return {code, mesh_.name + ": " + cause};
   }
 
+  // Reads the facets once more if there is a cut. REQUIRES: the mesh was read to its end.
+  [[nodiscard]] Status cut_piece() {
+    if (sorter_ && is_cut(settings_)) {
+      const CpuTimer timer(counters_.sort_cpu_s);
+      if (Status sorted = finish_sort(); !sorted.ok()) return sorted;
+      Status cut = piece_.cut(settings_, survey_, mesh_.name, [this] { return sorter_->next(); });
+      return cut.ok() ? sorter_->rewind() : cut;
+    }
+    const CpuTimer timer(counters_.read_cpu_s);
+    return piece_.cut(settings_, survey_, mesh_.name, reopened(mesh_.again));
+  }
+
   // REQUIRES: the mesh was read to its end.
   [[nodiscard]] Status place() {
-    const MeshExtent& extent = survey_.extent();
-    if (!survey_.highest_cut()) {
-      return refused(ErrorCode::kBadPart,
-                     "the part is flat, it has no height; export it as a solid");
-    }
-    summary_.height = Length::from_units(*survey_.highest_cut() - extent.lowest_z);
-    Result<core::LayerHeights> heights =
-        part_heights(settings_, survey_.limits(), extent.lowest_z, summary_.height, mesh_.name);
+    if (Status solid = check_not_flat(survey_, mesh_.name); !solid.ok()) return solid;
+    if (Status cut = cut_piece(); !cut.ok()) return cut;
+    if (Status solid = check_not_flat(piece(), mesh_.name); !solid.ok()) return solid;
+    const MeshExtent& extent = piece().extent();
+    summary_.height = Length::from_units(*piece().highest_cut() - extent.lowest_z);
+    Result<core::LayerHeights> heights = part_heights(settings_, piece_.limits(survey_),
+                                                      extent.lowest_z, summary_.height, mesh_.name);
     if (!heights.ok()) return heights.error();
     heights_ = std::move(heights).value();
     summarise_heights(heights_, summary_);
-    if (summary_.layers == 0) {
-      const std::optional<std::string> unit = unit_question(extent);
-      return refused(
-          ErrorCode::kBadPart,
-          "the part is " + mm_text(summary_.height.units()) +
-              " mm high, less than half a layer of " + mm_text(heights_.height(0).units()) +
-              " mm; " + (unit ? *unit + " Otherwise" : "check its unit, or") + " lower " +
-              (settings_.first_layer_height > Length() ? "first_layer_height" : "layer_height"));
-    }
-    const core::Box& box = extent.box;
-    const std::int64_t narrowest =
-        std::min(std::int64_t{box.max.x} - box.min.x, std::int64_t{box.max.y} - box.min.y);
-    if (narrowest < (settings_.road_width_min - core::kRoomSlack).units()) {
-      return refused(ErrorCode::kBadPart, "the part is " + mm_text(narrowest) +
-                                              " mm wide, narrower than any road "
-                                              "(road_width_min); " +
-                                              unit_question(extent).value_or("make it wider"));
-    }
+    Status sized = check_size(extent, summary_.height, heights_, settings_, mesh_.name);
+    if (!sized.ok()) return sized;
     shift_ = shift_to_bed(extent, settings_);
     if (Status fits = check_fit(shift_); !fits.ok()) return fits;
     if (Status meant = check_tall(); !meant.ok()) return meant;
-    summary_.seen_whole = true;
+    summary_.seen_whole = !piece_.is_cut();
     summarise();
     return {};
   }
 
+  [[nodiscard]] MeshSurvey& piece() { return piece_.survey(survey_); }
+
   void warn(const std::string& text) { summary_.warnings.push_back(mesh_.name + ": " + text); }
 
   void summarise() {
-    summary_.format = mesh_.triangles->format();
-    summary_.facets = mesh_.triangles->facets();
-    summary_.degenerate = survey_.degenerate();
-    summary_.warnings = mesh_.triangles->warnings();
-    if (const std::string& doubt = mesh_.triangles->doubt(); !doubt.empty()) {
-      warn(doubt + "; the surface is closed, so all that are there were taken");
-    }
-    summary_.box = shifted(survey_.extent().box, shift_);
-    if (const auto warning = unit_warning(survey_.extent())) {
-      warn(*warning);
-    }
+    summarise_file(*mesh_.triangles, survey_, mesh_.name, summary_);
+    summary_.box = shifted(piece().extent().box, shift_);
     if (streaming_) {
       warn("sliced as it comes; its place on the bed is that of its first " +
            std::to_string(summary_.facets) + " facets");
@@ -297,12 +297,10 @@ class MeshLayers : public LayerSource {
     if (const auto turned = survey_.turned()) {
       warn(turned_text(*turned));
     }
+    const std::int64_t first_plane = piece().extent().lowest_z + heights_.doubled_plane(0) / 2;
     summary_.nothing_hangs =
-        survey_.nothing_hangs_over(Length::from_units(heights_.doubled_plane(0) / 2));
-    if (const auto empty = survey_.empty_layers(heights_); empty.count > 0) {
-      warn(std::to_string(empty.count) + " layers hold nothing, from layer " +
-           std::to_string(empty.first + 1) + " on: what is above them is printed in the air");
-    }
+        survey_.nothing_hangs_over(Length::from_units(first_plane - survey_.extent().lowest_z));
+    warn_of_empty_layers(piece(), heights_, mesh_.name, summary_);
   }
 
   // Reads in batches, so that the clock is not read for each triangle.
@@ -315,7 +313,7 @@ class MeshLayers : public LayerSource {
         Result<std::optional<Triangle>> triangle = sorter_->next();
         if (!triangle.ok()) return triangle.error();
         if (!triangle.value()) break;
-        batch_.push_back(*triangle.value());
+        if (piece_.keeps(*triangle.value())) batch_.push_back(*triangle.value());
       }
       if (batch_.empty()) return std::optional<Triangle>();
     }
@@ -365,6 +363,7 @@ class MeshLayers : public LayerSource {
   OpenOptions options_;
   std::size_t window_;
   MeshSurvey survey_;
+  MeshPiece piece_;
   OrderGauge guess_;  // of the look-ahead
   PartSummary summary_;
   PartCounters counters_;
@@ -375,6 +374,7 @@ class MeshLayers : public LayerSource {
   bool ended_ = false;      // all has been read
   bool surveyed_ = false;   // it is read for the second time
   bool streaming_ = false;  // it is sliced as it arrives
+  bool sorted_ = false;     // the sorter has all, and is finished
   std::optional<MeshSorter> sorter_;
   ReorderWindow window_held_;
   std::optional<core::PlaneSweep> sweep_;

@@ -9,21 +9,22 @@
 // checks before a print need the whole mesh, so a file in order is read twice. Of a pipe that is
 // sliced as it arrives, only the look-ahead (kReorderTriangles) is known: it decides the position
 // on the bed, and every later facet is checked when it arrives. A pipe is never sliced so if layers
-// are adaptive.
+// are adaptive, or the part is cut.
+//
+// Of a cut mesh, one piece is swept (cut_plane.h). Where it lies is told by one more pass over the
+// facets: the file is read a third time, or the sorted facets twice.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <string>
 
 #include "core/result.h"                   // Result
 #include "core/settings.h"                 // Settings
 #include "host/formats/triangle_source.h"  // TriangleSource
+#include "host/part/mesh_piece.h"          // TriangleOpener
 #include "host/part/opened_part.h"         // OpenedPart, OpenOptions
 
 namespace host {
-
-using TriangleOpener = std::function<core::Result<std::unique_ptr<TriangleSource>>()>;
 
 struct MeshInput {
   std::string name;  // for messages

@@ -243,8 +243,9 @@ Result<core::Box> PartTransform::of(const core::Box& box) const {
 
 Status check_part_transform(const core::Settings& settings) {
   if (const auto scale = read_scale(settings.part_scale); !scale.ok()) return scale.error();
-  const auto turn = read_rotation(settings.part_rotation);
-  return turn.ok() ? Status() : turn.error();
+  if (const auto turn = read_rotation(settings.part_rotation); !turn.ok()) return turn.error();
+  const auto cut = read_cut(settings.cut);
+  return cut.ok() ? Status() : cut.error();
 }
 
 Status transform(std::unique_ptr<TriangleSource>& triangles, OpenTriangles& again,

@@ -60,7 +60,7 @@ class PartTransform {
   Matrix matrix_;  // without scale_
 };
 
-// Whether the settings can be read: --scale, --rotate and the others.
+// Whether the settings can be read: --scale, --rotate, --cut and the others.
 [[nodiscard]] core::Status check_part_transform(const core::Settings& settings);
 
 using OpenTriangles = std::function<core::Result<std::unique_ptr<TriangleSource>>()>;

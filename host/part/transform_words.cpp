@@ -85,4 +85,25 @@ Result<std::array<double, 3>> read_rotation(std::string_view text) {
   return bad("part_rotation", text, "degrees about x, y, z as 90,0,45, or about z as 45");
 }
 
+Result<std::optional<CutWords>> read_cut(std::string_view text) {
+  std::string_view height = trimmed(text);
+  if (height.empty() || height == "off") return std::optional<CutWords>();
+  CutWords words;
+  const std::size_t space = height.find_last_of(" \t");
+  const std::string_view last = space == std::string_view::npos ? "" : height.substr(space + 1);
+  if (last == "lower" || last == "upper" || last == "both") {
+    if (last == "lower") words.piece = CutPiece::kLower;
+    if (last == "upper") words.piece = CutPiece::kUpper;
+    height = height.substr(0, space);
+  }
+  const std::optional<double> read = number(height, "mm");
+  if (!read || *read <= 0 || *read > kCutMax_mm) {
+    return bad("cut", text,
+               "a height in mm above the part's lowest point, as 20, '20 lower' or "
+               "'20 upper'; or off");
+  }
+  words.height_mm = *read;
+  return std::optional<CutWords>(words);
+}
+
 }  // namespace host

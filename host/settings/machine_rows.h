@@ -169,6 +169,9 @@ inline constexpr std::array kMachineRows = {
             "axis along which the part is mirrored"},
     Setting{"part_units", choice<&PrintSettings::part_units>("mm", "inch", "m"), "", 0, 0,
             "unit of the numbers in a file that does not tell it (STL, OBJ)"},
+    Setting{"cut", &PrintSettings::cut, "", 0, 0,
+            "height over the part's lowest point at which it is cut in two, and the piece that is "
+            "printed, as '20 lower' or '20 upper'; 20: both; off: not cut"},
     Setting{"nozzle_celsius", &PrintSettings::nozzle_celsius, "°C", 0, 500,
             "temperature of the nozzle; 0: not heated"},
     Setting{"nozzle_first_layer_celsius", &PrintSettings::nozzle_first_layer_celsius, "°C", 0, 500,

@@ -140,6 +140,8 @@ void add_settings(CLI::App& command, Options& options) {
                "turn the part about z, as 45, or about x, y, z, as 90,0,45");
   add_shortcut(command, options, "--mirror", "part_mirror", "AXIS",
                "mirror the part along x, y or z");
+  add_shortcut(command, options, "--cut", "cut", "'MM PIECE'",
+               "cut the part in two at a height, and print '20 lower' or '20 upper'; 20: both");
   add_shortcut(command, options, "--units", "part_units", "UNIT",
                "unit of an STL's or OBJ's numbers: mm, inch, m");
   add_shortcut(command, options, "--layer-height", "layer_height", "MM", "thickness of a layer");
