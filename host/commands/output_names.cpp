@@ -12,6 +12,7 @@
 #include "host/files/log_file.h"  // older_logs
 #include "host/files/output_target.h"
 #include "host/formats/formats.h"        // kind_of
+#include "host/output/png_writer.h"      // kPictureWords
 #include "host/printing/journal_file.h"  // look_at_journal
 #include "host/system/limits.h"          // kLookBytesMax
 
@@ -89,9 +90,21 @@ Status check_standard_output(const std::vector<Named>& inputs, const std::vector
   return {};
 }
 
-// The kind of file that this output may replace; nullopt: only text.
+bool is_png(const Options& options) {
+  return options.subcommand == Subcommand::kShow &&
+         picture_format_of(options.output.path) == PictureFormat::kPng;
+}
+
+// Whether `rind show` has made it, by the words near its start.
+bool is_own_png(std::string_view bytes) {
+  const std::string_view head = bytes.substr(0, 128);
+  return head.starts_with("\x89PNG\r\n\x1A\n") && head.find(kPictureWords) != head.npos;
+}
+
+// The kind of file that this output may replace; nullopt: only text, or a PNG.
 std::optional<FileKind> own_kind(const Options& options, const std::string& what) {
   if (what != "--output") return std::nullopt;
+  if (is_png(options)) return std::nullopt;
   if (options.subcommand == Subcommand::kShow) return FileKind::kSvg;
   switch (options.output.format) {
     case OutputFormat::kGcode:
@@ -123,7 +136,8 @@ bool named_so(const Options& options, const Claim& claim) {
   if (claim.what == "--stats") return claim.target.name.ends_with(".json");
   if (claim.what != "--output") return false;
   const std::optional<OutputFormat> named = output_format_of(claim.target.name, "");
-  if (options.subcommand == Subcommand::kShow) return named == OutputFormat::kSvg;
+  if (options.subcommand == Subcommand::kShow)
+    return !is_png(options) && named == OutputFormat::kSvg;
   const bool cli = own_kind(options, claim.what) == FileKind::kCli;
   return named == options.output.format || (cli && named == OutputFormat::kCli);
 }
@@ -162,6 +176,7 @@ Status check_content(const Options& options, const Claim& claim) {
   if (!looked.ok()) return looked.error();
   const std::string bytes(looked.value().substr(0, kLookBytesMax));
   if (bytes.empty()) return {};
+  if (claim.what == "--output" && is_png(options) && is_own_png(bytes)) return {};
   const Result<FileKind> kind = kind_of(opened.value());
   if (kind.ok() && kind.value() == own_kind(options, claim.what)) return {};
   const bool text = bytes.find('\0') == std::string::npos;

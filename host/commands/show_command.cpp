@@ -13,6 +13,7 @@
 #include "host/commands/commands.h"
 #include "host/files/output_file.h"
 #include "host/output/layer_picture.h"
+#include "host/output/picture_file.h"
 #include "host/output/picture_style.h"
 #include "host/output/section_picture.h"
 #include "host/pipeline/pipeline.h"
@@ -41,7 +42,7 @@ core::SplitLayer in_part(core::SplitLayer layer, const core::Settings& settings)
 }
 
 // Waits for the layer's neighbours, which decide where its wall is.
-int show_layer(const Options& options, PrintPlan& print_plan, OutputFile& file,
+int show_layer(const Options& options, PrintPlan& print_plan, PictureFile& file,
                Reporter& reporter) {
   const core::LayerIndex layers = print_plan.part.summary.layers;
   const auto no_such_layer = [&](core::LayerIndex highest) {
@@ -178,7 +179,7 @@ SectionPicture::Options picture_options(const Options& options, const PrintPlan&
 }
 
 // Writes row by row, so memory does not grow with the part.
-int show_section(const Options& options, PrintPlan& print_plan, OutputFile& file,
+int show_section(const Options& options, PrintPlan& print_plan, PictureFile& file,
                  Reporter& reporter) {
   const core::Result<core::SectionLine> line =
       line_through(*options.output.section, print_plan.part.summary.box, options.part.path);
@@ -236,12 +237,14 @@ int show_section(const Options& options, PrintPlan& print_plan, OutputFile& file
 }  // namespace
 
 int show_command(const Options& options, Reporter& reporter) {
-  core::Result<OutputFile> file = OutputFile::open(options.output.path);
-  if (!file.ok()) return fail(file.error(), reporter);
+  core::Result<OutputFile> output = OutputFile::open(options.output.path);
+  if (!output.ok()) return fail(output.error(), reporter);
+  PictureFile file(std::move(output).value(),
+                   picture_format_of(options.output.path).value_or(PictureFormat::kSvg));
   core::Result<PrintPlan> opened = open_print_plan(options, reporter);
   if (!opened.ok()) return fail(opened.error(), reporter);
-  return options.output.section ? show_section(options, opened.value(), file.value(), reporter)
-                                : show_layer(options, opened.value(), file.value(), reporter);
+  return options.output.section ? show_section(options, opened.value(), file, reporter)
+                                : show_layer(options, opened.value(), file, reporter);
 }
 
 }  // namespace host

@@ -53,9 +53,11 @@ std::optional<OutputFormat> output_format_of(const std::string& output, const st
   return std::nullopt;
 }
 
-bool may_be_picture(const std::string& output) {
+std::optional<PictureFormat> picture_format_of(const std::string& output) {
   const std::string ending = is_nameless(output) ? "" : ending_of(output);
-  return ending.empty() || ending == "svg";
+  if (ending.empty() || ending == "svg") return PictureFormat::kSvg;
+  if (ending == "png") return PictureFormat::kPng;
+  return std::nullopt;
 }
 
 LayerContents contents_of(OutputFormat format, const std::string& word) {

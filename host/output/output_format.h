@@ -19,8 +19,10 @@ enum class OutputFormat { kGcode, kCli, kCliBinary, kCliRoads, kLsif, kSliceV0, 
 [[nodiscard]] std::optional<OutputFormat> output_format_of(const std::string& output,
                                                            const std::string& word);
 
-// Whether a picture may have that name: pictures end in .svg.
-[[nodiscard]] bool may_be_picture(const std::string& output);
+enum class PictureFormat { kSvg, kPng };
+
+// By the name's ending: .svg, .png; a name without one gets SVG. Nullopt: another ending.
+[[nodiscard]] std::optional<PictureFormat> picture_format_of(const std::string& output);
 
 // `word` is that of --contents: "walls", "slices", "quickslice", or empty, which means walls if the
 // format can distinguish them from insides.

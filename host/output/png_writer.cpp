@@ -53,7 +53,7 @@ std::string compressed(std::string_view bytes) {
 
 }  // namespace
 
-std::string png_of(const RgbaPicture& picture) {
+std::string png_of(const RgbaPicture& picture, std::string_view software) {
   RIND_CHECK(picture.width >= 1 && picture.height >= 1);
   std::string head;
   append_number(static_cast<std::uint32_t>(picture.width), head);
@@ -62,6 +62,9 @@ std::string png_of(const RgbaPicture& picture) {
   head += std::string_view("\x08\x06\0\0\0", 5);
   std::string file = "\x89PNG\r\n\x1A\n";
   append_chunk("IHDR", head, file);
+  if (!software.empty()) {
+    append_chunk("tEXt", std::string("Software") + '\0' + std::string(software), file);
+  }
   append_chunk("IDAT", compressed(rows_of(picture)), file);
   append_chunk("IEND", {}, file);
   return file;

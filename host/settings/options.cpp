@@ -136,7 +136,9 @@ CLI::App* add_show(CLI::App& app, Options& options) {
       ->type_name("ALONG,HEIGHT,SIZE")
       ->needs("--section")
       ->trigger_on_parse();
-  command->add_option("-o,--output", options.output.path, "FILE.svg, or - for standard output")
+  command
+      ->add_option("-o,--output", options.output.path,
+                   "FILE.svg, FILE.png, or - for standard output (SVG)")
       ->type_name("FILE")
       ->required();
   add_settings(*command, options);
@@ -218,7 +220,8 @@ std::string unknown_format(const Options& options) {
 }
 
 std::string no_picture(const Options& options) {
-  return "a picture is SVG, but '" + options.output.path + "' has another ending; use .svg";
+  return "a picture is SVG or PNG, but '" + options.output.path +
+         "' has another ending; use .svg or .png";
 }
 
 // The commands that were added, and the word that was typed.
@@ -274,7 +277,7 @@ bool is_body(const Options& options) { return options.output.path.ends_with(".st
 // What the names of outputs say.
 std::optional<std::string> name_outputs(Options& options, const std::string& format,
                                         const std::string& contents) {
-  if (options.subcommand == Subcommand::kShow && !may_be_picture(options.output.path)) {
+  if (options.subcommand == Subcommand::kShow && !picture_format_of(options.output.path)) {
     return no_picture(options);
   }
   if (!options.translated.empty()) options.settings.profile = options.translated;

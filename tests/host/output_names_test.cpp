@@ -131,10 +131,31 @@ TEST_CASE("a file of another kind is not replaced, one of the same kind is") {
     }
   }
   CHECK_EQ(rind("show " + part + kCoarse + " --layer 2 -o " + folder.file("a.svg")).exit_code, 0);
-  const ProgramRun picture = rind("show " + part + " --layer 2 -o " + folder.file("a.png"));
+  const ProgramRun picture = rind("show " + part + " --layer 2 -o " + folder.file("a.jpg"));
   CHECK_EQ(picture.exit_code, 2);
-  CHECK(says(picture, ".svg"));
-  CHECK_FALSE(fs::exists(folder.file("a.png")));
+  CHECK(says(picture, ".svg or .png"));
+  CHECK_FALSE(fs::exists(folder.file("a.jpg")));
+}
+
+TEST_CASE("a picture's PNG replaces its own kind alone") {
+  const PartFolder folder;
+  const std::string part = folder.add("part.stl", small_box());
+  const std::string png = folder.file("a.png");
+  const std::string show = "show " + part + kCoarse;
+  CHECK_EQ(rind(show + " --layer 2 -o " + png).exit_code, 0);
+  const std::string first = content(png);
+  CHECK(first.starts_with("\x89PNG\r\n\x1a\n"));
+  CHECK(first.ends_with("\xAE\x42\x60\x82"));  // of its last chunk, which is always the same
+  CHECK_EQ(rind(show + " --section Y=50% -o " + png).exit_code, 0);
+  CHECK_NE(content(png), first);
+  CHECK_EQ(rind(show + " --section Y=50% --zoom 2,2,2 -o " + png).exit_code, 0);
+  const std::string photo =
+      folder.add_text("photo.png", std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16));
+  for (const std::string& other : {photo, part}) {
+    const std::string before = content(other);
+    CHECK_NE(rind(show + " --layer 2 -o " + other).exit_code, 0);
+    CHECK_EQ(content(other), before);
+  }
 }
 
 TEST_CASE("standard output that can't be written is an error for whoever shows something there") {
