@@ -63,6 +63,15 @@ std::string port_name_mistake(const std::string& path) {
       std::all_of(path.begin() + 3, path.end(), is_digit)) {
     return path + " is a port's name in Windows; here it is one like /dev/ttyUSB0";
   }
+  if (const std::size_t scheme = path.find("://");
+      scheme != std::string::npos && !TcpPort::names_one(path)) {
+    return path + " is no port's name; a printer in the network is named tcp://HOST:PORT";
+  }
+  const bool bare = path.rfind("tty", 0) == 0 && path.find('/') == std::string::npos;
+  std::error_code error;
+  if (bare && !std::filesystem::exists(path, error)) {
+    return path + " is named with its folder: /dev/" + path;
+  }
   const std::size_t colon = path.rfind(':');
   if (colon == std::string::npos || colon == 0 || colon + 1 == path.size() ||
       path.find('/') != std::string::npos ||

@@ -2,6 +2,7 @@
 
 #include <iterator>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -106,6 +107,34 @@ std::string table(const Options& options, const PrintPlan& print_plan,
   return text;
 }
 
+// The statistics, with what the table tells of the part.
+std::string json_of(const Options& options, const PrintPlan& print_plan,
+                    const GeometryStatistics& statistics) {
+  using Json = nlohmann::ordered_json;
+  const PartSummary& part = print_plan.part.summary;
+  const PrintSettings& settings = print_plan.settings;
+  Json json = Json::parse(statistics_json(statistics, nullptr));
+  json["part"] = {{"name", part_title(options.part.path)},
+                  {"format", part.format},
+                  {"facets", part.facets},
+                  {"degenerate_facets", part.degenerate},
+                  {"warnings", part.warnings}};
+  if (!part.box.empty()) {
+    const auto mm = [](std::int64_t units) { return core::Length::from_units(units).mm(); };
+    json["part"]["x_mm"] = mm(std::int64_t{part.box.max.x} - part.box.min.x);
+    json["part"]["y_mm"] = mm(std::int64_t{part.box.max.y} - part.box.min.y);
+    json["part"]["z_mm"] = (part.height - core::raft_lift(settings)).mm();
+  }
+  json["volume_mm3"] = statistics.volumes.solid_mm3 + statistics.volumes.loose_mm3;
+  json["filament_type"] = settings.filament_type;
+  if (settings.filament_density_g_cm3 > 0) {
+    const double grams = filament_grams(total_mm(statistics.filament_mm), settings);
+    json["filament_g"] = grams;
+    if (settings.filament_cost_kg > 0) json["price"] = grams * 1e-3 * settings.filament_cost_kg;
+  }
+  return json.dump(2) + "\n";
+}
+
 // Whether the part stands, and whether this computer keeps up.
 std::string outlook(const GeometryStatistics& statistics) {
   std::string text;
@@ -168,7 +197,7 @@ int plan_command(const Options& options, Reporter& reporter) {
   statistics.standing = standing.report();
   if (options.json) tell_outlook(statistics, reporter);
   const int shown =
-      show_result(options.json ? statistics_json(statistics, nullptr)
+      show_result(options.json ? json_of(options, print_plan, statistics)
                                : table(options, print_plan, statistics) + outlook(statistics),
                   reporter);
   return save_statistics(options, statistics, nullptr, shown, reporter);

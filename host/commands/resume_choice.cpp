@@ -148,7 +148,7 @@ Result<std::string> journal_named(const std::string& name) {
                                              named_ones(known)};
   }
   return Error{ErrorCode::kUnreadable,
-               name + ": is no journal, and no print of such a part was interrupted; " +
+               name + ": this is no journal, and no print of such a part was interrupted; " +
                    (all.empty() ? "there is nothing to resume" : "there are:" + named_ones(all))};
 }
 

@@ -22,7 +22,11 @@ nlohmann::ordered_json json_of(const std::vector<SettingRow>& rows) {
                     {"unit", row.unit},
                     {"default", row.default_value},
                     {"range", row.range},
-                    {"help", row.help}});
+                    {"help", row.help},
+                    {"type", row.type}});
+    if (row.min) json.back()["min"] = *row.min;
+    if (row.max) json.back()["max"] = *row.max;
+    if (!row.words.empty()) json.back()["choices"] = row.words;
   }
   return json;
 }

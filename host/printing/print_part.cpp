@@ -22,15 +22,20 @@ std::string told(const std::string& message, const std::string& measures) {
   return measures.empty() ? message : message + "; " + measures;
 }
 
+// A resumed print has laid the rest.
+std::string done_text(const GeometryStatistics& statistics, core::LayerIndex layers, bool resumed,
+                      double took_s) {
+  const std::string of = resumed && layers > 0 ? fmt::format(" of {}", layers) : "";
+  return fmt::format("printed {}{}{} layers, {:.2f} m of filament in {}",
+                     resumed ? "the rest: " : "", statistics.layers, of,
+                     total_mm(statistics.filament_mm) / 1'000, duration_text(took_s));
+}
+
 void conclude(const LinkOutcome& link, const GeometryOutcome& geometry, core::LayerIndex layers,
-              double started_s, PrintOutcome& outcome) {
+              PrintOutcome& outcome) {
   switch (link.end) {
     case LinkEnd::kDone:
       outcome.exit_code = kExitDone;
-      outcome.message =
-          fmt::format("printed {} layers, {:.2f} m of filament in {}", geometry.statistics.layers,
-                      total_mm(geometry.statistics.filament_mm) / 1'000,
-                      duration_text(steady_seconds() - started_s));
       return;
     case LinkEnd::kUserStopped:
     case LinkEnd::kUserHalted:
@@ -83,7 +88,11 @@ PrintOutcome print_part(const PrintRequest& request) {
   }
 
   PrintOutcome outcome;
-  conclude(link, geometry, thread.signals().layers.load(), request.started_s, outcome);
+  conclude(link, geometry, thread.signals().layers.load(), outcome);
+  if (link.end == LinkEnd::kDone) {
+    outcome.message = done_text(geometry.statistics, thread.signals().layers.load(),
+                                resumption.has_value(), steady_seconds() - request.started_s);
+  }
   outcome.geometry = std::move(geometry.statistics);
   outcome.link = controller.statistics();
   return outcome;

@@ -266,9 +266,10 @@ Commands add_commands(CLI::App& app, Options& options, std::string& format, std:
   return commands;
 }
 
-OptionsExit usage_error(const std::string& message, const std::vector<std::string>& words) {
+OptionsExit usage_error(const CLI::App& app, const std::string& message,
+                        const std::vector<std::string>& words) {
   const bool json = std::find(words.begin(), words.end(), "--json") != words.end();
-  return {kExitUsage, json ? message : message + "\nTry 'rind --help'.", json};
+  return {kExitUsage, json ? message : message + "\n" + usage_hint(app, words), json};
 }
 
 // A test's part alone, for other programs.
@@ -309,7 +310,7 @@ std::variant<Options, OptionsExit> parse_options(int argc, const char* const* ar
 
   const std::vector<std::string> words =
       usual_words(std::vector<std::string>(argv + std::min(argc, 1), argv + argc));
-  if (const auto unknown = unknown_option(app, words)) return usage_error(*unknown, words);
+  if (const auto unknown = unknown_word(app, words)) return usage_error(app, *unknown, words);
   try {
     // CLI11 takes them from the back.
     app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
@@ -318,12 +319,14 @@ std::variant<Options, OptionsExit> parse_options(int argc, const char* const* ar
     std::ostringstream out, err;
     const bool asked = app.exit(error, out, err) == 0;
     if (asked) return OptionsExit{kExitDone, out.str()};
-    return usage_error(explain(app, error, words), words);
+    return usage_error(app, error.what(), words);
   }
   for (const auto& [command, subcommand] : commands.all) {
     if (*command) options.subcommand = subcommand;
   }
-  if (const auto wrong = name_outputs(options, format, contents)) return usage_error(*wrong, words);
+  if (const auto wrong = name_outputs(options, format, contents)) {
+    return usage_error(app, *wrong, words);
+  }
   return options;
 }
 

@@ -67,6 +67,31 @@ std::string number_range_text(const Setting& setting) {
   return text;
 }
 
+std::string_view type_of(const Setting& setting) {
+  return std::visit(
+      Overloaded{[](Length S::*) { return "number"; }, [](double S::*) { return "number"; },
+                 [](int S::*) { return "integer"; }, [](bool S::*) { return "switch"; },
+                 [](std::string S::*) { return "text"; }, [](Lines S::*) { return "lines"; },
+                 [](OverhangSteps S::*) { return "number"; },
+                 [](BedCorners S::*) { return "corners"; }, [](const Choice&) { return "word"; }},
+      setting.member);
+}
+
+// What a program needs to offer the setting.
+void add_limits(const Setting& setting, SettingRow& row) {
+  if (row.type == "number" || row.type == "integer") {
+    row.min = setting.min;
+    row.max = setting.max;
+    for (const NumberWord& word : setting.words) {
+      if (!word.word.empty()) row.words.emplace_back(word.word);
+    }
+  }
+  if (const auto* choice = std::get_if<Choice>(&setting.member)) {
+    const auto names = names_of(*choice);
+    row.words.assign(names.begin(), names.end());
+  }
+}
+
 std::string range_text(const Setting& setting) {
   if (const auto* choice = std::get_if<Choice>(&setting.member)) {
     return fmt::format("{}", fmt::join(names_of(*choice), ", "));
@@ -277,7 +302,9 @@ std::vector<SettingRow> describe_settings(const PrintSettings& settings) {
     rows.push_back({std::string(setting.key), value_text(settings, setting),
                     value_text(settings, setting, WordUse::kNumbers),
                     std::string(setting.unit == "%" ? "share" : setting.unit),
-                    value_text(defaults, setting), range_text(setting), std::string(setting.help)});
+                    value_text(defaults, setting), range_text(setting), std::string(setting.help),
+                    type_of(setting)});
+    add_limits(setting, rows.back());
   }
   return rows;
 }

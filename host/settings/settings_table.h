@@ -5,6 +5,7 @@
 // it is used. PrusaSlicer's keys with the same meaning are understood, too (settings_prusa.h).
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,6 +24,9 @@ struct SettingRow {
   std::string default_value;
   std::string range;
   std::string help;
+  std::string_view type{};  // "number", "integer", "switch", "word", "text", "lines", "corners"
+  std::optional<double> min{}, max{};  // of numbers
+  std::vector<std::string> words{};    // all of a word's values, or those a number may have besides
 };
 
 // The values of a setting that takes one of a few words; empty for others, and unknown ones.

@@ -104,6 +104,18 @@ bool is_value(const CLI::App& command, const std::string& before) {
   return option != nullptr && option->get_items_expected_max() > 0;
 }
 
+std::string no_such_command(const CLI::App& app, const std::string& typed) {
+  std::string known;
+  NearestWord nearest(typed);
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    known += (known.empty() ? "" : ", ") + command->get_name();
+    nearest.look_at(command->get_name());
+  }
+  return fmt::format("'{}' is not a command; {}there are {}", typed,
+                     nearest.word().empty() ? "" : fmt::format("did you mean {}? ", nearest.word()),
+                     known);
+}
+
 }  // namespace
 
 void lay_out_help(CLI::App& app) {
@@ -132,10 +144,13 @@ std::vector<std::string> usual_words(std::vector<std::string> words) {
   return {words[1], "--help"};
 }
 
-std::optional<std::string> unknown_option(const CLI::App& app,
-                                          const std::vector<std::string>& words) {
+std::optional<std::string> unknown_word(const CLI::App& app,
+                                        const std::vector<std::string>& words) {
   const CLI::App* command = command_of(app, words);
-  if (command == nullptr) return std::nullopt;
+  if (command == nullptr) {
+    if (words.empty() || is_option(words.front())) return std::nullopt;
+    return no_such_command(app, words.front());
+  }
   for (std::size_t i = 1; i < words.size() && words[i] != "--"; ++i) {
     const std::string& word = words[i];
     if (!is_option(word) || is_value(*command, words[i - 1])) continue;
@@ -153,21 +168,9 @@ std::optional<std::string> unknown_option(const CLI::App& app,
   return std::nullopt;
 }
 
-std::string explain(const CLI::App& app, const CLI::ParseError& error,
-                    const std::vector<std::string>& words) {
-  // For a first word that is no command, CLI11 only says that a command is missing.
-  if (words.empty() || is_option(words.front()) || command_of(app, words) != nullptr) {
-    return error.what();
-  }
-  std::string known;
-  NearestWord nearest(words.front());
-  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
-    known += (known.empty() ? "" : ", ") + command->get_name();
-    nearest.look_at(command->get_name());
-  }
-  return fmt::format("'{}' is not a command; {}there are {}", words.front(),
-                     nearest.word().empty() ? "" : fmt::format("did you mean {}? ", nearest.word()),
-                     known);
+std::string usage_hint(const CLI::App& app, const std::vector<std::string>& words) {
+  const CLI::App* command = command_of(app, words);
+  return fmt::format("Try 'rind {}--help'.", command == nullptr ? "" : command->get_name() + " ");
 }
 
 }  // namespace host

@@ -22,12 +22,12 @@ void lay_out_help(CLI::App& app);
 // As `rind help print` is `rind print --help`, and -V is --version. `words`: without the program.
 [[nodiscard]] std::vector<std::string> usual_words(std::vector<std::string> words);
 
-// An option that does not exist, before anything else is found wrong: its name, and the nearest.
-// Nothing: all are known.
-[[nodiscard]] std::optional<std::string> unknown_option(const CLI::App& app,
-                                                        const std::vector<std::string>& words);
+// A command or an option that does not exist, before anything else is found wrong: its name, and
+// the nearest. Nothing: all are known.
+[[nodiscard]] std::optional<std::string> unknown_word(const CLI::App& app,
+                                                      const std::vector<std::string>& words);
 
-[[nodiscard]] std::string explain(const CLI::App& app, const CLI::ParseError& error,
-                                  const std::vector<std::string>& words);
+// "Try 'rind slice --help'."
+[[nodiscard]] std::string usage_hint(const CLI::App& app, const std::vector<std::string>& words);
 
 }  // namespace host

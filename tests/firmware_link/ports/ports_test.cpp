@@ -199,6 +199,9 @@ TEST_CASE("the virtual port's time runs as many times as fast as asked") {
 TEST_CASE("a port's name that is none here is told before it is opened") {
   using firmware_link::port_name_mistake;
   CHECK(port_name_mistake("COM3").find("Windows") != std::string::npos);
+  CHECK(port_name_mistake("ttyUSB0").find("/dev/ttyUSB0") != std::string::npos);
+  CHECK(port_name_mistake("http://printer").find("tcp://HOST:PORT") != std::string::npos);
+  CHECK(port_name_mistake("tcp://printer:23").empty());
   CHECK(port_name_mistake("192.168.1.5:23") ==
         "192.168.1.5:23: a printer in the network is named tcp://192.168.1.5:23");
   CHECK(port_name_mistake("printer.local:8888").find("tcp://printer.local:8888") !=

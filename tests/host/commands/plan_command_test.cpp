@@ -45,3 +45,25 @@ TEST_CASE("plan says whether a part stands, and whether this computer keeps up")
   CHECK_FALSE(says(low, "stands"));
   CHECK(says(low, "it keeps up"));
 }
+
+TEST_CASE("plan as JSON has all that its table tells of the part") {
+  const PartFolder folder;
+  const std::string box = folder.add("box.stl", parts::box({1, 1, 0}, 8, 6, 4));
+  const ProgramRun run = test::run_program(test::kRind + " plan " + box + kCoarse +
+                                           " --set filament_cost_kg=20 --json 2> /dev/null");
+  REQUIRE_EQ(run.exit_code, 0);
+  const auto json = nlohmann::json::parse(run.output);
+  CHECK_EQ(json["part"]["name"], "box.stl");
+  CHECK_EQ(json["part"]["facets"], 12);
+  CHECK_EQ(json["part"]["x_mm"], 8);
+  CHECK_EQ(json["part"]["y_mm"], 6);
+  CHECK_EQ(json["part"]["z_mm"], 4);
+  CHECK(json["volume_mm3"].get<double>() == doctest::Approx(192));
+  double filament_mm = 0;
+  for (const auto& [kind, mm] : json["filament_mm"].items()) {
+    if (kind != "total") filament_mm += mm.get<double>();
+  }
+  const double grams = filament_mm * 3.14159265 * 1.75 * 1.75 / 4 * 1.24e-3;
+  CHECK(json["filament_g"].get<double>() == doctest::Approx(grams));
+  CHECK(json["price"].get<double>() == doctest::Approx(grams * 0.02));
+}

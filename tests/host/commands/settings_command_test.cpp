@@ -68,3 +68,31 @@ TEST_CASE("the whole translation, as text that is a profile itself, and as JSON"
   CHECK_FALSE(all["settings"].empty());
   CHECK_EQ(test::run_program(rind() + "settings --from a --profile b").exit_code, 2);
 }
+
+TEST_CASE("settings as JSON say what a program may offer") {
+  const test::ProgramRun run = test::rind("settings --printer none --json");
+  REQUIRE_EQ(run.exit_code, 0);
+  const auto json = nlohmann::json::parse(run.output);
+  const auto row = [&](const char* key) {
+    for (const auto& one : json) {
+      if (one["key"] == key) return one;
+    }
+    return nlohmann::json();
+  };
+  CHECK_EQ(row("layer_height")["type"], "number");
+  CHECK_EQ(row("layer_height")["min"], 0.01);
+  CHECK_EQ(row("layer_height")["max"], 2);
+  CHECK_EQ(row("perimeters")["type"], "integer");
+  CHECK_EQ(row("spiral_vase")["type"], "switch");
+  CHECK_EQ(row("supports")["choices"], nlohmann::json({"off", "bed", "everywhere"}));
+  CHECK_EQ(row("axis_z")["choices"], nlohmann::json({"off"}));
+  CHECK_EQ(row("start_gcode")["type"], "lines");
+  CHECK_EQ(row("bed_shape")["type"], "corners");
+  for (const auto& one : json) {
+    CAPTURE(one["key"].get<std::string>());
+    const bool number = one["type"] == "number" || one["type"] == "integer";
+    CHECK_EQ(one.contains("min"), number);
+    if (number) CHECK_LE(one["min"].get<double>(), one["max"].get<double>());
+    if (one["type"] == "word") CHECK_GE(one["choices"].size(), 2);
+  }
+}

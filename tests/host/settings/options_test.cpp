@@ -158,7 +158,8 @@ TEST_CASE("what can't be understood is refused with exit code 2 and the reason")
     CAPTURE(reason);
     CHECK_EQ(refused.exit_code, host::kExitUsage);
     CHECK(says(refused, reason));
-    CHECK(says(refused, "rind --help"));
+    CHECK(says(refused, "Try 'rind "));
+    CHECK(says(refused, "--help'"));
   }
 }
 

@@ -36,6 +36,8 @@ TEST_CASE("an unknown option is told first, with the nearest") {
            "rind plan has no option --layer-hieght; did you mean --layer-height?");
   CHECK_EQ(refusal({"plan", "-x.stl"}),
            "there is no option -x.stl; a file of that name is ./-x.stl");
+  CHECK_EQ(refusal({"help", "shw"}).find("'shw' is not a command; did you mean show? "), 0);
+  CHECK_NE(parse({"slice", "--foo"}).text.find("Try 'rind slice --help'."), std::string::npos);
   CHECK_EQ(refusal({"prnt", "demo.stl"}).find("'prnt' is not a command; did you mean print? "), 0);
 }
 
