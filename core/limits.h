@@ -43,6 +43,9 @@ inline constexpr std::size_t kHeightBandsMax = 8'192;
 static_assert(std::has_single_bit(kHeightBinsMax) && std::has_single_bit(kFlatBinsMax));
 static_assert(5 * kHeightRangesMax < kHeightBandsMax);
 
+// Objects on the bed: parts and their copies.
+inline constexpr int kObjectsMax = 256;
+
 // Corners of the bed's outline. The round beds of PrusaSlicer's printers have 60 and 72.
 inline constexpr std::size_t kBedCornersMax = 1'000;
 

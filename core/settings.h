@@ -69,6 +69,14 @@ enum class PartMirror { kNone, kX, kY, kZ };
 // What the numbers of a file that does not tell its unit are.
 enum class PartUnits { kMillimetre, kInch, kMetre };
 
+// How a file, or a controller, is told which roads belong to which of several objects.
+enum class ObjectLabels {
+  kAuto,      // comments, and the commands of Klipper and RepRapFirmware
+  kFirmware,  // comments and commands: M486, EXCLUDE_OBJECT
+  kComments,  // in files alone
+  kOff,
+};
+
 // What supports may stand on.
 enum class SupportPlace { kOff, kBed, kEverywhere };
 
@@ -274,6 +282,14 @@ struct Settings {
   PartMirror part_mirror = PartMirror::kNone;
   PartUnits part_units = PartUnits::kMillimetre;
   std::string cut = "off";  // height, and the piece that is kept (host/part/cut_plane.h)
+  // Several objects on the bed (host/part/plate.h).
+  int copies = 1;                                         // of each part
+  Length part_gap = Length::from_units(60'000);           // between objects, at least
+  bool sequential = false;                                // one object after another
+  Length clearance_radius = Length::from_units(450'000);  // around the nozzle, of what is beside it
+  Length clearance_height =
+      Length::from_units(250'000);  // from the nozzle's tip to what is over it
+  ObjectLabels object_labels = ObjectLabels::kAuto;
   double nozzle_celsius = 210;
   double nozzle_first_layer_celsius = 210;
   double bed_celsius = 60;

@@ -31,6 +31,16 @@ struct RoadChange {
   Length width;
 };
 
+// What follows belongs to one of several objects; nothing moves.
+struct ObjectStart {
+  int object = 0;
+};
+
+// What follows belongs to it no more; nothing moves.
+struct ObjectEnd {
+  int object = 0;
+};
+
 // Without material, at constant height.
 struct Travel {
   Point to;
@@ -107,8 +117,9 @@ struct Pause {
   Length height;
 };
 
-using Motion = std::variant<LayerStart, RoadStart, RoadChange, Travel, Lift, Extrude, ExtrudeArc,
-                            MoveFilament, Wipe, SetFan, SetNozzleTemperature, SetBedTemperature,
-                            SetAcceleration, SetPressureAdvance, Verbatim, Pause>;
+using Motion =
+    std::variant<LayerStart, RoadStart, RoadChange, ObjectStart, ObjectEnd, Travel, Lift, Extrude,
+                 ExtrudeArc, MoveFilament, Wipe, SetFan, SetNozzleTemperature, SetBedTemperature,
+                 SetAcceleration, SetPressureAdvance, Verbatim, Pause>;
 
 }  // namespace core

@@ -61,6 +61,7 @@ void MotionBuilder::preamble(const Sink& sink) {
   state_.started = true;
   state_.nozzle_celsius = settings_.nozzle_first_layer_celsius;
   for (const std::string& line : settings_.start_gcode) sink(Verbatim{line});
+  for (const std::string& line : object_lines_) sink(Verbatim{line});
   if (settings_.pressure_advance_s >= 0) sink(SetPressureAdvance{settings_.pressure_advance_s});
   state_.bed_celsius = bed_first_layer_celsius(settings_);
   sink(SetBedTemperature{state_.bed_celsius, true});
@@ -75,6 +76,13 @@ void MotionBuilder::start_layer(const Slice& slice, const Sink& sink) {
   speed_share_ = height_share(settings_, top_, settings_.height_slowdown_speed);
   ++totals_.layers;
   sink(LayerStart{index_, top_, height_});
+}
+
+void MotionBuilder::start_object(int object, const Sink& sink) {
+  if (object == object_) return;
+  if (object_ != kNoObject) sink(ObjectEnd{object_});
+  if (object != kNoObject) sink(ObjectStart{object});
+  object_ = object;
 }
 
 void MotionBuilder::set_fan(double share, const Sink& sink) {
@@ -111,7 +119,7 @@ void MotionBuilder::layer(const Slice& slice, const std::vector<Road>& roads, co
   for (const Road& each : roads) {
     RIND_CHECK(each.points.size() >= 2);
     laid.push_back({each.kind, is_small_perimeter(each), each.layers, each.closed, each.spiral,
-                    width_stretches(as_laid(each), height_ * each.layers)});
+                    each.object, width_stretches(as_laid(each), height_ * each.layers)});
   }
   const std::vector<double> fan = plan_layer(laid);
   set_up_layer(cooling_.fan_share, sink);
@@ -120,6 +128,7 @@ void MotionBuilder::layer(const Slice& slice, const std::vector<Road>& roads, co
   std::size_t way = 0;
   for (const LaidRoad& each : laid) {
     level_ = each.spiral ? slice.bottom : top_;
+    start_object(each.object, sink);
     if (!joins_turn(each)) travel(each.stretches.front().points.front(), each.kind, boundary, sink);
     road(each, fan, way, sink);
     last_ = &each;
@@ -127,6 +136,7 @@ void MotionBuilder::layer(const Slice& slice, const std::vector<Road>& roads, co
   // The next layer does not know this road.
   const bool turns_on = laid.back().spiral && !laid.back().spiral->last;
   if (settings_.wipe && !turns_on) retract(sink);
+  start_object(kNoObject, sink);
   last_ = nullptr;
   space_ = nullptr;
 }

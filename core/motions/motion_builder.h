@@ -4,6 +4,7 @@
 //     preamble   once, before the first layer that has roads: heaters, start G-code
 //     layer      LayerStart, what is due at its height (height_actions.h), then for each road
 //                (retract) Lift Travel (return) RoadStart Extrude …
+//                (ObjectEnd, ObjectStart), where it belongs to another object than the one before
 //                (RoadChange Extrude …), where its width or what holds it changes; SetAcceleration
 //                where another one is wanted than was told last (road_accelerations.h)
 //     A spiral's turn (roads/vase_roads.h) begins where the one below ended, rises as it is laid,
@@ -18,6 +19,8 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "core/motions/arc_fit.h"          // RoadPiece
@@ -92,6 +95,9 @@ class MotionBuilder {
   // Nothing when no layer had roads.
   void finish(const Sink& sink);
 
+  // Lines that follow the start G-code. REQUIRES: no layer had roads so far.
+  void tell_objects(std::vector<std::string> lines) { object_lines_ = std::move(lines); }
+
   [[nodiscard]] const MotionTotals& totals() const { return totals_; }
 
   // The lowest height at which something is still to be done (height_actions.h), if any.
@@ -118,12 +124,14 @@ class MotionBuilder {
     int layers;  // Road::layers
     bool loop;   // closed, but for the seam's gap
     std::optional<SpiralTurn> spiral;
+    int object;
     std::vector<WidthStretch> stretches;
   };
 
   [[nodiscard]] Road as_laid(const Road& road) const;
   [[nodiscard]] bool joins_turn(const LaidRoad& road) const;
   [[nodiscard]] std::vector<double> plan_layer(const std::vector<LaidRoad>& roads);
+  void start_object(int object, const Sink& sink);
   void set_fan(double share, const Sink& sink);
   // 0: none is wanted.
   void set_acceleration(double mm_s2, const Sink& sink);
@@ -152,6 +160,8 @@ class MotionBuilder {
   double pressure_advance_s_;           // that the printer is left with; negative: as it is
   const TravelSpace* space_ = nullptr;  // of the layer at hand
   const LaidRoad* last_ = nullptr;      // of the layer at hand
+  int object_ = kNoObject;              // likewise, of the road at hand
+  std::vector<std::string> object_lines_;
   MotionTotals totals_;
   MotionState state_;
   bool ended_ = false;

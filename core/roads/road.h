@@ -52,6 +52,9 @@ struct SpiralTurn {
   [[nodiscard]] bool first() const { return below == Length(); }
 };
 
+// What belongs to none of several objects, such as the skirt.
+inline constexpr int kNoObject = -1;
+
 struct Road {
   RoadKind kind = RoadKind::kSolid;
   Length width;               // all along; where there are `widths`, about their mean
@@ -70,6 +73,8 @@ struct Road {
   int layers = 1;  // as thick as so many layers (loose_blocks.h)
 
   std::optional<SpiralTurn> spiral{};  // closed, of one width
+
+  int object = kNoObject;  // of several on the bed, which one it belongs to
 };
 
 [[nodiscard]] double length_mm(const Road& road);

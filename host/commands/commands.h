@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "core/result.h"                   // Result
 #include "host/pipeline/pipeline.h"        // PrintPlan
@@ -74,5 +75,8 @@ void report_hanging(const HangingLog& hanging, Reporter& reporter);
 [[nodiscard]] std::string title_of(const PartOptions& part);
 // The part's name without its folder, for titles.
 [[nodiscard]] std::string part_title(const std::string& path);
+
+// Of all parts that are printed together.
+[[nodiscard]] std::vector<std::string> part_paths(const Options& options);
 
 }  // namespace host

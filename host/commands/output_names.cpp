@@ -36,6 +36,7 @@ Error refused(const std::string& path, const std::string& cause) {
 std::vector<Named> inputs_of(const Options& options) {
   std::vector<Named> inputs;
   if (!options.part.path.empty()) inputs.push_back({"the part", options.part.path});
+  for (const std::string& path : options.part.more_paths) inputs.push_back({"a part", path});
   if (!options.settings.profile.empty())
     inputs.push_back({"the profile", options.settings.profile});
   if (options.subcommand == Subcommand::kResume && !options.print.journal.empty()) {

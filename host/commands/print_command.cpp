@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -48,6 +49,9 @@ JournalHead head_of(const Options& options, const PrintPlan& print_plan, const s
   head.version = kVersion;
   std::error_code error;
   head.part = std::filesystem::absolute(options.part.path, error).string();
+  for (const std::string& path : options.part.more_paths) {
+    head.more_parts.push_back(std::filesystem::absolute(path, error).string());
+  }
   head.part_title = print_plan.part_path;
   for (const SettingRow& row : describe_settings(print_plan.settings)) {
     head.settings.emplace_back(row.key, row.value);
@@ -59,16 +63,18 @@ JournalHead head_of(const Options& options, const PrintPlan& print_plan, const s
   head.baud = options.link.baud;
   head.boot = boot_name();
   // As many digits as it will have when the part has been read.
-  const std::uintmax_t bytes = std::filesystem::file_size(options.part.path, error);
-  head.part_bytes = error ? 0 : static_cast<std::int64_t>(bytes);
+  for (const std::string& path : part_paths(options)) {
+    const std::uintmax_t bytes = std::filesystem::file_size(path, error);
+    head.part_bytes += error ? 0 : static_cast<std::int64_t>(bytes);
+  }
   return head;
 }
 
 // Has the part's content hashed before the rest of it is read.
 void hash_part(const Options& options, PrintPlan& print_plan, JournalKeeper& keeper) {
   if (print_plan.ready) return keeper.part_known(print_plan.ready->summary().content);
-  const auto hash = [path = options.part.path, &keeper]() -> core::Status {
-    const core::Result<FileContent> content = content_of(path);
+  const auto hash = [paths = part_paths(options), &keeper]() -> core::Status {
+    const core::Result<FileContent> content = contents_of(paths);
     if (!content.ok()) return content.error();
     keeper.part_known(content.value());
     return {};
@@ -107,7 +113,11 @@ Result<JournalChoice> wanted_journal(const Options& options, Reporter& reporter)
   if (options.print.no_journal || (options.link.port == "virtual" && !named))
     return JournalChoice{};
   std::error_code error;
-  if (options.part.path == "-" || !std::filesystem::is_regular_file(options.part.path, error)) {
+  const std::vector<std::string> paths = part_paths(options);
+  const bool rereadable = std::all_of(paths.begin(), paths.end(), [&](const std::string& path) {
+    return path != "-" && std::filesystem::is_regular_file(path, error);
+  });
+  if (!rereadable) {
     reporter.note("warning", "a part from a pipe can't be read again: this print can't be resumed");
     return JournalChoice{};
   }

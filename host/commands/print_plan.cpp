@@ -10,6 +10,7 @@
 #include "host/commands/output_names.h"
 #include "host/commands/ready_plan.h"
 #include "host/files/output_file.h"
+#include "host/part/plate.h"
 #include "host/pipeline/inside_stage.h"  // holds_its_roof
 #include "host/pipeline/user_gcode.h"
 #include "host/printing/slow_layer_note.h"
@@ -92,6 +93,16 @@ bool leaves_roofs_unheld(const core::Settings& settings) {
          settings.style != core::BuildStyle::kRegular && !settings.spiral_vase;
 }
 
+// Of the whole bed.
+core::Result<OpenedPart> opened(const Options& options, const core::Settings& settings,
+                                const OpenOptions& open, bool rest_later) {
+  const std::vector<std::string> paths = part_paths(options);
+  const bool plate = is_plate(paths, settings);
+  core::Result<OpenedPart> part =
+      plate ? open_plate(paths, settings, open) : open_part(options.part.path, settings, open);
+  return rest_later ? std::move(part) : read_whole(std::move(part));
+}
+
 }  // namespace
 
 core::Result<PrintPlan> open_print_plan(const Options& options, Reporter& reporter,
@@ -146,8 +157,7 @@ core::Result<PrintPlan> open_print_plan(const Options& options, Reporter& report
   if (prints) open.plane_check = ends ? PlaneCheck::kRefuse : PlaneCheck::kWarn;
   // A print reads the rest of the part while it heats, unless its G-code asks for it.
   const bool rest_later = prints && whole.value().pending.empty();
-  core::Result<OpenedPart> part = rest_later ? open_part(options.part.path, settings, open)
-                                             : open_whole_part(options.part.path, settings, open);
+  core::Result<OpenedPart> part = opened(options, settings, open, rest_later);
   if (!part.ok()) return part.error();
   const PartSummary& summary = part.value().summary;
   for (const std::string& warning : summary.warnings) reporter.note("warning", warning);
@@ -241,7 +251,16 @@ std::string layer_words(const core::Settings& settings, const PartSummary& summa
 }
 
 std::string title_of(const PartOptions& part) {
-  return part.title.empty() ? part_title(part.path) : part.title;
+  if (!part.title.empty()) return part.title;
+  const std::size_t more = part.more_paths.size();
+  const std::string first = part_title(part.path);
+  return more == 0 ? first : fmt::format("{} and {} more", first, more);
+}
+
+std::vector<std::string> part_paths(const Options& options) {
+  std::vector<std::string> paths = options.part.more_paths;
+  paths.insert(paths.begin(), options.part.path);
+  return paths;
 }
 
 std::string part_title(const std::string& path) {

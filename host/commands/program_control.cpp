@@ -28,6 +28,8 @@ int ProgramControl::stop_urgency() { return host::stop_urgency(); }
 
 std::optional<UserRequest> ProgramControl::next_request() { return parts_.controls.next(); }
 
+std::optional<int> ProgramControl::next_cancelled() { return parts_.controls.next_cancelled(); }
+
 core::Status ProgramControl::may_start() { return parts_.keeper.reserve(parts_.reporter); }
 
 Journal* ProgramControl::journal() { return parts_.keeper.journal(); }

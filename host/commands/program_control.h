@@ -31,6 +31,7 @@ class ProgramControl final : public PrintControl {
 
   [[nodiscard]] int stop_urgency() override;
   [[nodiscard]] std::optional<UserRequest> next_request() override;
+  [[nodiscard]] std::optional<int> next_cancelled() override;
   [[nodiscard]] core::Status may_start() override;
   [[nodiscard]] Journal* journal() override;
   [[nodiscard]] std::unique_ptr<firmware_link::BytePort> reopen_port() override;

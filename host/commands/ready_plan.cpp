@@ -147,6 +147,12 @@ Result<std::shared_ptr<ReadyFile>> open_ready(const Options& options) {
     if (path == "-") InputFile::give_back(std::move(file));
     return std::shared_ptr<ReadyFile>();
   }
+  if (!options.part.more_paths.empty()) {
+    return core::Error{core::ErrorCode::kBadPart,
+                       path +
+                           ": this is G-code, which is printed as it is, and alone; name no "
+                           "other part beside it"};
+  }
   Result<FileBytes> bytes =
       rereadable ? FileBytes::open(path) : spooled(std::move(file), options.part.spool);
   if (!bytes.ok()) return bytes.error();

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "host/commands/commands.h"
-#include "host/files/content_hash.h"          // content_of
+#include "host/files/content_hash.h"          // contents_of
 #include "host/printing/journal_directory.h"  // find_journals
 
 namespace host {
@@ -22,10 +22,16 @@ constexpr std::size_t kNamedMax = 8;
 
 std::string state_of_part(const JournalHead& head) {
   std::error_code error;
-  if (!std::filesystem::is_regular_file(head.part, error)) return "missing";
-  const std::uintmax_t bytes = std::filesystem::file_size(head.part, error);
-  if (error || bytes != static_cast<std::uintmax_t>(head.part_bytes)) return "changed";
-  const Result<FileContent> content = content_of(head.part);
+  std::vector<std::string> paths = head.more_parts;
+  paths.insert(paths.begin(), head.part);
+  std::uintmax_t bytes = 0;
+  for (const std::string& path : paths) {
+    if (!std::filesystem::is_regular_file(path, error)) return "missing";
+    bytes += std::filesystem::file_size(path, error);
+    if (error) return "changed";
+  }
+  if (bytes != static_cast<std::uintmax_t>(head.part_bytes)) return "changed";
+  const Result<FileContent> content = contents_of(paths);
   if (!content.ok()) return "unreadable";
   return content.value().hash == head.part_hash ? "unchanged" : "changed";
 }

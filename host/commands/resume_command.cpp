@@ -92,8 +92,9 @@ Status check_space(const MachineSpace& space, const PartSummary& part) {
                            space.bed_x.mm(), space.bed_y.mm(), space.axis_z.mm())};
 }
 
-Status check_part(const std::string& path, const JournalHead& head) {
-  const Result<FileContent> content = content_of(path);
+Status check_parts(const Options& options, const JournalHead& head) {
+  const std::string& path = options.part.path;
+  const Result<FileContent> content = contents_of(part_paths(options));
   if (!content.ok()) return content.error();
   if (content.value().hash == head.part_hash && content.value().bytes == head.part_bytes) return {};
   return Error{ErrorCode::kBadPart, path + ": the part has changed since the print started (" +
@@ -132,7 +133,8 @@ Result<PrintPlan> plan_of(Options& options, const JournalHead& head, Reporter& r
                                              ", which may lay other roads; use that one"};
   }
   if (options.part.path.empty()) options.part.path = head.part;
-  if (Status same = check_part(options.part.path, head); !same.ok()) return same.error();
+  options.part.more_paths = head.more_parts;
+  if (Status same = check_parts(options, head); !same.ok()) return same.error();
   const Result<PrintSettings> settings = settings_in(head);
   if (!settings.ok()) return settings.error();
   options.settings = SettingsRequest();

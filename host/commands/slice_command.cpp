@@ -76,6 +76,11 @@ class SliceFile {
         started_s_(started_s),
         reporter_(reporter),
         gcode_(print_plan.settings.pause_gcode) {
+    if (print_plan.settings.object_labels != core::ObjectLabels::kOff) {
+      std::vector<std::string> names;
+      for (const PartObject& object : print_plan.part.summary.objects) names.push_back(object.name);
+      gcode_.name_objects(std::move(names));
+    }
     if (layers_) {
       layers_->begin(text_);
     } else {

@@ -21,4 +21,18 @@ core::Result<FileContent> content_of(const std::string& path) {
   }
 }
 
+core::Result<FileContent> contents_of(const std::vector<std::string>& paths) {
+  FileContent all;
+  for (const std::string& path : paths) {
+    const core::Result<FileContent> one = content_of(path);
+    if (!one.ok() || paths.size() == 1) return one;
+    all.bytes += one.value().bytes;
+    for (int shift = 0; shift < 64; shift += 8) {
+      const auto byte = static_cast<char>(one.value().hash >> shift & 0xff);
+      all.hash = hash_of(std::string_view(&byte, 1), all.hash);
+    }
+  }
+  return all;
+}
+
 }  // namespace host

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/result.h"  // Result
 
@@ -27,5 +28,8 @@ struct FileContent {
 
 // Reads the whole file through one buffer of fixed size. COSTS: about 1 ns a byte, and the reading.
 [[nodiscard]] core::Result<FileContent> content_of(const std::string& path);
+
+// Of several files in their order; of one file, its own.
+[[nodiscard]] core::Result<FileContent> contents_of(const std::vector<std::string>& paths);
 
 }  // namespace host

@@ -57,6 +57,10 @@ void GcodeWriter::write(const core::Motion& motion,
     write_road(road->kind, road->width, layer_height_ * road->layers, into);
   } else if (const auto* change = std::get_if<core::RoadChange>(&motion)) {
     write_road(change->kind, change->width, layer_height_, into);
+  } else if (const auto* object = std::get_if<core::ObjectStart>(&motion)) {
+    write_object(object->object, true, into);
+  } else if (const auto* ended = std::get_if<core::ObjectEnd>(&motion)) {
+    write_object(ended->object, false, into);
   } else if (std::holds_alternative<core::Pause>(motion)) {
     write_pause(into);
   }
@@ -64,6 +68,13 @@ void GcodeWriter::write(const core::Motion& motion,
   firmware_link::TextBuffer text;
   into += firmware_link::encode(*command, text);
   into += '\n';
+}
+
+void GcodeWriter::write_object(int object, bool starts, std::string& into) const {
+  const auto index = static_cast<std::size_t>(object);
+  if (index >= objects_.size()) return;
+  fmt::format_to(std::back_inserter(into), "; {} object {} id:{} copy 0\n",
+                 starts ? "printing" : "stop printing", objects_[index], object);
 }
 
 void GcodeWriter::write_pause(std::string& into) const {

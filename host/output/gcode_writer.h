@@ -22,6 +22,10 @@ namespace host {
 
 class GcodeWriter {
  public:
+  // Comments say what belongs to which of these objects (PartSummary::objects), as PrusaSlicer's
+  // for OctoPrint.
+  void name_objects(std::vector<std::string> names) { objects_ = std::move(names); }
+
   // `pause_gcode`: lines that stand for a pause, which a print makes by itself.
   // REQUIRES: check_user_gcode() was fine.
   explicit GcodeWriter(std::vector<std::string> pause_gcode = {})
@@ -35,9 +39,11 @@ class GcodeWriter {
  private:
   void write_road(core::RoadKind kind, core::Length width, core::Length height, std::string& into);
 
+  void write_object(int object, bool starts, std::string& into) const;
   void write_pause(std::string& into) const;
 
   std::vector<std::string> pause_gcode_;
+  std::vector<std::string> objects_;
   std::optional<core::RoadKind> kind_;  // as last written; nullopt at a layer's start
   core::Length width_, height_;
   core::Length layer_height_;

@@ -7,6 +7,7 @@
 #include "host/part/bed_placing.h"      // shift_to_bed, check_on_bed
 #include "host/part/cut_plane.h"        // is_cut
 #include "host/part/layer_rules.h"      // check_layer_height
+#include "host/part/moved_slice.h"      // moved
 #include "host/part/part_transform.h"   // PartTransform
 #include "host/part/transform_words.h"  // read_cut
 #include "host/system/stage_clock.h"    // CpuTimer
@@ -20,17 +21,6 @@ using core::Length;
 using core::Result;
 using core::Slice;
 using core::Status;
-
-core::Region moved(const core::Region& region, const Shift& shift) {
-  std::vector<core::Ring> rings = region.rings();
-  for (core::Ring& ring : rings) {
-    for (core::Point& point : ring) {
-      point = {static_cast<std::int32_t>(point.x + shift.x),
-               static_cast<std::int32_t>(point.y + shift.y)};
-    }
-  }
-  return core::Region::from_clean_rings(std::move(rings));
-}
 
 void add(const Slice& slice, MeshExtent& extent) {
   extent.box.add(slice.region.box());

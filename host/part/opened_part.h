@@ -48,6 +48,13 @@ struct OpenOptions {
   FacetObserver on_facet = {};
 };
 
+// One of several things on the bed: a part, or a copy of one (plate.h).
+struct PartObject {
+  std::string name;  // letters, digits and underscores; each object has another one
+  core::Box box;     // on the bed
+  core::Length height;
+};
+
 // A part's summary before its first slice. Of a pipe that is sliced as it arrives, it covers what
 // was read so far; `layers` and `height` are 0.
 struct PartSummary {
@@ -64,6 +71,7 @@ struct PartSummary {
   bool seen_whole = false;            // OpenOptions::on_facet has seen every facet
   bool nothing_hangs = false;         // no surface leans outwards: known of closed meshes alone
   std::vector<std::string> warnings;  // for people: what was odd and how it was treated
+  std::vector<PartObject> objects;    // at most kObjectsMax; empty: there is one, without a name
 };
 
 // Resources used so far. Processor time is that of the calling thread.

@@ -185,15 +185,18 @@ Result<OpenedPart> open_part(const std::string& path, const core::Settings& sett
   return part;
 }
 
-Result<OpenedPart> open_whole_part(const std::string& path, const core::Settings& settings,
-                                   const OpenOptions& options) {
-  Result<OpenedPart> part = open_part(path, settings, options);
+Result<OpenedPart> read_whole(Result<OpenedPart> part) {
   if (!part.ok() || !part.value().read_rest) return part;
   Result<PartSummary> summary = part.value().read_rest();
   if (!summary.ok()) return summary.error();
   part.value().summary = std::move(summary).value();
   part.value().read_rest = nullptr;
   return part;
+}
+
+Result<OpenedPart> open_whole_part(const std::string& path, const core::Settings& settings,
+                                   const OpenOptions& options) {
+  return read_whole(open_part(path, settings, options));
 }
 
 }  // namespace host

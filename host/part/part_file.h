@@ -22,7 +22,10 @@ namespace host {
                                                  const core::Settings& settings,
                                                  const OpenOptions& options = {});
 
-// The same, with read_rest() done.
+// The part, with its read_rest() done.
+[[nodiscard]] core::Result<OpenedPart> read_whole(core::Result<OpenedPart> part);
+
+// open_part() and read_whole().
 [[nodiscard]] core::Result<OpenedPart> open_whole_part(const std::string& path,
                                                        const core::Settings& settings,
                                                        const OpenOptions& options = {});

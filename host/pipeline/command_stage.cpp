@@ -26,7 +26,8 @@ firmware_link::Flavor flavor_of(core::GcodeFlavor flavor) {
 
 CommandStage::CommandStage(const core::Settings& settings, const std::function<CommandForm()>& form,
                            const PipelineOutputs& outputs, std::atomic<bool>& refused)
-    : form_(form),
+    : settings_(settings),
+      form_(form),
       outputs_(outputs),
       refused_(refused),
       builder_(with_own_modes(settings)),
@@ -42,6 +43,13 @@ void CommandStage::resume_from(const Checkpoint& start) {
   form_decided_ = true;
   commands_ = start.commands;
   filament_before_mm_ = start.filament_mm;
+}
+
+void CommandStage::tell_objects(std::vector<PartObject> objects) {
+  objects_ = std::move(objects);
+  if (form_decided_) {
+    encoder_.set_labels(ObjectLabels(objects_, settings_, encoder_.state().flavor));
+  }
 }
 
 void CommandStage::layer(const core::Slice& slice, const std::vector<core::Road>& roads,
@@ -60,6 +68,9 @@ void CommandStage::decide_form() {
   if (std::exchange(form_decided_, true)) return;
   const CommandForm form = form_ ? form_() : of_files_;
   encoder_.set_flavor(form.flavor);
+  const ObjectLabels labels(objects_, settings_, form.flavor);
+  builder_.tell_objects(labels.definitions());
+  encoder_.set_labels(labels);
   if (builder_.arcs_undecided()) builder_.decide_arcs(form.arcs);
 }
 

@@ -15,6 +15,7 @@
 #include "core/settings.h"                 // Settings
 #include "core/slices/slice.h"             // Slice
 #include "core/units.h"                    // Length
+#include "host/part/opened_part.h"         // PartObject
 #include "host/pipeline/checkpoint.h"      // Checkpoint
 #include "host/pipeline/motion_encoder.h"  // MotionEncoder
 #include "host/pipeline/pipeline.h"        // CommandForm, PipelineOutputs
@@ -32,6 +33,10 @@ class CommandStage {
 
   // REQUIRES: nothing was sent.
   void resume_from(const Checkpoint& start);
+
+  // What is printed, if it is several objects. REQUIRES: before the first layer, behind
+  // resume_from().
+  void tell_objects(std::vector<PartObject> objects);
 
   void preheat() { builder_.preheat(sink_); }
 
@@ -54,6 +59,7 @@ class CommandStage {
   void decide_form();
   void send(const core::Motion& motion);
 
+  const core::Settings settings_;
   const std::function<CommandForm()>& form_;
   const PipelineOutputs& outputs_;
   std::atomic<bool>& refused_;
@@ -63,6 +69,7 @@ class CommandStage {
   core::MotionBuilder::Sink sink_;
   CommandForm of_files_;
   bool form_decided_ = false;
+  std::vector<PartObject> objects_;
   std::int64_t commands_ = 0;  // of the whole print
   double filament_before_mm_ = 0;
 };

@@ -111,6 +111,22 @@ std::optional<Command> MotionEncoder::encode_one(const core::Verbatim& motion) {
   return std::get<firmware_link::Verbatim>(made);
 }
 
+std::optional<Command> MotionEncoder::encode_one(const core::ObjectStart& motion) {
+  return label(labels_.start(motion.object));
+}
+
+std::optional<Command> MotionEncoder::encode_one(const core::ObjectEnd& motion) {
+  return label(labels_.end(motion.object));
+}
+
+std::optional<Command> MotionEncoder::label(const std::string& line) {
+  state_.x_um = state_.y_um = state_.f_mm_min = std::nullopt;
+  if (line.empty()) return std::nullopt;
+  const auto made = firmware_link::verbatim_from(line);
+  RIND_CHECK(std::holds_alternative<firmware_link::Verbatim>(made));
+  return std::get<firmware_link::Verbatim>(made);
+}
+
 void MotionEncoder::put_position(core::Point to, Move& move) {
   const std::int64_t x_um = um_of(to.x + origin_x_), y_um = um_of(to.y + origin_y_);
   if (state_.x_um != x_um) move.x_um = state_.x_um = x_um;

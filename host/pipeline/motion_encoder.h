@@ -17,10 +17,13 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
+#include <utility>
 
-#include "core/motions/motion.h"         // Motion
-#include "core/settings.h"               // Settings
-#include "firmware_link/wire/command.h"  // Command
+#include "core/motions/motion.h"          // Motion
+#include "core/settings.h"                // Settings
+#include "firmware_link/wire/command.h"   // Command
+#include "host/pipeline/object_labels.h"  // ObjectLabels
 
 namespace host {
 
@@ -33,6 +36,10 @@ class MotionEncoder {
 
   // The firmware that commands are spelled for. Unless it is set, Marlin.
   void set_flavor(firmware_link::Flavor flavor) { state_.flavor = flavor; }
+
+  // How objects are told apart. Whether or not they are told, the first move of each says all that
+  // it needs, so that an object before it may be skipped.
+  void set_labels(ObjectLabels labels) { labels_ = std::move(labels); }
 
   // The last values sent, the filament's rounding error that is still to be sent, and for whom.
   struct State {
@@ -56,6 +63,8 @@ class MotionEncoder {
   std::optional<firmware_link::Command> encode_one(const core::RoadStart&) { return {}; }
   std::optional<firmware_link::Command> encode_one(const core::RoadChange&) { return {}; }
   std::optional<firmware_link::Command> encode_one(const core::Pause&) { return {}; }
+  std::optional<firmware_link::Command> encode_one(const core::ObjectStart& motion);
+  std::optional<firmware_link::Command> encode_one(const core::ObjectEnd& motion);
   std::optional<firmware_link::Command> encode_one(const core::Travel& motion);
   std::optional<firmware_link::Command> encode_one(const core::Lift& motion);
   std::optional<firmware_link::Command> encode_one(const core::Extrude& motion);
@@ -71,6 +80,8 @@ class MotionEncoder {
   std::optional<firmware_link::Command> encode_one(const core::SetPressureAdvance& motion) const;
   std::optional<firmware_link::Command> encode_one(const core::Verbatim& motion);
 
+  std::optional<firmware_link::Command> label(const std::string& line);
+
   // Put values into the move that differ from the last ones sent.
   void put_position(core::Point to, firmware_link::Move& move);
   void put_height(core::Length to, firmware_link::Move& move);
@@ -80,6 +91,7 @@ class MotionEncoder {
   // The bed's front left corner, from the controller's origin, in core's units.
   std::int64_t origin_x_ = 0;
   std::int64_t origin_y_ = 0;
+  ObjectLabels labels_;
   State state_;
 };
 

@@ -21,6 +21,7 @@
 #include "host/pipeline/floating_islands.h"
 #include "host/pipeline/layer_batch.h"
 #include "host/pipeline/layer_watch.h"
+#include "host/pipeline/object_map.h"
 #include "host/pipeline/ordered_stages.h"
 #include "host/pipeline/part_source.h"
 #include "host/pipeline/pauses_ahead.h"
@@ -96,7 +97,14 @@ class Pipeline {
     const auto preheat = [this] {
       if (outputs_.on_motion && !plan_.start) commands_.preheat();
     };
-    return source_.prepare(preheat, watch_);
+    core::Status prepared = source_.prepare(preheat, watch_);
+    const std::vector<PartObject>& objects = plan_.part.summary.objects;
+    objects_ = ObjectMap(objects);
+    std::vector<std::string> names;
+    for (const PartObject& object : objects) names.push_back(object.name);
+    signals_.objects.set_names(std::move(names));
+    commands_.tell_objects(objects);
+    return prepared;
   }
 
   // Called in order. After the last slice it gives empty batches until the window is empty.
@@ -281,6 +289,16 @@ class Pipeline {
                *settled.seams_before, space);
   }
 
+  // Tells whose roads they are; without those that nobody wants any more.
+  std::vector<core::Road> wanted_roads(std::vector<core::Road> roads, core::LayerIndex layer) {
+    objects_.mark(roads);
+    signals_.objects.begin_layer(layer);
+    std::erase_if(roads, [&](const core::Road& road) {
+      return signals_.objects.left_out(road.object, layer);
+    });
+    return roads;
+  }
+
   core::Status give_raft(const SettledLayer& settled) {
     const auto give = [&](const core::RaftLayer& laid) -> core::Status {
       if (stopped()) return {};
@@ -292,9 +310,13 @@ class Pipeline {
   }
 
   core::Status lay(const core::SplitLayer& layer, const std::vector<core::Road>& roads,
-                   const core::SeamMemory& seams_before, const core::TravelSpace* space) {
+                   const core::SeamMemory& seams_before, const core::TravelSpace* space,
+                   bool told_apart = false) {
     core::Status fits = check_on_bed(plan_.part_path, layer.slice, roads, settings_);
     if (!fits.ok()) return fits;
+    if (objects_.several() && !told_apart) {
+      return lay(layer, wanted_roads(roads, layer.slice.index), seams_before, space, true);
+    }
     statistics_.roads += static_cast<std::int64_t>(roads.size());
     keep(outputs_.on_roads ? outputs_.on_roads(layer, roads) : true);
     if (outputs_.on_motion) commands_.layer(layer.slice, roads, seams_before, space);
@@ -363,6 +385,8 @@ class Pipeline {
   core::LayerPlanner planner_;  // plan() only reads its settings
   std::atomic<bool> window_emptied_ = false;
   PausesAhead pauses_;
+
+  ObjectMap objects_{{}};
 
   // Of give().
   FloatingIslands floating_;

@@ -20,21 +20,22 @@
 #include <string>
 #include <vector>
 
-#include "core/motions/motion.h"           // Motion
-#include "core/result.h"                   // Result
-#include "core/roads/road.h"               // Road
-#include "core/walls/split_layer.h"        // SplitLayer
-#include "firmware_link/wire/command.h"    // Command
-#include "host/gcode/ready_file.h"         // ReadyFile
-#include "host/part/bad_layers.h"          // OnBadLayer
-#include "host/part/part_file.h"           // OpenedPart
-#include "host/pipeline/checkpoint.h"      // Checkpoint
-#include "host/pipeline/hanging_log.h"     // OnFloating
-#include "host/pipeline/layer_watch.h"     // SlowLayer
-#include "host/pipeline/preparation.h"     // PreparationBox
-#include "host/pipeline/print_settings.h"  // PrintSettings
-#include "host/pipeline/statistics.h"      // GeometryStatistics
-#include "host/system/warning_box.h"       // WarningBox
+#include "core/motions/motion.h"            // Motion
+#include "core/result.h"                    // Result
+#include "core/roads/road.h"                // Road
+#include "core/walls/split_layer.h"         // SplitLayer
+#include "firmware_link/wire/command.h"     // Command
+#include "host/gcode/ready_file.h"          // ReadyFile
+#include "host/part/bad_layers.h"           // OnBadLayer
+#include "host/part/part_file.h"            // OpenedPart
+#include "host/pipeline/checkpoint.h"       // Checkpoint
+#include "host/pipeline/hanging_log.h"      // OnFloating
+#include "host/pipeline/layer_watch.h"      // SlowLayer
+#include "host/pipeline/preparation.h"      // PreparationBox
+#include "host/pipeline/print_settings.h"   // PrintSettings
+#include "host/pipeline/printed_objects.h"  // PrintedObjects
+#include "host/pipeline/statistics.h"       // GeometryStatistics
+#include "host/system/warning_box.h"        // WarningBox
 
 namespace host {
 
@@ -92,6 +93,7 @@ struct PipelineSignals {
   std::atomic<double> time_s = 0;
   WarningBox warnings;
   PreparationBox preparation;
+  PrintedObjects objects;
   // Called while a layer takes long, by a thread of its own (layer_watch.h); may be empty.
   std::function<void(const SlowLayer&)> on_slow_layer;
   double slow_layer_s = kSlowLayer_s;

@@ -41,6 +41,8 @@ std::optional<UserRequest> request_of_key(char key) {
       return UserRequest::kFlowUp;
     case '<':
       return UserRequest::kFlowDown;
+    case 'x':
+      return UserRequest::kObjects;
     case '?':
     case 'h':
       return UserRequest::kHelp;
@@ -50,7 +52,7 @@ std::optional<UserRequest> request_of_key(char key) {
 }
 
 std::string key_help() {
-  return "keys: p pause, r resume, s stop, + - feed, > < flow, ? this line";
+  return "keys: p pause, r resume, s stop, + - feed, > < flow, x cancel an object, ? this line";
 }
 
 // The terminal's mode while keys are read.
@@ -92,9 +94,26 @@ std::optional<UserRequest> Controls::next() {
   if (!terminal_ || !own_terminal()) return std::nullopt;
   char key = 0;
   while (readable(0) && ::read(STDIN_FILENO, &key, 1) == 1) {
-    if (const std::optional<UserRequest> request = request_of_key(key)) return request;
+    if (typed_) {
+      take_digit(key);
+      continue;
+    }
+    const std::optional<UserRequest> request = request_of_key(key);
+    if (request == UserRequest::kObjects) typed_.emplace();
+    if (request) return request;
   }
   return std::nullopt;
+}
+
+// Enter ends the number; any other key than a digit gives it up.
+void Controls::take_digit(char key) {
+  constexpr std::size_t kDigitsMax = 6;
+  if (key >= '0' && key <= '9' && typed_->size() < kDigitsMax) {
+    *typed_ += key;
+    return;
+  }
+  if (key == '\n' && !typed_->empty()) cancelled_ = std::stoi(*typed_);
+  typed_.reset();
 }
 
 std::optional<std::string> Controls::ask(const std::string& question,

@@ -2,6 +2,7 @@
 // input is a terminal, and signals.
 //
 //     p pause   r resume   s stop   + - feed   > < flow   ? which keys there are
+//     x 3 Enter   cancel object 3
 //     SIGUSR1   pause, or resume
 //
 // Keys are read at once, without an end of line, and are not shown. The terminal gets its own mode
@@ -12,6 +13,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace host {
 
@@ -24,6 +26,7 @@ enum class UserRequest {
   kFeedDown,
   kFlowUp,
   kFlowDown,
+  kObjects,  // which objects there are; the number of one of them is typed now
   kHelp,
 };
 
@@ -44,6 +47,9 @@ class Controls {
   // The oldest request that nobody took; never waits.
   [[nodiscard]] std::optional<UserRequest> next();
 
+  // The number of an object that somebody has typed, and that nobody took. The first is 1.
+  [[nodiscard]] std::optional<int> next_cancelled() { return std::exchange(cancelled_, {}); }
+
   [[nodiscard]] bool has_keys() const { return terminal_ != nullptr; }
 
   // Asks a person; nothing when there is none, when input ends, or `given_up` says so.
@@ -51,9 +57,13 @@ class Controls {
                                                const std::function<bool()>& given_up);
 
  private:
+  void take_digit(char key);
+
   struct Terminal;
   std::unique_ptr<Terminal> terminal_;  // null: none to read
   int toggles_seen_ = 0;
+  std::optional<std::string> typed_;  // digits of a number, behind an x
+  std::optional<int> cancelled_;
 };
 
 }  // namespace host

@@ -108,6 +108,7 @@ GeometryThread::GeometryThread(PrintPlan& print_plan, const JournalRecord* resum
                                Reporter& reporter) {
   if (resumed_from != nullptr) print_plan.start = resumed_from->checkpoint;
   shared_ = std::make_shared<Shared>(print_plan, resumed_from);
+  if (resumed_from != nullptr) shared_->signals.objects.restore(resumed_from->cancelled);
   shared_->signals.stop_asked = [shared = shared_.get()] {
     return shared->link_ended.load() || stop_signal_count() > 0;
   };

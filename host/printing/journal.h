@@ -46,10 +46,11 @@ static_assert(86'400 * kJournalBlockBytes * (1 / kSyncPeriod_s + 2 / kWriteBackP
 inline constexpr std::size_t kJournalHeadBytesMax = std::size_t{1} << 19;
 
 struct JournalHead {
-  std::string version;     // of rind: another one may lay other roads
-  std::string part;        // absolute path
-  std::string part_title;  // for people
-  std::uint64_t part_hash = 0;
+  std::string version;                  // of rind: another one may lay other roads
+  std::string part;                     // absolute path
+  std::vector<std::string> more_parts;  // likewise, of what is printed beside it
+  std::string part_title;               // for people
+  std::uint64_t part_hash = 0;          // of all parts (contents_of)
   std::int64_t part_bytes = 0;
   std::vector<std::pair<std::string, std::string>> settings;  // all, as describe_settings() tells
   std::string on_bad_layer;                                   // the option's word

@@ -19,8 +19,8 @@ using core::ErrorCode;
 using core::Result;
 using Json = nlohmann::ordered_json;
 
-// "rind journal 4 0123456789abcdef 00001234\n": form, checksum and length of what follows.
-constexpr std::string_view kMark = "rind journal 4 ";
+// "rind journal 5 0123456789abcdef 00001234\n": form, checksum and length of what follows.
+constexpr std::string_view kMark = "rind journal 5 ";
 constexpr std::size_t kSumDigits = 16;
 constexpr std::size_t kLengthDigits = 8;
 constexpr std::size_t kFirstLineBytes = kMark.size() + kSumDigits + 1 + kLengthDigits + 1;
@@ -45,6 +45,7 @@ JournalHead head_in(const Json& json) {
   JournalHead head;
   head.version = json.at("version").get<std::string>();
   head.part = json.at("part").get<std::string>();
+  head.more_parts = json.at("more_parts").get<std::vector<std::string>>();
   head.part_title = json.at("part_title").get<std::string>();
   head.part_hash = number_in(json.at("part_hash").get<std::string>(), 16).value_or(0);
   head.part_bytes = json.at("part_bytes").get<std::int64_t>();
@@ -65,6 +66,7 @@ JournalHead head_in(const Json& json) {
 std::string head_bytes(const JournalHead& head) {
   Json json = {{"version", head.version},
                {"part", head.part},
+               {"more_parts", head.more_parts},
                {"part_title", head.part_title},
                {"part_hash", fmt::format("{:016x}", head.part_hash)},
                {"part_bytes", head.part_bytes},

@@ -155,6 +155,31 @@ std::uint32_t read_low(std::string_view bytes, std::size_t at) {
   return value;
 }
 
+// Whole numbers of 8 bytes: the object above, its layer below.
+constexpr int kLayerBits = 48;
+
+std::string cancelled_bytes(const std::vector<CancelledObject>& cancelled) {
+  RIND_CHECK(cancelled.size() <= kCancelledObjectsMax);
+  Writer writer;
+  for (const CancelledObject& one : cancelled) {
+    writer.whole(static_cast<std::uint64_t>(one.object) << kLayerBits |
+                 static_cast<std::uint64_t>(one.from));
+  }
+  return std::move(writer.bytes());
+}
+
+std::vector<CancelledObject> cancelled_in(std::string_view bytes) {
+  std::vector<CancelledObject> cancelled;
+  Reader reader(bytes);
+  for (std::size_t at = 0; at < bytes.size(); at += kCancelledBytes) {
+    const std::uint64_t one = reader.whole();
+    const std::uint64_t layer = one & ((std::uint64_t{1} << kLayerBits) - 1);
+    cancelled.push_back(
+        {static_cast<int>(one >> kLayerBits), static_cast<core::LayerIndex>(layer)});
+  }
+  return cancelled;
+}
+
 std::string seam_bytes(const core::SeamMemory& seams) {
   RIND_CHECK(seams.size() <= core::kSeamsMax);
   std::string bytes;
@@ -185,16 +210,19 @@ std::string record_bytes(const JournalRecord& record, std::int64_t sequence) {
   JournalRecord copy = record;
   pass(writer, copy);
   const Checkpoint& checkpoint = record.checkpoint;
-  const std::string seams =
-      checkpoint.file ? bytes_of(*checkpoint.file) : seam_bytes(checkpoint.seams);
-  writer.whole(checkpoint.file ? kFileRecord + seams.size() : checkpoint.seams.size());
-  writer.whole(hash_of(seams));
+  const std::string more = checkpoint.file
+                               ? bytes_of(*checkpoint.file)
+                               : seam_bytes(checkpoint.seams) + cancelled_bytes(record.cancelled);
+  const std::uint64_t counts = checkpoint.seams.size() | std::uint64_t{record.cancelled.size()}
+                                                             << kCancelledShift;
+  writer.whole(checkpoint.file ? kFileRecord + more.size() : counts);
+  writer.whole(hash_of(more));
   std::string bytes = std::move(writer.bytes());
   RIND_CHECK(bytes.size() <= kRecordBytes - kSumBytes);
   bytes.resize(kRecordBytes - kSumBytes, '\0');
   Writer sum;
   sum.whole(hash_of(bytes));
-  return bytes + sum.bytes() + seams;
+  return bytes + sum.bytes() + more;
 }
 
 std::optional<SequencedRecord> read_record(std::string_view bytes) {
@@ -208,14 +236,20 @@ std::optional<SequencedRecord> read_record(std::string_view bytes) {
   pass(reader, read.record);
   const std::uint64_t count = reader.whole();
   const bool of_file = count >= kFileRecord;
-  const std::uint64_t length = of_file ? count - kFileRecord : count * kSeamBytes;
+  const std::uint64_t cancelled = of_file ? 0 : count >> kCancelledShift;
+  const std::uint64_t seams = count & ((std::uint64_t{1} << kCancelledShift) - 1);
+  const std::uint64_t seam_length = seams * kSeamBytes;
+  const std::uint64_t length =
+      of_file ? count - kFileRecord : seam_length + cancelled * kCancelledBytes;
   if (length > kRecordBytesMax - kRecordBytes) return std::nullopt;
   // A file that was cut short gets zeros for what it lacks when it is opened again.
   std::string more(bytes.substr(kRecordBytes, length));
   more.resize(length, '\0');
   if (reader.whole() != hash_of(more)) return std::nullopt;
   if (!of_file) {
-    read.record.checkpoint.seams = seams_in(more);
+    const std::string_view all = more;
+    read.record.checkpoint.seams = seams_in(all.substr(0, seam_length));
+    read.record.cancelled = cancelled_in(all.substr(seam_length));
     return read;
   }
   std::optional<FilePlace> place = place_of(more);

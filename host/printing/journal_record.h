@@ -13,11 +13,13 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
-#include "core/limits.h"                  // kSeamsMax
-#include "host/gcode/file_place.h"        // kPlaceBytesMax
-#include "host/pipeline/checkpoint.h"     // Checkpoint
-#include "host/printing/machine_state.h"  // MachineState
+#include "core/limits.h"                    // kSeamsMax
+#include "host/gcode/file_place.h"          // kPlaceBytesMax
+#include "host/pipeline/checkpoint.h"       // Checkpoint
+#include "host/pipeline/printed_objects.h"  // CancelledObject
+#include "host/printing/machine_state.h"    // MachineState
 
 namespace host {
 
@@ -46,18 +48,24 @@ struct JournalRecord {
   PrintState state = PrintState::kRunning;
   core::LayerIndex layers = 0;     // of the part; 0: not known yet
   std::int64_t last_planned = -1;  // the command before which the print paused by itself; -1: none
-  bool height_in_doubt = false;    // the nozzle was on its way to nozzle_z_um, or from there
+  std::vector<CancelledObject> cancelled;  // at most kCancelledObjectsMax; none of a ready file
+  bool height_in_doubt = false;  // the nozzle was on its way to nozzle_z_um, or from there
 };
 
 // First kRecordBytes, whatever is in them, with sequence number and checksum; then kSeamBytes for
 // each seam, whose number and checksum the first part has. A seam is its x and y, then its
-// layers_ago doubled, and 1 more for a hole: 4 bytes each, lowest first. A ready file has a place
-// in it instead of seams (file_place.h); the first part has kFileRecord and its length for their
-// number.
+// layers_ago doubled, and 1 more for a hole: 4 bytes each, lowest first. Behind them are the objects
+// that were cancelled, 8 bytes each: the number of one in the upper 16 bits, its layer in the
+// others. How many there are stands above the seams' number. A ready file has a place in it instead
+// of seams (file_place.h); the first part has kFileRecord and its length for their number.
 inline constexpr std::size_t kRecordBytes = 512;
 inline constexpr std::size_t kSeamBytes = 12;
-inline constexpr std::size_t kRecordBytesMax = kRecordBytes + core::kSeamsMax * kSeamBytes;
+inline constexpr std::size_t kCancelledBytes = 8;
+inline constexpr std::size_t kRecordBytesMax =
+    kRecordBytes + core::kSeamsMax * kSeamBytes + kCancelledObjectsMax * kCancelledBytes;
 inline constexpr std::uint64_t kFileRecord = std::uint64_t{1} << 32;
+inline constexpr int kCancelledShift = 16;  // of their number, above that of the seams
+static_assert(core::kSeamsMax < std::size_t{1} << kCancelledShift);
 static_assert(kPlaceBytesMax <= core::kSeamsMax * kSeamBytes);
 [[nodiscard]] std::string record_bytes(const JournalRecord& record, std::int64_t sequence);
 

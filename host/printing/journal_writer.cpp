@@ -61,6 +61,7 @@ std::optional<JournalRecord> JournalWriter::record(PrintState state,
       pauses_.nozzle_z_um().value_or(record.machine.z_um.value_or(history.last_z_um(accepted)));
   record.state = state;
   record.layers = layers_.load();
+  if (objects_ != nullptr) record.cancelled = objects_->cancelled();
   record.last_planned = pauses_.last_planned();
   // The user's own lines may have moved the nozzle.
   record.height_in_doubt = pauses_.height_in_doubt() || !record.machine.z_um;

@@ -35,6 +35,9 @@ class JournalWriter {
         control_(control),
         reporter_(reporter) {}
 
+  // Whose cancelled objects go into the journal; it outlives the writer.
+  void watch(const PrintedObjects& objects) { objects_ = &objects; }
+
   // While a resumed print has not reached its resume point, the journal that it resumes from is the
   // true one: keep() and close() write nothing.
   void suspend(bool suspended) { suspended_ = suspended; }
@@ -75,6 +78,7 @@ class JournalWriter {
   const PrintCommands& commands_;
   const PauseControl& pauses_;
   const std::atomic<core::LayerIndex>& layers_;
+  const PrintedObjects* objects_ = nullptr;
   PrintControl& control_;
   Reporter& reporter_;
   bool suspended_ = false;

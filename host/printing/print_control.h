@@ -24,6 +24,9 @@ class PrintControl {
   // The oldest request that was not taken yet. Never waits.
   [[nodiscard]] virtual std::optional<UserRequest> next_request() = 0;
 
+  // The number of an object that is to be cancelled, from 1; likewise.
+  [[nodiscard]] virtual std::optional<int> next_cancelled() = 0;
+
   // Asked once: the controller has said what it can do, and was given no command. An error ends the
   // print.
   [[nodiscard]] virtual core::Status may_start() = 0;
@@ -45,6 +48,7 @@ class NullPrintControl : public PrintControl {
  public:
   [[nodiscard]] int stop_urgency() override { return 0; }
   [[nodiscard]] std::optional<UserRequest> next_request() override { return std::nullopt; }
+  [[nodiscard]] std::optional<int> next_cancelled() override { return std::nullopt; }
   [[nodiscard]] core::Status may_start() override { return {}; }
   [[nodiscard]] Journal* journal() override { return nullptr; }
   [[nodiscard]] std::unique_ptr<firmware_link::BytePort> reopen_port() override { return nullptr; }

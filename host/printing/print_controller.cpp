@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "host/printing/port_clock.h"  // link_now
+#include "host/printing/skipped_command.h"
 #include "host/system/limits.h"
 #include "host/system/stage_clock.h"  // steady_seconds
 
@@ -37,6 +38,7 @@ PrintController::PrintController(const PrintSettings& settings, const PrintOptio
       recovery_({link_, commands_, pauses_, start_, journal_, control_, reporter_},
                 options.resumption),
       ending_({link_, commands_, pauses_, feed_, start_, journal_, reports_, control_}) {
+  journal_.watch(geometry_.signals().objects);
   if (options.resumption) pauses_.set_last_planned(options.resumption->record.last_planned);
   link_.start_session(recovery_.searching());
 }
@@ -164,7 +166,10 @@ void PrintController::note_percents(const firmware_link::Effect& effect, Instant
 }
 
 void PrintController::take(const QueuedCommand& queued, Instant now) {
-  link_.take(queued.command, now);
+  const bool wanted =
+      queued.object == core::kNoObject || !geometry_.signals().objects.is_cancelled(queued.object);
+  constexpr std::int64_t kFeedMmMin = 1'200;  // of a move that has nothing else to say
+  link_.take(wanted ? queued.command : skipped(queued.command, kFeedMmMin), now);
   unchecked_road_ = unchecked_road_ || queued.lays_road;
   if (queued.layer != commands_.last().layer) reports_.statistics().clock.end_layer();
   commands_.take();
@@ -178,6 +183,7 @@ void PrintController::keep_journal() {
 
 void PrintController::take_requests(Instant now) {
   while (const std::optional<UserRequest> request = control_.next_request()) obey(*request, now);
+  while (const std::optional<int> object = control_.next_cancelled()) cancel_object(*object);
 }
 
 void PrintController::obey(UserRequest request, Instant now) {
@@ -198,6 +204,9 @@ void PrintController::obey(UserRequest request, Instant now) {
     case UserRequest::kHelp:
       reporter_.note("keys", key_help());
       return;
+    case UserRequest::kObjects:
+      reports_.tell_objects();
+      return;
     case UserRequest::kFeedUp:
     case UserRequest::kFeedDown:
       feed_.change_feed(request == UserRequest::kFeedUp ? 1 : -1);
@@ -212,6 +221,17 @@ void PrintController::obey(UserRequest request, Instant now) {
       break;
   }
   reports_.tell_override(request, feed_);
+}
+
+// Once the last one is cancelled, there is nothing left to print.
+void PrintController::cancel_object(int number) {
+  PrintedObjects& objects = geometry_.signals().objects;
+  if (!reports_.tell_cancelled(number, objects.cancel(number - 1))) return;
+  const auto count = static_cast<int>(objects.names().size());
+  for (int object = 0; object < count; ++object) {
+    if (!objects.is_cancelled(object)) return;
+  }
+  stop_requested_ = true;
 }
 
 // A person wants it so.

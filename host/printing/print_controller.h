@@ -86,6 +86,7 @@ class PrintController {
   // What people want, and whether geometry keeps up.
   void take_requests(firmware_link::Instant now);
   void obey(UserRequest request, firmware_link::Instant now);
+  void cancel_object(int number);
   void pause(bool wanted);
   void note_phase(firmware_link::Instant now);
   void hear_events();

@@ -60,6 +60,10 @@ void QueueFiller::note(const core::Motion& motion) {
     next_.filament_mm += arc->filament_mm;
     next_.seconds += arc->length_mm / arc->speed_mm_s;
     position_ = arc->to;
+  } else if (const auto* object = std::get_if<core::ObjectStart>(&motion)) {
+    next_.object = object->object;
+  } else if (std::holds_alternative<core::ObjectEnd>(motion)) {
+    next_.object = core::kNoObject;
   } else if (const auto* travel = std::get_if<core::Travel>(&motion)) {
     add_line(travel->to, travel->speed_mm_s);
   } else if (const auto* wipe = std::get_if<core::Wipe>(&motion)) {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "core/roads/road.h"              // kNoObject
 #include "core/units.h"                   // LayerIndex, Length
 #include "firmware_link/wire/command.h"   // Command
 #include "host/files/content_hash.h"      // kHashStart
@@ -22,8 +23,9 @@ struct PlannedPause {
 
 struct QueuedCommand {
   firmware_link::Command command;
-  core::LayerIndex layer = 0;  // counted from 1; 0: before the first
-  core::Length top;            // of the layer
+  core::LayerIndex layer = 0;    // counted from 1; 0: before the first
+  core::Length top;              // of the layer
+  int object = core::kNoObject;  // of several, whose it is
   bool lays_road = false;
   double filament_mm = 0;  // in roads, from the print's start to here
   double seconds = 0;      // of motion at full speed, likewise

@@ -183,6 +183,35 @@ void StatusReports::tell_override(UserRequest request, const FeedOverride& feed)
   reporter_.note(name, fmt::format("{} {} %", name, percent), {{"percent", percent}});
 }
 
+void StatusReports::tell_objects() {
+  const std::vector<std::string> names = signals_.objects.names();
+  if (names.empty()) return reporter_.note("objects", "there is one object: s stops the print");
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (signals_.objects.is_cancelled(static_cast<int>(i))) continue;
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", i + 1, names[i]);
+  }
+  reporter_.note("objects",
+                 text + "; to cancel one, type its number and Enter; any other key leaves all");
+}
+
+bool StatusReports::tell_cancelled(int number, std::optional<core::LayerIndex> from) {
+  const std::vector<std::string> names = signals_.objects.names();
+  if (!from) {
+    reporter_.note("objects", fmt::format("object {} can't be cancelled: there are {}, and it may "
+                                          "be cancelled already",
+                                          number, names.size()));
+    return false;
+  }
+  const std::string& name = names[static_cast<std::size_t>(number) - 1];
+  reporter_.note("cancelled",
+                 fmt::format("object {}, {}, is cancelled: it is left out from layer {} on, and "
+                             "what is queued of it is skipped",
+                             number, name, *from + 1),
+                 {{"object", number}, {"name", name}, {"layer", *from + 1}});
+  return true;
+}
+
 void StatusReports::tell_fault(const std::string& reason, bool reset, double wait_s) {
   reporter_.note(
       "fault",

@@ -41,6 +41,10 @@ class StatusReports {
   void tell_pause(PauseControl::Phase phase, const std::string& cause, double hot_s);
   // The feed or the flow was changed by this request.
   void tell_override(UserRequest request, const FeedOverride& feed);
+  // Which objects can be cancelled, by number.
+  void tell_objects();
+  // `from`: the first layer without it; nothing: it can't be cancelled, and false is returned.
+  bool tell_cancelled(int number, std::optional<core::LayerIndex> from);
   void tell_fault(const std::string& reason, bool reset, double wait_s);
 
   // When it is due. Warnings that geometry has left are told at once.

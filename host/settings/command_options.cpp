@@ -3,6 +3,9 @@
 #include <CLI/CLI.hpp>
 #include <map>
 #include <string>
+#include <vector>
+
+#include "core/limits.h"  // kObjectsMax
 
 namespace host {
 namespace {
@@ -77,8 +80,16 @@ void add_memory(CLI::App& command, Options& options) {
 }
 
 void add_part(CLI::App& command, Options& options) {
-  command.add_option("PART", options.part.path, "the part's file, or - for standard input")
+  command
+      .add_option_function<std::vector<std::string>>(
+          "PART",
+          [&options](const std::vector<std::string>& paths) {
+            options.part.path = paths.front();
+            options.part.more_paths.assign(paths.begin() + 1, paths.end());
+          },
+          "the part's file, or - for standard input; several are laid beside one another")
       ->required()
+      ->expected(1, core::kObjectsMax)
       ->type_name("");
   add_tall(command, options);
   add_memory(command, options);

@@ -172,6 +172,21 @@ inline constexpr std::array kMachineRows = {
     Setting{"cut", &PrintSettings::cut, "", 0, 0,
             "height over the part's lowest point at which it is cut in two, and the piece that is "
             "printed, as '20 lower' or '20 upper'; 20: both; off: not cut"},
+    Setting{"copies", &PrintSettings::copies, "", 1, core::kObjectsMax,
+            "how often each part is printed"},
+    Setting{"part_gap", &PrintSettings::part_gap, "mm", 0, 1'000,
+            "least distance between objects; more where brims or supports reach farther"},
+    Setting{"sequential", &PrintSettings::sequential, "", 0, 1,
+            "whether objects are printed one after another, each to its top"},
+    Setting{"clearance_radius", &PrintSettings::clearance_radius, "mm", 0, 1'000,
+            "distance from the nozzle to the farthest of what is beside it, for sequential"},
+    Setting{"clearance_height", &PrintSettings::clearance_height, "mm", 0, 10'000,
+            "height of what passes over finished objects above the nozzle's tip, for sequential"},
+    Setting{"object_labels",
+            choice<&PrintSettings::object_labels>("auto", "firmware", "comments", "off"), "", 0, 0,
+            "how several objects are told apart: firmware: by its commands (M486, EXCLUDE_OBJECT) "
+            "and a file's comments; comments: by these alone; auto: by commands where the firmware "
+            "is Klipper or RepRapFirmware"},
     Setting{"nozzle_celsius", &PrintSettings::nozzle_celsius, "°C", 0, 500,
             "temperature of the nozzle; 0: not heated"},
     Setting{"nozzle_first_layer_celsius", &PrintSettings::nozzle_first_layer_celsius, "°C", 0, 500,

@@ -48,8 +48,9 @@ enum class PipeSorted {
 
 // The part's file, and how it is read.
 struct PartOptions {
-  std::string path;   // "-": standard input
-  std::string title;  // for people, if it is not the file's name
+  std::string path;                     // "-": standard input
+  std::vector<std::string> more_paths;  // of parts beside it
+  std::string title;                    // for people, if it is not the file's name
   std::size_t sort_bytes = kSortBytesDefault;
   PipeSorted sorted = PipeSorted::kAuto;
   std::string spool;  // a folder for temporary files of supports; empty: $TMPDIR, or /tmp

@@ -1,0 +1,271 @@
+#include "host/part/plate.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "core/limits.h"            // kObjectsMax
+#include "host/part/arrangement.h"  // arranged
+#include "host/part/moved_slice.h"  // moved
+#include "host/part/part_file.h"    // open_part
+
+namespace host {
+namespace {
+
+using core::Error;
+using core::ErrorCode;
+using core::Length;
+using core::Result;
+using core::Slice;
+using core::Status;
+
+struct PlatePart {
+  std::string path;
+  std::string title;
+  OpenedPart opened;
+  std::vector<Shift> places;  // of its copies, from where it was opened; of the same number always
+  bool ended = false;
+};
+
+std::string title_of(const std::string& path) {
+  return path == "-" ? "standard input" : std::filesystem::path(path).filename().string();
+}
+
+// Letters, digits and underscores of a file's name, and a number that no other object has.
+std::string object_name(const std::string& path, std::size_t number) {
+  constexpr std::size_t kBytesMax = 24;
+  std::string name = path == "-" ? "part" : std::filesystem::path(path).stem().string();
+  if (name.size() > kBytesMax) name.resize(kBytesMax);
+  const auto is_plain = [](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+  };
+  for (char& c : name) c = is_plain(c) ? c : '_';
+  return fmt::format("{}_{}", name, number);
+}
+
+void append(const core::Region& region, const Shift& shift, std::vector<core::Ring>& rings) {
+  std::vector<core::Ring> more = moved(region, shift).rings();
+  std::move(more.begin(), more.end(), std::back_inserter(rings));
+}
+
+// The rings of all objects in one layer.
+struct MergedRings {
+  std::vector<core::Ring> slice, enforced, blocked;
+
+  void add(const Slice& part, const std::vector<Shift>& places) {
+    for (const Shift& shift : places) {
+      append(part.region, shift, slice);
+      if (!part.marks) continue;
+      append(part.marks->enforced, shift, enforced);
+      append(part.marks->blocked, shift, blocked);
+    }
+  }
+
+  void put_into(Slice& merged) {
+    merged.region = core::Region::from_clean_rings(std::move(slice));
+    if (enforced.empty() && blocked.empty()) return;
+    merged.marks = std::make_shared<const core::SupportMarks>(
+        core::SupportMarks{core::Region::from_clean_rings(std::move(enforced)),
+                           core::Region::from_clean_rings(std::move(blocked))});
+  }
+};
+
+class Plate : public LayerSource {
+ public:
+  Plate(std::vector<PlatePart> parts, core::Settings settings)
+      : parts_(std::move(parts)), settings_(std::move(settings)) {}
+
+  [[nodiscard]] bool all_read() const {
+    return std::none_of(parts_.begin(), parts_.end(), [](const PlatePart& part) {
+      return static_cast<bool>(part.opened.read_rest);
+    });
+  }
+
+  // Reads each part to its end, and arranges all of them.
+  [[nodiscard]] Result<PartSummary> read_rest() {
+    for (PlatePart& part : parts_) {
+      if (!part.opened.read_rest) continue;
+      Result<PartSummary> read = part.opened.read_rest();
+      if (!read.ok()) return read;
+      part.opened.summary = std::move(read).value();
+      part.opened.read_rest = nullptr;
+    }
+    if (Status placed = place(); !placed.ok()) return placed.error();
+    summarise();
+    return summary_;
+  }
+
+  [[nodiscard]] Result<std::optional<Slice>> next() override {
+    std::optional<Slice> merged;
+    std::string first;
+    MergedRings rings;
+    for (PlatePart& part : parts_) {
+      if (part.ended) continue;
+      Result<std::optional<Slice>> read = part.opened.layers->next();
+      if (!read.ok()) return read;
+      part.ended = !read.value();
+      if (part.ended) continue;
+      Slice slice = *std::move(read).value();
+      rings.add(slice, part.places);
+      slice.defects = moved(slice.defects, part.places.front());
+      if (!merged) {
+        merged.emplace(std::move(slice));
+        first = part.title;
+        continue;
+      }
+      if (slice.bottom != merged->bottom || slice.height != merged->height) {
+        return different_layers(part.title, slice, first, *merged);
+      }
+      merged->defects.add(slice.defects);
+    }
+    if (merged) rings.put_into(*merged);
+    return merged;
+  }
+
+  [[nodiscard]] PartCounters counters() const {
+    PartCounters all;
+    for (const PlatePart& part : parts_) {
+      const PartCounters one = part.opened.counters();
+      all.peak_triangles_held += one.peak_triangles_held;
+      all.read_cpu_s += one.read_cpu_s;
+      all.sort_cpu_s += one.sort_cpu_s;
+      all.slice_cpu_s += one.slice_cpu_s;
+      all.spilled_bytes += one.spilled_bytes;
+    }
+    return all;
+  }
+
+  [[nodiscard]] const PartSummary& summary() const { return summary_; }
+  [[nodiscard]] bool enforced() const {
+    return std::any_of(parts_.begin(), parts_.end(),
+                       [](const PlatePart& part) { return part.opened.enforced; });
+  }
+
+ private:
+  // REQUIRES: all have been read.
+  [[nodiscard]] Status place() {
+    std::vector<Footprint> things;
+    for (const PlatePart& part : parts_) {
+      const core::Box& box = part.opened.summary.box;
+      if (box.empty()) {
+        return Error{ErrorCode::kBadPart,
+                     part.title +
+                         ": its size is known only at its end, so it can't be laid beside others; "
+                         "print it alone, or from a file"};
+      }
+      things.insert(things.end(), part.places.size(),
+                    Footprint{Length::from_units(std::int64_t{box.max.x} - box.min.x),
+                              Length::from_units(std::int64_t{box.max.y} - box.min.y)});
+    }
+    const Result<std::vector<core::Point>> corners = arranged(things, settings_);
+    if (!corners.ok()) return corners.error();
+    std::size_t object = 0;
+    for (PlatePart& part : parts_) {
+      const PartSummary& summary = part.opened.summary;
+      for (Shift& shift : part.places) {
+        const core::Point corner = corners.value()[object++];
+        shift = {std::int64_t{corner.x} - summary.box.min.x,
+                 std::int64_t{corner.y} - summary.box.min.y, 0};
+        summary_.objects.push_back(
+            {object_name(part.path, object), shifted(summary.box, shift), summary.height});
+      }
+    }
+    return {};
+  }
+
+  void summarise() {
+    const PartSummary& first = parts_.front().opened.summary;
+    summary_.format = parts_.size() == 1 ? first.format : fmt::format("{} files", parts_.size());
+    summary_.seen_whole = parts_.size() == 1 && first.seen_whole;
+    summary_.nothing_hangs = true;
+    summary_.lowest_layer = first.lowest_layer;
+    summary_.highest_layer = first.highest_layer;
+    for (const PlatePart& part : parts_) {
+      const PartSummary& one = part.opened.summary;
+      const auto copies = static_cast<std::int64_t>(part.places.size());
+      summary_.facets += one.facets * copies;
+      summary_.degenerate += one.degenerate * copies;
+      summary_.height = std::max(summary_.height, one.height);
+      summary_.layers = std::max(summary_.layers, one.layers);
+      summary_.lowest_layer = std::min(summary_.lowest_layer, one.lowest_layer);
+      summary_.highest_layer = std::max(summary_.highest_layer, one.highest_layer);
+      summary_.nothing_hangs = summary_.nothing_hangs && one.nothing_hangs;
+      summary_.warnings.insert(summary_.warnings.end(), one.warnings.begin(), one.warnings.end());
+    }
+    for (const PartObject& object : summary_.objects) summary_.box.add(object.box);
+  }
+
+  [[nodiscard]] static Error different_layers(const std::string& title, const Slice& slice,
+                                              const std::string& first, const Slice& of_first) {
+    return {ErrorCode::kBadPart,
+            fmt::format("{}, layer {}: it lies from {:g} to {:g} mm, that of {} from {:g} to {:g} "
+                        "mm; parts with different layers can't be printed together: print them one "
+                        "after another (--sequential)",
+                        title, slice.index + 1, slice.bottom.mm(), slice.top().mm(), first,
+                        of_first.bottom.mm(), of_first.top().mm())};
+  }
+
+  std::vector<PlatePart> parts_;
+  core::Settings settings_;
+  PartSummary summary_;
+};
+
+// Where each part lies is decided here: it is opened in the middle of the bed.
+core::Settings before_placing(core::Settings settings) {
+  settings.centre = true;
+  settings.part_x = settings.part_y = Length();
+  return settings;
+}
+
+}  // namespace
+
+bool is_plate(const std::vector<std::string>& paths, const core::Settings& settings) {
+  return paths.size() > 1 || settings.copies > 1;
+}
+
+Result<OpenedPart> open_plate(const std::vector<std::string>& paths, const core::Settings& settings,
+                              const OpenOptions& options) {
+  const std::size_t objects = paths.size() * static_cast<std::size_t>(settings.copies);
+  if (objects > core::kObjectsMax) {
+    return Error{ErrorCode::kOutOfBounds, fmt::format("{} objects are more than the {} that one "
+                                                      "print may have; print fewer copies",
+                                                      objects, core::kObjectsMax)};
+  }
+  if (settings.spiral_vase) {
+    return Error{ErrorCode::kBadSetting,
+                 "spiral_vase lays one contour in a layer: print one object, or several of them "
+                 "one after another (--sequential)"};
+  }
+  OpenOptions each = options;
+  each.stream_pipes = false;
+  each.sort_bytes = std::max(kSortBytesMin, options.sort_bytes / paths.size());
+  if (paths.size() > 1) each.on_facet = {};
+  std::vector<PlatePart> parts;
+  for (const std::string& path : paths) {
+    Result<OpenedPart> opened = open_part(path, before_placing(settings), each);
+    if (!opened.ok()) return opened;
+    parts.push_back({path, title_of(path), std::move(opened).value(),
+                     std::vector<Shift>(static_cast<std::size_t>(settings.copies))});
+  }
+  auto plate = std::make_unique<Plate>(std::move(parts), settings);
+  OpenedPart part;
+  Plate* source = plate.get();
+  part.enforced = plate->enforced();
+  part.counters = [source] { return source->counters(); };
+  if (plate->all_read()) {
+    Result<PartSummary> summary = plate->read_rest();
+    if (!summary.ok()) return summary.error();
+    part.summary = std::move(summary).value();
+  } else {
+    part.read_rest = [source] { return source->read_rest(); };
+  }
+  part.layers = std::move(plate);
+  return part;
+}
+
+}  // namespace host
