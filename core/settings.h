@@ -283,12 +283,8 @@ struct Settings {
   PartUnits part_units = PartUnits::kMillimetre;
   std::string cut = "off";  // height, and the piece that is kept (host/part/cut_plane.h)
   // Several objects on the bed (host/part/plate.h).
-  int copies = 1;                                         // of each part
-  Length part_gap = Length::from_units(60'000);           // between objects, at least
-  bool sequential = false;                                // one object after another
-  Length clearance_radius = Length::from_units(450'000);  // around the nozzle, of what is beside it
-  Length clearance_height =
-      Length::from_units(250'000);  // from the nozzle's tip to what is over it
+  int copies = 1;                                // of each part
+  Length part_gap = Length::from_units(60'000);  // between objects, at least
   ObjectLabels object_labels = ObjectLabels::kAuto;
   double nozzle_celsius = 210;
   double nozzle_first_layer_celsius = 210;

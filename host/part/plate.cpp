@@ -9,10 +9,11 @@
 #include <optional>
 #include <utility>
 
-#include "core/limits.h"            // kObjectsMax
-#include "host/part/arrangement.h"  // arranged
-#include "host/part/moved_slice.h"  // moved
-#include "host/part/part_file.h"    // open_part
+#include "core/limits.h"                // kObjectsMax
+#include "host/part/arrangement.h"      // arranged
+#include "host/part/moved_slice.h"      // moved
+#include "host/part/part_file.h"        // open_part
+#include "host/part/transform_words.h"  // read_cut
 
 namespace host {
 namespace {
@@ -204,8 +205,8 @@ class Plate : public LayerSource {
                                               const std::string& first, const Slice& of_first) {
     return {ErrorCode::kBadPart,
             fmt::format("{}, layer {}: it lies from {:g} to {:g} mm, that of {} from {:g} to {:g} "
-                        "mm; parts with different layers can't be printed together: print them one "
-                        "after another (--sequential)",
+                        "mm; parts with different layers can't be printed together: print "
+                        "one after the other",
                         title, slice.index + 1, slice.bottom.mm(), slice.top().mm(), first,
                         of_first.bottom.mm(), of_first.top().mm())};
   }
@@ -222,15 +223,28 @@ core::Settings before_placing(core::Settings settings) {
   return settings;
 }
 
+// As settings: of each file one part, or both pieces of it where it is cut.
+std::vector<core::Settings> pieces_of(const core::Settings& settings) {
+  const std::optional<CutWords> cut = read_cut(settings.cut).value();
+  std::vector<core::Settings> pieces{before_placing(settings)};
+  if (!cut || cut->piece != CutPiece::kBoth) return pieces;
+  pieces.push_back(pieces.front());
+  pieces[0].cut = fmt::format("{} lower", cut->height_mm);
+  pieces[1].cut = fmt::format("{} upper", cut->height_mm);
+  return pieces;
+}
+
 }  // namespace
 
 bool is_plate(const std::vector<std::string>& paths, const core::Settings& settings) {
-  return paths.size() > 1 || settings.copies > 1;
+  return paths.size() > 1 || settings.copies > 1 || pieces_of(settings).size() > 1;
 }
 
 Result<OpenedPart> open_plate(const std::vector<std::string>& paths, const core::Settings& settings,
                               const OpenOptions& options) {
-  const std::size_t objects = paths.size() * static_cast<std::size_t>(settings.copies);
+  const std::vector<core::Settings> pieces = pieces_of(settings);
+  const std::size_t parts_count = paths.size() * pieces.size();
+  const std::size_t objects = parts_count * static_cast<std::size_t>(settings.copies);
   if (objects > core::kObjectsMax) {
     return Error{ErrorCode::kOutOfBounds, fmt::format("{} objects are more than the {} that one "
                                                       "print may have; print fewer copies",
@@ -238,19 +252,25 @@ Result<OpenedPart> open_plate(const std::vector<std::string>& paths, const core:
   }
   if (settings.spiral_vase) {
     return Error{ErrorCode::kBadSetting,
-                 "spiral_vase lays one contour in a layer: print one object, or several of them "
-                 "one after another (--sequential)"};
+                 "spiral_vase lays one contour in a layer: print one object"};
   }
   OpenOptions each = options;
   each.stream_pipes = false;
-  each.sort_bytes = std::max(kSortBytesMin, options.sort_bytes / paths.size());
-  if (paths.size() > 1) each.on_facet = {};
+  each.sort_bytes = std::max(kSortBytesMin, options.sort_bytes / parts_count);
+  if (parts_count > 1) each.on_facet = {};
   std::vector<PlatePart> parts;
   for (const std::string& path : paths) {
-    Result<OpenedPart> opened = open_part(path, before_placing(settings), each);
-    if (!opened.ok()) return opened;
-    parts.push_back({path, title_of(path), std::move(opened).value(),
-                     std::vector<Shift>(static_cast<std::size_t>(settings.copies))});
+    if (path == "-" && pieces.size() > 1) {
+      return Error{ErrorCode::kBadSetting,
+                   "cut: standard input is read once, and its two pieces are read one beside the "
+                   "other; print one of them, or the part from a file"};
+    }
+    for (const core::Settings& piece : pieces) {
+      Result<OpenedPart> opened = open_part(path, piece, each);
+      if (!opened.ok()) return opened;
+      parts.push_back({path, title_of(path), std::move(opened).value(),
+                       std::vector<Shift>(static_cast<std::size_t>(settings.copies))});
+    }
   }
   auto plate = std::make_unique<Plate>(std::move(parts), settings);
   OpenedPart part;

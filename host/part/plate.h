@@ -1,4 +1,5 @@
-// Several parts, or copies of them, on one bed, printed layer by layer together.
+// Several parts, copies of them, or the two pieces of a part that is cut, on one bed, printed layer
+// by layer together.
 //
 //     a.stl ──> its slices ─┬─ moved ──┐
 //                           └─ moved ──┤ copies          each slice is read once, and moved to
@@ -18,7 +19,7 @@
 
 namespace host {
 
-// Whether the parts are several objects: more than one file, or copies of one.
+// Whether the parts are several objects: more than one file, copies or pieces of one.
 [[nodiscard]] bool is_plate(const std::vector<std::string>& paths, const core::Settings& settings);
 
 // Opens each part as open_part() does, in a share of the sort's memory, and arranges them. Where

@@ -45,15 +45,35 @@ void CommandStage::resume_from(const Checkpoint& start) {
   filament_before_mm_ = start.filament_mm;
 }
 
-void CommandStage::tell_objects(std::vector<PartObject> objects) {
+void CommandStage::tell_objects(std::vector<PartObject> objects, PrintedObjects& printed) {
   objects_ = std::move(objects);
+  map_ = ObjectMap(objects_);
+  printed_ = &printed;
+  std::vector<std::string> names;
+  for (const PartObject& object : objects_) names.push_back(object.name);
+  printed.set_names(std::move(names));
   if (form_decided_) {
     encoder_.set_labels(ObjectLabels(objects_, settings_, encoder_.state().flavor));
   }
 }
 
+std::vector<core::Road> CommandStage::wanted(std::vector<core::Road> roads,
+                                             core::LayerIndex layer) const {
+  map_.mark(roads);
+  printed_->begin_layer(layer);
+  std::erase_if(roads,
+                [&](const core::Road& road) { return printed_->left_out(road.object, layer); });
+  return roads;
+}
+
 void CommandStage::layer(const core::Slice& slice, const std::vector<core::Road>& roads,
                          const core::SeamMemory& seams_before, const core::TravelSpace* space) {
+  if (objects_.empty()) return lay(slice, roads, seams_before, space);
+  lay(slice, wanted(roads, slice.index), seams_before, space);
+}
+
+void CommandStage::lay(const core::Slice& slice, const std::vector<core::Road>& roads,
+                       const core::SeamMemory& seams_before, const core::TravelSpace* space) {
   if (roads.empty()) return;
   decide_form();
   if (outputs_.on_checkpoint && !refused_) {

@@ -7,20 +7,22 @@
 #include <string>
 #include <vector>
 
-#include "core/motions/motion_builder.h"   // MotionBuilder
-#include "core/motions/motion_clock.h"     // MotionClock
-#include "core/roads/road.h"               // Road
-#include "core/roads/seams.h"              // SeamMemory
-#include "core/roads/travel_space.h"       // TravelSpace
-#include "core/settings.h"                 // Settings
-#include "core/slices/slice.h"             // Slice
-#include "core/units.h"                    // Length
-#include "host/part/opened_part.h"         // PartObject
-#include "host/pipeline/checkpoint.h"      // Checkpoint
-#include "host/pipeline/motion_encoder.h"  // MotionEncoder
-#include "host/pipeline/pipeline.h"        // CommandForm, PipelineOutputs
-#include "host/pipeline/statistics.h"      // GeometryStatistics
-#include "host/system/warning_box.h"       // WarningBox
+#include "core/motions/motion_builder.h"    // MotionBuilder
+#include "core/motions/motion_clock.h"      // MotionClock
+#include "core/roads/road.h"                // Road
+#include "core/roads/seams.h"               // SeamMemory
+#include "core/roads/travel_space.h"        // TravelSpace
+#include "core/settings.h"                  // Settings
+#include "core/slices/slice.h"              // Slice
+#include "core/units.h"                     // Length
+#include "host/part/opened_part.h"          // PartObject
+#include "host/pipeline/checkpoint.h"       // Checkpoint
+#include "host/pipeline/motion_encoder.h"   // MotionEncoder
+#include "host/pipeline/object_map.h"       // ObjectMap
+#include "host/pipeline/pipeline.h"         // CommandForm, PipelineOutputs
+#include "host/pipeline/printed_objects.h"  // PrintedObjects
+#include "host/pipeline/statistics.h"       // GeometryStatistics
+#include "host/system/warning_box.h"        // WarningBox
 
 namespace host {
 
@@ -36,7 +38,8 @@ class CommandStage {
 
   // What is printed, if it is several objects. REQUIRES: before the first layer, behind
   // resume_from().
-  void tell_objects(std::vector<PartObject> objects);
+  // `printed` gets their names, and says which are not laid any more; it outlives the stage.
+  void tell_objects(std::vector<PartObject> objects, PrintedObjects& printed);
 
   void preheat() { builder_.preheat(sink_); }
 
@@ -56,6 +59,11 @@ class CommandStage {
   void tell(GeometryStatistics& statistics) const;
 
  private:
+  // Tells whose roads they are; leaves out those of objects that nobody wants any more.
+  [[nodiscard]] std::vector<core::Road> wanted(std::vector<core::Road> roads,
+                                               core::LayerIndex layer) const;
+  void lay(const core::Slice& slice, const std::vector<core::Road>& roads,
+           const core::SeamMemory& seams_before, const core::TravelSpace* space);
   void decide_form();
   void send(const core::Motion& motion);
 
@@ -70,6 +78,8 @@ class CommandStage {
   CommandForm of_files_;
   bool form_decided_ = false;
   std::vector<PartObject> objects_;
+  ObjectMap map_{{}};
+  PrintedObjects* printed_ = nullptr;
   std::int64_t commands_ = 0;  // of the whole print
   double filament_before_mm_ = 0;
 };

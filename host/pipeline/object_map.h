@@ -13,8 +13,6 @@ class ObjectMap {
  public:
   explicit ObjectMap(const std::vector<PartObject>& objects);
 
-  [[nodiscard]] bool several() const { return !boxes_.empty(); }
-
   // The object whose box is nearest; kNoObject if there are none. COSTS: O(objects).
   [[nodiscard]] int at(core::Point point) const;
 

@@ -21,7 +21,6 @@
 #include "host/pipeline/floating_islands.h"
 #include "host/pipeline/layer_batch.h"
 #include "host/pipeline/layer_watch.h"
-#include "host/pipeline/object_map.h"
 #include "host/pipeline/ordered_stages.h"
 #include "host/pipeline/part_source.h"
 #include "host/pipeline/pauses_ahead.h"
@@ -98,12 +97,7 @@ class Pipeline {
       if (outputs_.on_motion && !plan_.start) commands_.preheat();
     };
     core::Status prepared = source_.prepare(preheat, watch_);
-    const std::vector<PartObject>& objects = plan_.part.summary.objects;
-    objects_ = ObjectMap(objects);
-    std::vector<std::string> names;
-    for (const PartObject& object : objects) names.push_back(object.name);
-    signals_.objects.set_names(std::move(names));
-    commands_.tell_objects(objects);
+    commands_.tell_objects(plan_.part.summary.objects, signals_.objects);
     return prepared;
   }
 
@@ -289,16 +283,6 @@ class Pipeline {
                *settled.seams_before, space);
   }
 
-  // Tells whose roads they are; without those that nobody wants any more.
-  std::vector<core::Road> wanted_roads(std::vector<core::Road> roads, core::LayerIndex layer) {
-    objects_.mark(roads);
-    signals_.objects.begin_layer(layer);
-    std::erase_if(roads, [&](const core::Road& road) {
-      return signals_.objects.left_out(road.object, layer);
-    });
-    return roads;
-  }
-
   core::Status give_raft(const SettledLayer& settled) {
     const auto give = [&](const core::RaftLayer& laid) -> core::Status {
       if (stopped()) return {};
@@ -310,13 +294,9 @@ class Pipeline {
   }
 
   core::Status lay(const core::SplitLayer& layer, const std::vector<core::Road>& roads,
-                   const core::SeamMemory& seams_before, const core::TravelSpace* space,
-                   bool told_apart = false) {
+                   const core::SeamMemory& seams_before, const core::TravelSpace* space) {
     core::Status fits = check_on_bed(plan_.part_path, layer.slice, roads, settings_);
     if (!fits.ok()) return fits;
-    if (objects_.several() && !told_apart) {
-      return lay(layer, wanted_roads(roads, layer.slice.index), seams_before, space, true);
-    }
     statistics_.roads += static_cast<std::int64_t>(roads.size());
     keep(outputs_.on_roads ? outputs_.on_roads(layer, roads) : true);
     if (outputs_.on_motion) commands_.layer(layer.slice, roads, seams_before, space);
@@ -385,8 +365,6 @@ class Pipeline {
   core::LayerPlanner planner_;  // plan() only reads its settings
   std::atomic<bool> window_emptied_ = false;
   PausesAhead pauses_;
-
-  ObjectMap objects_{{}};
 
   // Of give().
   FloatingIslands floating_;

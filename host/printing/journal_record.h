@@ -48,14 +48,14 @@ struct JournalRecord {
   PrintState state = PrintState::kRunning;
   core::LayerIndex layers = 0;     // of the part; 0: not known yet
   std::int64_t last_planned = -1;  // the command before which the print paused by itself; -1: none
-  std::vector<CancelledObject> cancelled;  // at most kCancelledObjectsMax; none of a ready file
+  std::vector<CancelledObject> cancelled;  // at most kCancelledObjectsMax
   bool height_in_doubt = false;  // the nozzle was on its way to nozzle_z_um, or from there
 };
 
 // First kRecordBytes, whatever is in them, with sequence number and checksum; then kSeamBytes for
 // each seam, whose number and checksum the first part has. A seam is its x and y, then its
 // layers_ago doubled, and 1 more for a hole: 4 bytes each, lowest first. Behind them are the objects
-// that were cancelled, 8 bytes each: the number of one in the upper 16 bits, its layer in the
+// that were cancelled, 8 bytes each: an object's number in the upper 16 bits, its layer in the
 // others. How many there are stands above the seams' number. A ready file has a place in it instead
 // of seams (file_place.h); the first part has kFileRecord and its length for their number.
 inline constexpr std::size_t kRecordBytes = 512;

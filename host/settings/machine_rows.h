@@ -176,12 +176,6 @@ inline constexpr std::array kMachineRows = {
             "how often each part is printed"},
     Setting{"part_gap", &PrintSettings::part_gap, "mm", 0, 1'000,
             "least distance between objects; more where brims or supports reach farther"},
-    Setting{"sequential", &PrintSettings::sequential, "", 0, 1,
-            "whether objects are printed one after another, each to its top"},
-    Setting{"clearance_radius", &PrintSettings::clearance_radius, "mm", 0, 1'000,
-            "distance from the nozzle to the farthest of what is beside it, for sequential"},
-    Setting{"clearance_height", &PrintSettings::clearance_height, "mm", 0, 10'000,
-            "height of what passes over finished objects above the nozzle's tip, for sequential"},
     Setting{"object_labels",
             choice<&PrintSettings::object_labels>("auto", "firmware", "comments", "off"), "", 0, 0,
             "how several objects are told apart: firmware: by its commands (M486, EXCLUDE_OBJECT) "

@@ -13,7 +13,7 @@ TEST_CASE("each key has its request, and all keys that the help names have one")
       {'p', UserRequest::kPause},  {'r', UserRequest::kResume},   {' ', UserRequest::kToggle},
       {'s', UserRequest::kStop},   {'+', UserRequest::kFeedUp},   {'-', UserRequest::kFeedDown},
       {'>', UserRequest::kFlowUp}, {'<', UserRequest::kFlowDown}, {'?', UserRequest::kHelp},
-      {'h', UserRequest::kHelp}};
+      {'h', UserRequest::kHelp},   {'x', UserRequest::kObjects}};
   for (const auto& pair : keys) {
     CAPTURE(pair.first);
     CHECK(host::request_of_key(pair.first) == pair.second);
@@ -24,6 +24,6 @@ TEST_CASE("each key has its request, and all keys that the help names have one")
     CHECK(host::request_of_key(help[at]).has_value());
     if (help.find(", ", at) == std::string::npos) break;
   }
-  CHECK_FALSE(host::request_of_key('x').has_value());
+  CHECK_FALSE(host::request_of_key('y').has_value());
   CHECK_FALSE(host::request_of_key('P').has_value());
 }

@@ -20,6 +20,7 @@ host::JournalHead some_head() {
   host::JournalHead head;
   head.version = "1.2.3";
   head.part = "/parts/with space \"and\" quotes.stl";
+  head.more_parts = {"/parts/other.stl"};
   head.part_title = "with space";
   head.part_hash = 0xfedcba9876543210U;
   head.part_bytes = 123'456'789'012;
@@ -70,6 +71,10 @@ host::JournalRecord record_of(std::mt19937_64& random) {
   record.last_planned = any();
   record.checkpoint.motions.actions = 7;
   record.state = static_cast<host::PrintState>(random() % 5);
+  for (std::size_t i = random() % (host::kCancelledObjectsMax + 1); i > 0; --i) {
+    record.cancelled.push_back({static_cast<int>(random() % core::kObjectsMax),
+                                static_cast<core::LayerIndex>(random() >> 17)});
+  }
   return record;
 }
 
@@ -91,11 +96,18 @@ TEST_CASE("a record is read back as it was written") {
     const host::JournalRecord record = record_of(random);
     const std::string bytes = host::record_bytes(record, i);
     const std::size_t seams = record.checkpoint.seams.size();
-    REQUIRE_EQ(bytes.size(), host::kRecordBytes + seams * host::kSeamBytes);
+    const std::size_t cancelled = record.cancelled.size();
+    REQUIRE_EQ(bytes.size(),
+               host::kRecordBytes + seams * host::kSeamBytes + cancelled * host::kCancelledBytes);
     const auto read = host::read_record(bytes);
     REQUIRE(read.has_value());
     CHECK_EQ(read->sequence, i);
     CHECK_EQ(read->record.checkpoint.seams, record.checkpoint.seams);
+    REQUIRE_EQ(read->record.cancelled.size(), cancelled);
+    for (std::size_t j = 0; j < cancelled; ++j) {
+      CHECK_EQ(read->record.cancelled[j].object, record.cancelled[j].object);
+      CHECK_EQ(read->record.cancelled[j].from, record.cancelled[j].from);
+    }
     REQUIRE_EQ(host::record_bytes(read->record, i), bytes);
     CHECK_EQ(read->record.checkpoint.layer, record.checkpoint.layer);
     CHECK_EQ(read->record.checkpoint.encoder.z_um, record.checkpoint.encoder.z_um);
