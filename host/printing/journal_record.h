@@ -56,8 +56,8 @@ struct JournalRecord {
 // each seam, whose number and checksum the first part has. A seam is its x and y, then its
 // layers_ago doubled, and 1 more for a hole: 4 bytes each, lowest first. Behind them are the
 // objects that were cancelled, 8 bytes each: an object's number in the upper 16 bits, its layer in
-// the others. How many there are stands above the seams' number. A ready file has a place in it instead
-// of seams (file_place.h); the first part has kFileRecord and its length for their number.
+// the others. How many there are stands above the seams' number. A ready file has a place in it
+// instead of seams (file_place.h); the first part has kFileRecord and its length for their number.
 inline constexpr std::size_t kRecordBytes = 512;
 inline constexpr std::size_t kSeamBytes = 12;
 inline constexpr std::size_t kCancelledBytes = 8;

@@ -52,7 +52,7 @@ void check_same_peak(const PartFolder& folder, const std::string& low_part,
   const std::int64_t high = peak_rss(folder, high_part, arguments);
   CAPTURE(low);
   CAPTURE(high);
-  if (!kSanitized) CHECK_LT(high - low, 1'000'000);
+  if (!kSanitized) CHECK_LT(high - low, 1'500'000);
 }
 
 parts::Part slim_tower(std::int64_t layers) {

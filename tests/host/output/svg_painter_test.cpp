@@ -78,7 +78,7 @@ TEST_CASE("an area covers the pixels that it winds round, and no others") {
   std::mt19937 random(kSeed);
   std::uniform_real_distribution<double> place(-10, 70);
   for (int round = 0; round < 40; ++round) {
-    std::vector<PixelOutline> outlines(1 + round % 3);
+    std::vector<PixelOutline> outlines(static_cast<std::size_t>(1 + round % 3));
     for (PixelOutline& outline : outlines) {
       for (int i = 0; i < 3 + round % 7; ++i) outline.push_back({place(random), place(random)});
     }

@@ -143,7 +143,9 @@ TEST_CASE("where a part is cut is read as people write it") {
       {"20", host::CutPiece::kBoth},         {" 20 mm", host::CutPiece::kBoth},
       {"20 lower", host::CutPiece::kLower},  {"20mm  upper ", host::CutPiece::kUpper},
       {"20\tlower", host::CutPiece::kLower}, {"20 both", host::CutPiece::kBoth}};
-  for (const auto& [text, piece] : all) {
+  for (const auto& one : all) {
+    const char* text = one.first;
+    const host::CutPiece piece = one.second;
     CAPTURE(text);
     REQUIRE(read(text).ok());
     REQUIRE(read(text).value());
@@ -163,9 +165,10 @@ TEST_CASE("the pieces of a box are the boxes that it was made of") {
   const std::string lower = folder.add("lower.stl", parts::box({3, 4, 0}, 20, 10, 3.3));
   const std::string upper = folder.add("upper.stl", parts::box({3, 4, 0}, 20, 10, 4.7));
   for (const bool adaptive : {false, true}) {
-    for (const auto& [words, path] :
-         {std::pair{"3.3 lower", lower}, std::pair{"3.3 upper", upper}}) {
-      CAPTURE(words);
+    for (const bool up : {false, true}) {
+      CAPTURE(up);
+      const std::string& path = up ? upper : lower;
+      const std::string words = up ? "3.3 upper" : "3.3 lower";
       Settings settings;
       settings.adaptive_layer_height = adaptive;
       host::OpenedPart should = opened(path, settings);
@@ -220,7 +223,7 @@ TEST_CASE("random turned parts, cut at random heights, in each way of reading") 
     const std::string path = folder.add("whole.stl", whole);
     const std::string outside = folder.add("piece.stl", piece_of(whole, z, upper));
     // All in memory, out of order, and spilled.
-    for (const std::size_t window : {8'192, 2, 40}) {
+    for (const std::size_t window : std::vector<std::size_t>{8'192, 2, 40}) {
       CAPTURE(window);
       host::OpenOptions options;
       options.reorder_triangles = window;
@@ -306,7 +309,8 @@ TEST_CASE("a file of layers is cut where a layer begins") {
   for (const auto& [words, area, layers, moved] :
        {std::tuple{"0.4 lower", 400.0, 2, false}, std::tuple{"0.4 upper", 200.0, 2, false},
         std::tuple{"0.45 lower", 400.0, 2, true}, std::tuple{"0.55 upper", 200.0, 1, true}}) {
-    CAPTURE(words);
+    const std::string given = words;
+    CAPTURE(given);
     host::OpenedPart part = opened(path, cut_at(words));
     CHECK_EQ(part.summary.layers, layers);
     CHECK_EQ(part.summary.height.mm(), doctest::Approx(0.2 * layers));
