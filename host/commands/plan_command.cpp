@@ -54,7 +54,7 @@ std::string table(const Options& options, const PrintPlan& print_plan,
   const core::Box& box = print_plan.part.summary.box;
   const auto mm = [](std::int64_t units) { return core::Length::from_units(units).mm(); };
   const std::int64_t facets = print_plan.part.summary.facets;
-  fmt::format_to(out, "part       {} ({}{})\n", part_title(options.part.path),
+  fmt::format_to(out, "part       {} ({}{})\n", title_of(options.part),
                  print_plan.part.summary.format,
                  facets > 0 ? fmt::format(", {} facets", facets) : "");
   if (!box.empty()) {
@@ -114,7 +114,7 @@ std::string json_of(const Options& options, const PrintPlan& print_plan,
   const PartSummary& part = print_plan.part.summary;
   const PrintSettings& settings = print_plan.settings;
   Json json = Json::parse(statistics_json(statistics, nullptr));
-  json["part"] = {{"name", part_title(options.part.path)},
+  json["part"] = {{"name", title_of(options.part)},
                   {"format", part.format},
                   {"facets", part.facets},
                   {"degenerate_facets", part.degenerate},

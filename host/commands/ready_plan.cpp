@@ -71,6 +71,25 @@ Status check_bed(const ReadyFile& file, const PrintSettings& settings, const Mac
   return {};
 }
 
+// What is done to a part can't be done to a file.
+Status check_as_it_is(const ReadyFile& file, const PrintSettings& settings) {
+  const core::Settings plain;
+  std::string asked;
+  const auto add = [&asked](bool is_asked, const char* key) {
+    if (is_asked) asked += (asked.empty() ? "" : ", ") + std::string(key);
+  };
+  add(settings.copies != plain.copies, "copies");
+  add(settings.part_scale != plain.part_scale, "part_scale");
+  add(settings.part_rotation != plain.part_rotation, "part_rotation");
+  add(settings.part_mirror != plain.part_mirror, "part_mirror");
+  add(settings.cut != plain.cut, "cut");
+  if (asked.empty()) return {};
+  return Error{ErrorCode::kBadSetting,
+               fmt::format("{}: ready G-code is printed as it is, once; leave out {}, or print the "
+                           "part itself",
+                           file.name(), asked)};
+}
+
 void tell(const PrintSettings& settings, const ReadyFile& file, Reporter& reporter) {
   const ReadySummary& summary = file.summary();
   reporter.note(
@@ -161,6 +180,7 @@ Result<std::shared_ptr<ReadyFile>> open_ready(const Options& options) {
 
 Result<PrintPlan> ready_plan(const Options& options, const PrintSettings& settings,
                              const std::shared_ptr<ReadyFile>& file, Reporter& reporter) {
+  if (Status plain = check_as_it_is(*file, settings); !plain.ok()) return plain.error();
   if (Status scanned = scan(settings, *file, reporter); !scanned.ok()) return scanned.error();
   if (Status fits = check_bed(*file, settings, space_in(settings, options)); !fits.ok())
     return fits.error();

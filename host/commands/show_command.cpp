@@ -30,8 +30,7 @@ std::string draw_raft_layer(const Options& options, const core::SplitLayer& laye
   window.push(layer);
   window.finish();
   if (!window.next()) return {};
-  return draw_layer(
-      {part_title(options.part.path), &window, &roads, layer_words(layer.slice, "raft")});
+  return draw_layer({title_of(options.part), &window, &roads, layer_words(layer.slice, "raft")});
 }
 
 // The layer as the part alone has it, without what lies under it.
@@ -63,7 +62,7 @@ int show_layer(const Options& options, PrintPlan& print_plan, PictureFile& file,
   const auto draw = [&] {
     while (svg.empty() && window.next()) {
       if (window.layer().slice.index + raft + 1 != options.output.layer) continue;
-      svg = draw_layer({part_title(options.part.path), &window, &roads_there, words});
+      svg = draw_layer({title_of(options.part), &window, &roads_there, words});
     }
   };
   PipelineOutputs outputs;
@@ -167,7 +166,7 @@ SectionPicture::Options picture_options(const Options& options, const PrintPlan&
                                 ? fmt::format("{:.4g} mm behind its front, seen from the front", mm)
                                 : fmt::format("{:.4g} mm from its left, seen from the right", mm);
   SectionPicture::Options asked;
-  asked.title = part_title(options.part.path);
+  asked.title = title_of(options.part);
   asked.subtitle =
       fmt::format("cut {}; {} layers of {}; {}", where, summary.layers,
                   layer_words(print_plan.settings, summary), wall_words(print_plan.settings));

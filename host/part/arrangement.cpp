@@ -180,7 +180,7 @@ core::Result<std::vector<Point>> arranged(const std::vector<Footprint>& things,
     arranger.centre();
     return arranger.corners();
   }
-  const std::size_t so = arranger.placed();
+  const std::size_t from_middle = arranger.placed();
   if (arranger.place_all(Order::kFromCorner)) {
     if (settings.centre) arranger.centre();
     return arranger.corners();
@@ -190,7 +190,7 @@ core::Result<std::vector<Point>> arranged(const std::vector<Footprint>& things,
       fmt::format("{} of the {} objects fit on the bed of {:g} x {:g} mm, {:g} mm from one another "
                   "and {:g} mm from its edges; print fewer, or set a smaller part_gap, "
                   "skirt_distance or brim_width",
-                  std::max(so, arranger.placed()), things.size(), settings.bed_x.mm(),
+                  std::max(from_middle, arranger.placed()), things.size(), settings.bed_x.mm(),
                   settings.bed_y.mm(), object_gap(settings).mm(), arranger.edge().mm())};
 }
 

@@ -36,8 +36,10 @@ ProgramRun run(const std::string& command) { return test::run_program(command); 
 std::int64_t peak_rss(const PartFolder& folder, const std::string& part,
                       const std::string& arguments) {
   const std::string stats = folder.file("stats.json");
-  const ProgramRun outcome =
-      run(kRind + " slice " + part + " -o /dev/null --quiet --stats " + stats + " " + arguments);
+  // Otherwise malloc keeps the more of what was freed the larger it was (M_MMAP_THRESHOLD), so that
+  // the peak is a matter of chance.
+  const ProgramRun outcome = run("MALLOC_TRIM_THRESHOLD_=131072 " + kRind + " slice " + part +
+                                 " -o /dev/null --quiet --stats " + stats + " " + arguments);
   CAPTURE(outcome.output);
   REQUIRE_EQ(outcome.exit_code, 0);
   std::ifstream file(stats);
@@ -52,7 +54,7 @@ void check_same_peak(const PartFolder& folder, const std::string& low_part,
   const std::int64_t high = peak_rss(folder, high_part, arguments);
   CAPTURE(low);
   CAPTURE(high);
-  if (!kSanitized) CHECK_LT(high - low, 1'500'000);
+  if (!kSanitized) CHECK_LT(high - low, 1'000'000);
 }
 
 parts::Part slim_tower(std::int64_t layers) {

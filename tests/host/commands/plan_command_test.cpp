@@ -67,3 +67,15 @@ TEST_CASE("plan as JSON has all that its table tells of the part") {
   CHECK(json["filament_g"].get<double>() == doctest::Approx(grams));
   CHECK(json["price"].get<double>() == doctest::Approx(grams * 0.02));
 }
+
+TEST_CASE("ready G-code is printed as it is: what would change it is refused by name") {
+  const test::PartFolder folder;
+  const std::string file = folder.add_text("a.gcode", "G28\nG1 Z0.2 F600\nG1 X10 Y10 E1\n");
+  for (const char* wish : {"--copies 2", "--scale 2", "--rotate 45", "--mirror x", "--cut 1"}) {
+    CAPTURE(wish);
+    const test::ProgramRun outcome = test::rind("plan " + file + " " + wish);
+    CHECK_EQ(outcome.exit_code, 3);
+    CHECK(test::says(outcome, "printed as it is"));
+  }
+  CHECK_EQ(test::rind("plan " + file).exit_code, 0);
+}

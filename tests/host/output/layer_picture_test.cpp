@@ -8,40 +8,15 @@
 #include "core/booleans/boolean.h"
 #include "core/sections/layer_window.h"
 #include "core/settings.h"
+#include "tests/support/prism_window.h"
 #include "tests/support/svg_text.h"
 
 using core::Length;
 using core::Road;
 using core::RoadKind;
 using test::count;
-
-namespace {
-
-core::Ring square(std::int32_t low, std::int32_t high) {
-  return {{low, low}, {high, low}, {high, high}, {low, high}};
-}
-
-// Layers of a prism; the window stands at the seventh.
-core::LayerWindow window_in_prism(const core::Settings& settings) {
-  core::LayerWindow window(settings);
-  for (int n = 0; n < 12; ++n) {
-    core::SplitLayer layer;
-    layer.slice.index = n;
-    layer.slice.bottom = Length::from_mm(0.2) * n;
-    layer.slice.height = Length::from_mm(0.2);
-    layer.slice.region = core::Region::from_clean_rings({square(0, 100'000)});
-    layer.loose = core::Region::from_clean_rings({square(10'000, 90'000)});
-    layer.solid = core::subtract(layer.slice.region, layer.loose);
-    window.push(layer);
-    while (window.next()) {
-      if (window.layer().slice.index == 6) return window;
-    }
-  }
-  FAIL("the seventh layer never came");
-  return window;
-}
-
-}  // namespace
+using test::square;
+using test::window_in_prism;
 
 TEST_CASE("a picture holds every road with its width, and a legend for every kind that is there") {
   const core::LayerWindow window = window_in_prism(core::Settings());

@@ -15,6 +15,7 @@
 #include "host/output/raster_canvas.h"
 #include "host/output/stroke_letters.h"
 #include "host/output/stroke_outline.h"
+#include "tests/support/prism_window.h"
 
 using core::Length;
 using core::Road;
@@ -144,18 +145,7 @@ TEST_CASE("a line covers what is nearer to it than half its width") {
 }
 
 TEST_CASE("a layer's picture shows at each place the road that lies there, or the bare part") {
-  core::LayerWindow window{core::Settings()};
-  for (int n = 0; n < 12; ++n) {
-    core::SplitLayer layer;
-    layer.slice.index = n;
-    layer.slice.bottom = Length::from_mm(0.2) * n;
-    layer.slice.height = Length::from_mm(0.2);
-    layer.slice.region = core::Region::from_clean_rings({square(0, 100'000)});
-    layer.loose = core::Region::from_clean_rings({square(10'000, 90'000)});
-    layer.solid = core::subtract(layer.slice.region, layer.loose);
-    window.push(layer);
-    if (window.next() && window.layer().slice.index == 6) break;
-  }
+  const core::LayerWindow window = test::window_in_prism(core::Settings());
   const std::vector<Road> roads = {
       {RoadKind::kOuterPerimeter, Length::from_mm(0.8), true, square(10'000, 90'000)},
       {RoadKind::kLoose, Length::from_mm(1.2), false, {{20'000, 20'000}, {80'000, 70'000}}}};

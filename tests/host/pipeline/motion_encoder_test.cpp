@@ -148,3 +148,18 @@ TEST_CASE("on the wire an arc's radius differs by less than 3 µm from begin to 
   CHECK_LT(worst_um, 3);
   CHECK_GT(worst_um, 1);
 }
+
+TEST_CASE("an object's first move says all that it needs, whatever was laid before it") {
+  host::MotionEncoder encoder;
+  const core::Travel travel{{100'000, 200'000}, 130};
+  REQUIRE(encoder.encode(travel));
+  CHECK_FALSE(encoder.encode(travel));
+  CHECK_FALSE(encoder.encode(core::ObjectStart{1}));
+  const auto again = encoder.encode(travel);
+  REQUIRE(again);
+  const firmware_link::Move* move = firmware_link::move_of(*again);
+  REQUIRE(move != nullptr);
+  CHECK(move->x_um == 10'000);
+  CHECK(move->y_um == 20'000);
+  CHECK(move->f_mm_min == 7'800);
+}
