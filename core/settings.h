@@ -253,6 +253,16 @@ struct Settings {
   double acceleration_mm_s2 = 1'000;
   double filament_acceleration_mm_s2 = 3'000;
   double junction_deviation_mm = 0.013;
+  double jerk_xy_mm_s = 0;  // 0: corners by the junction deviation; likewise the next
+  double jerk_z_mm_s = 0;
+  double jerk_filament_mm_s = 0;
+  double square_corner_speed_mm_s = 0;  // Klipper's
+  double speed_max_xy_mm_s = 0;         // 0: no limit; likewise all of these
+  double speed_max_z_mm_s = 0;
+  double speed_max_filament_mm_s = 0;
+  double acceleration_max_xy_mm_s2 = 0;
+  double acceleration_max_z_mm_s2 = 0;
+  double acceleration_max_filament_mm_s2 = 0;
 
   // Travel.
   double retraction_mm = 1;

@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
+#include <cstddef>
+#include <limits>
 
 #include "core/check.h"
 #include "core/trigonometry.h"  // hypotenuse
 
 namespace core {
 namespace {
+
+constexpr std::size_t kFilament = 3;
 
 // Time of one trapezoid (or triangle, where the wanted speed is not reached).
 double trapezoid_seconds(double length, double entry, double speed, double exit, double a) {
@@ -24,94 +27,115 @@ double reachable_speed(double speed, double length, double a) {
   return std::sqrt(speed * speed + 2 * a * length);
 }
 
-}  // namespace
+// What one axis is allowed, as seen along the way.
+double along_way(double limit, double share) {
+  const double magnitude = std::abs(share);
+  if (limit <= 0 || magnitude <= 0) return std::numeric_limits<double>::infinity();
+  return limit / magnitude;
+}
 
-MotionClock::MotionClock(const MotionModel& model) : model_(model) {
+bool filament_alone(const AxisLimits& direction) {
+  return direction[0] == 0 && direction[1] == 0 && direction[2] == 0;
+}
+
+void check(const MotionModel& model) {
   RIND_CHECK(model.acceleration_mm_s2 > 0 && model.filament_acceleration_mm_s2 > 0);
   RIND_CHECK(model.junction_deviation_mm >= 0);
 }
 
-void MotionClock::add(const Motion& motion) {
-  std::visit(
-      [this](const auto& m) {
-        using M = std::decay_t<decltype(m)>;
-        if constexpr (std::is_same_v<M, Extrude>) {
-          const double z_mm = m.z ? m.z->mm() : z_mm_;
-          add_line(m.to.x / kUnitsPerMm, m.to.y / kUnitsPerMm, z_mm, m.speed_mm_s);
-        } else if constexpr (std::is_same_v<M, Travel> || std::is_same_v<M, Wipe>) {
-          add_line(m.to.x / kUnitsPerMm, m.to.y / kUnitsPerMm, z_mm_, m.speed_mm_s);
-        } else if constexpr (std::is_same_v<M, ExtrudeArc>) {
-          add_arc(m);
-        } else if constexpr (std::is_same_v<M, Lift>) {
-          add_line(x_mm_, y_mm_, m.to.mm(), m.speed_mm_s);
-        } else if constexpr (std::is_same_v<M, MoveFilament>) {
-          add_filament(m.filament_mm, m.speed_mm_s);
-        } else if constexpr (std::is_same_v<M, SetAcceleration>) {
-          RIND_CHECK(m.mm_s2 > 0);
-          model_.acceleration_mm_s2 = m.mm_s2;
-        }
-      },
-      motion);
+}  // namespace
+
+MotionClock::MotionClock(const MotionModel& model) : model_(model) { check(model); }
+
+void MotionClock::set_model(const MotionModel& model) {
+  check(model);
+  model_ = model;
 }
 
-void MotionClock::add_line(double x_mm, double y_mm, double z_mm, double speed_mm_s) {
-  const double dx = x_mm - x_mm_, dy = y_mm - y_mm_, dz = z_mm - z_mm_;
-  const double length = hypotenuse(dx, dy, dz);
-  if (length <= 0) return;
+void MotionClock::set_place(double x_mm, double y_mm, double z_mm) {
   x_mm_ = x_mm;
   y_mm_ = y_mm;
   z_mm_ = z_mm;
-  push({.length_mm = length,
-        .speed_mm_s = speed_mm_s,
-        .acceleration_mm_s2 = model_.acceleration_mm_s2,
-        .direction = {dx / length, dy / length, dz / length},
-        .direction_end = {dx / length, dy / length, dz / length}});
 }
 
-void MotionClock::add_arc(const ExtrudeArc& arc) {
-  if (arc.length_mm <= 0) return;
-  const double cx = arc.centre.x / kUnitsPerMm, cy = arc.centre.y / kUnitsPerMm;
-  // Tangents: the radius, a quarter turned.
-  const double way = arc.clockwise ? -1 : 1;
-  const auto tangent = [&](double x, double y) {
-    const double radius = hypotenuse(x - cx, y - cy);
-    RIND_CHECK(radius > 0);
-    return Direction{-way * (y - cy) / radius, way * (x - cx) / radius, 0};
-  };
-  const double radius = hypotenuse(x_mm_ - cx, y_mm_ - cy);
-  Move move;
-  move.length_mm = arc.length_mm;
-  move.speed_mm_s = std::min(arc.speed_mm_s, std::sqrt(model_.acceleration_mm_s2 * radius));
-  move.acceleration_mm_s2 = model_.acceleration_mm_s2;
-  move.direction = tangent(x_mm_, y_mm_);
-  x_mm_ = arc.to.x / kUnitsPerMm;
-  y_mm_ = arc.to.y / kUnitsPerMm;
-  move.direction_end = tangent(x_mm_, y_mm_);
-  push(move);
+void MotionClock::rest(double seconds) {
+  RIND_CHECK(seconds >= 0);
+  seconds_done_ = this->seconds() + seconds;
+  while (moves_.size() > 0) (void)moves_.pop();
 }
 
-void MotionClock::add_filament(double filament_mm, double speed_mm_s) {
-  if (filament_mm == 0) return;
-  push({.length_mm = std::abs(filament_mm),
-        .speed_mm_s = speed_mm_s,
-        .acceleration_mm_s2 = model_.filament_acceleration_mm_s2,
-        .direction = {},
-        .direction_end = {}});
-}
-
-void MotionClock::push(const Move& move) {
+void MotionClock::add(const Move& move) {
   RIND_CHECK(move.speed_mm_s > 0);
+  const double dx = move.x_mm - x_mm_, dy = move.y_mm - y_mm_, dz = move.z_mm - z_mm_;
+  Block block;
+  const bool round = move.arc && arc_directions(*move.arc, move, block);
+  const double way = round ? move.arc->length_mm : hypotenuse(dx, dy, dz);
+  block.length_mm = way > 0 ? way : std::abs(move.filament_mm);
+  if (block.length_mm <= 0) return;
+  if (!round && way > 0) {
+    block.direction = {dx / way, dy / way, dz / way, 0};
+    block.direction_end = block.direction;
+  }
+  block.direction[kFilament] = move.filament_mm / block.length_mm;
+  block.direction_end[kFilament] = block.direction[kFilament];
+  limit(move, round, block);
+  if (round) {
+    const double radius = hypotenuse(x_mm_ - move.arc->centre_x_mm, y_mm_ - move.arc->centre_y_mm);
+    block.speed_mm_s = std::min(block.speed_mm_s, std::sqrt(block.acceleration_mm_s2 * radius));
+  }
+  set_place(move.x_mm, move.y_mm, move.z_mm);
+  push(block);
+}
+
+// Tangents: the radius, a quarter turned. False where it is no arc: it has no radius or no length.
+bool MotionClock::arc_directions(const Arc& arc, const Move& move, Block& block) const {
+  if (arc.length_mm <= 0) return false;
+  const double turn = arc.clockwise ? -1 : 1;
+  const auto tangent = [&](double x, double y, AxisLimits& direction) {
+    const double radius = hypotenuse(x - arc.centre_x_mm, y - arc.centre_y_mm);
+    if (radius <= 0) return false;
+    direction = {-turn * (y - arc.centre_y_mm) / radius, turn * (x - arc.centre_x_mm) / radius, 0,
+                 0};
+    return true;
+  };
+  return tangent(x_mm_, y_mm_, block.direction) &&
+         tangent(move.x_mm, move.y_mm, block.direction_end);
+}
+
+// `round`: an arc, which has all directions of its plane.
+void MotionClock::limit(const Move& move, bool round, Block& block) const {
+  const bool alone = filament_alone(block.direction);
+  double acceleration = model_.acceleration_mm_s2;
+  if (alone) {
+    acceleration = model_.filament_acceleration_mm_s2;
+  } else if (move.filament_mm == 0 && model_.travel_acceleration_mm_s2 > 0) {
+    acceleration = model_.travel_acceleration_mm_s2;
+  }
+  double speed = move.speed_mm_s;
+  double start = std::numeric_limits<double>::infinity();
+  for (std::size_t axis = 0; axis < kMotionAxes; ++axis) {
+    const double share = round && axis < 2 ? 1.0 : block.direction[axis];
+    speed = std::min(speed, along_way(model_.speed_max_mm_s[axis], share));
+    acceleration = std::min(acceleration, along_way(model_.acceleration_max_mm_s2[axis], share));
+    start = std::min(start, along_way(model_.jerk_mm_s[axis], block.direction[axis]));
+  }
+  block.speed_mm_s = speed;
+  block.acceleration_mm_s2 = acceleration;
+  block.start_speed_mm_s = model_.jerks() ? std::min(start, speed) : 0;
+}
+
+void MotionClock::push(Block block) {
   if (moves_.full()) {
-    const Move oldest = *moves_.pop();
+    const Block oldest = *moves_.pop();
     seconds_done_ += trapezoid_seconds(oldest.length_mm, oldest.entry_speed_mm_s, oldest.speed_mm_s,
                                        moves_[0].entry_speed_mm_s, oldest.acceleration_mm_s2);
     // The move that now comes first has started: its entry speed is fixed.
     moves_[0].entry_speed_max_mm_s = moves_[0].entry_speed_mm_s;
   }
-  Move planned = move;
-  planned.entry_speed_max_mm_s =
-      moves_.empty() ? 0.0 : corner_speed(moves_[moves_.size() - 1], move);
-  moves_.push(planned);
+  block.entry_speed_max_mm_s =
+      moves_.empty() ? block.start_speed_mm_s : corner_speed(moves_[moves_.size() - 1], block);
+  if (moves_.empty()) block.entry_speed_mm_s = block.start_speed_mm_s;
+  moves_.push(block);
   plan();
 }
 
@@ -119,10 +143,10 @@ void MotionClock::push(const Move& move) {
 // than the one before can reach. A new move changes only the last moves: the first that brakes as
 // it did before ends the way back, and nothing before it changes.
 void MotionClock::plan() {
-  double exit = 0;
+  double exit = moves_[moves_.size() - 1].start_speed_mm_s;
   std::size_t first = moves_.size();
   while (first > 1) {
-    Move& move = moves_[first - 1];
+    Block& move = moves_[first - 1];
     const double speed = std::min(move.entry_speed_max_mm_s,
                                   reachable_speed(exit, move.length_mm, move.acceleration_mm_s2));
     if (speed == move.braking_speed_mm_s) break;
@@ -131,33 +155,51 @@ void MotionClock::plan() {
     --first;
   }
   for (std::size_t i = first; i < moves_.size(); ++i) {
-    const Move& before = moves_[i - 1];
+    const Block& before = moves_[i - 1];
     moves_[i].entry_speed_mm_s = std::min(
         moves_[i].braking_speed_mm_s,
         reachable_speed(before.entry_speed_mm_s, before.length_mm, before.acceleration_mm_s2));
   }
 }
 
-double MotionClock::corner_speed(const Move& before, const Move& after) const {
-  const Direction& u = before.direction_end;
-  const Direction& v = after.direction;
-  const bool filament = u.x == 0 && u.y == 0 && u.z == 0;
-  if (filament || (v.x == 0 && v.y == 0 && v.z == 0)) return 0;
+// The fastest at which no axis changes its speed by more than its jerk. An axis that turns back
+// stops first: the larger of both its speeds counts.
+double MotionClock::jerk_speed(const AxisLimits& before, const AxisLimits& after) const {
+  double speed = std::numeric_limits<double>::infinity();
+  for (std::size_t axis = 0; axis < kMotionAxes; ++axis) {
+    const double u = before[axis], v = after[axis];
+    const double change = u * v < 0 ? std::max(std::abs(u), std::abs(v)) : std::abs(u - v);
+    speed = std::min(speed, along_way(model_.jerk_mm_s[axis], change));
+  }
+  return speed;
+}
+
+double MotionClock::corner_speed(const Block& before, const Block& after) const {
+  const AxisLimits& u = before.direction_end;
+  const AxisLimits& v = after.direction;
   const double bound = std::min(before.speed_mm_s, after.speed_mm_s);
-  const double cosine = -(u.x * v.x + u.y * v.y + u.z * v.z);
+  if (model_.jerks()) return std::min(bound, jerk_speed(u, v));
+  if (filament_alone(u) || filament_alone(v)) return 0;
+  const double cosine = -(u[0] * v[0] + u[1] * v[1] + u[2] * v[2]);
   const double half_sine = std::sqrt(std::max(0.0, (1 - cosine) / 2));
   if (half_sine >= 1) return bound;
-  const double squared = std::min(before.acceleration_mm_s2, after.acceleration_mm_s2) *
-                         model_.junction_deviation_mm * half_sine / (1 - half_sine);
-  return std::min(bound, std::sqrt(squared));
+  const double a = std::min(before.acceleration_mm_s2, after.acceleration_mm_s2);
+  const double square = model_.square_corner_mm_s * model_.square_corner_mm_s;
+  const double a_deviation =
+      square > 0 ? square * (std::sqrt(2.0) - 1) : a * model_.junction_deviation_mm;
+  return std::min(bound, std::sqrt(a_deviation * half_sine / (1 - half_sine)));
+}
+
+double MotionClock::exit_of(std::size_t block) const {
+  if (block + 1 < moves_.size()) return moves_[block + 1].entry_speed_mm_s;
+  return moves_[block].start_speed_mm_s;
 }
 
 double MotionClock::seconds() const {
   double seconds = seconds_done_;
   for (std::size_t i = 0; i < moves_.size(); ++i) {
-    const Move& move = moves_[i];
-    const double exit = i + 1 < moves_.size() ? moves_[i + 1].entry_speed_mm_s : 0.0;
-    seconds += trapezoid_seconds(move.length_mm, move.entry_speed_mm_s, move.speed_mm_s, exit,
+    const Block& move = moves_[i];
+    seconds += trapezoid_seconds(move.length_mm, move.entry_speed_mm_s, move.speed_mm_s, exit_of(i),
                                  move.acceleration_mm_s2);
   }
   return seconds;

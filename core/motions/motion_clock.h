@@ -1,13 +1,16 @@
-// How long the machine takes for a stream of motions, in constant memory.
+// How long the machine takes for a stream of moves, in constant memory.
 //
 // The model is that of the controllers themselves: every straight move is a trapezoid of constant
-// acceleration a, joined to the next at the junction-deviation speed
+// acceleration a, joined to the next at a speed that the corner allows, and planned with a
+// look-ahead of kLookAheadMoves moves, the last of which is taken to end at rest. No axis is
+// faster, or speeds up more, than it may. What a corner allows (motion_model.h):
 //
-//     v² = a · δ · sin(θ/2) / (1 − sin(θ/2))       θ: angle between the moves, δ: the deviation
+//     junction deviation δ   v² = a · δ · sin(θ/2) / (1 − sin(θ/2))     θ: angle between the moves
+//     square corner c        the same, δ = c² (√2 − 1) / a
+//     jerk                   no axis changes its speed by more; a move starts from rest with it
 //
-// and planned with a look-ahead of kLookAheadMoves moves, the last of which is taken to end at
-// rest. (S. K. Jeon, "Improving Grbl: Cornering Algorithm", 2011; Marlin 2.1 has the same formula
-// in its planner, δ = 0.013 mm, 16 blocks.)
+// (S. K. Jeon, "Improving Grbl: Cornering Algorithm", 2011; Marlin 2.1 has the first and the last,
+// 16 blocks; Klipper the second.)
 //
 // An arc of radius r is one move along its length, no faster than v² = a · r (what Marlin's planner
 // makes of an arc's short segments), that leaves in another direction than it starts in.
@@ -16,57 +19,76 @@
 //           │     ╱         ╲__________╱        the corner's speed bounds both neighbours
 //           └────┴───────────┴────────┴───→ way
 //
-// Not counted: heating up, and what start and end G-code do beside.
+// Not counted: heating up, homing, and what macros do.
 #pragma once
 
-#include "core/motions/motion.h"  // Motion
-#include "core/ring_buffer.h"     // RingBuffer
+#include <array>
+#include <optional>
+
+#include "core/motions/motion_model.h"  // MotionModel
+#include "core/ring_buffer.h"           // RingBuffer
 
 namespace core {
 
 // Moves that are planned together, as in Marlin's BLOCK_BUFFER_SIZE.
 inline constexpr int kLookAheadMoves = 16;
 
-struct MotionModel {
-  double acceleration_mm_s2;           // until it is told another. REQUIRES: > 0
-  double filament_acceleration_mm_s2;  // of moves of the filament alone. REQUIRES: > 0
-  double junction_deviation_mm;        // REQUIRES: ≥ 0
-};
-
 class MotionClock {
  public:
+  struct Arc {
+    double centre_x_mm = 0, centre_y_mm = 0;
+    bool clockwise = false;  // seen from above
+    double length_mm = 0;    // of the way
+  };
+  struct Move {
+    double x_mm = 0, y_mm = 0, z_mm = 0;  // where it ends
+    double filament_mm = 0;
+    double speed_mm_s = 0;     // along the way; of the filament, if that moves alone. REQUIRES: > 0
+    std::optional<Arc> arc{};  // at constant height
+  };
+
   explicit MotionClock(const MotionModel& model);
 
   // COSTS: O(kLookAheadMoves).
-  void add(const Motion& motion);
+  void add(const Move& move);
+
+  // The nozzle is said to be here (G92, G28): nothing moves.
+  void set_place(double x_mm, double y_mm, double z_mm);
+
+  // It comes to rest, and stands so long. REQUIRES: ≥ 0.
+  void rest(double seconds);
+
+  // Of the moves that are added from here on.
+  void set_model(const MotionModel& model);
+  [[nodiscard]] const MotionModel& model() const { return model_; }
 
   // For all that was added, coming to rest at its end. COSTS: O(kLookAheadMoves).
   [[nodiscard]] double seconds() const;
 
  private:
-  struct Direction {
-    double x = 0, y = 0, z = 0;
-  };
-  struct Move {
+  struct Block {
     double length_mm = 0;
     double speed_mm_s = 0;  // wanted
     double acceleration_mm_s2 = 0;
+    double start_speed_mm_s = 0;      // from rest, and to it
     double entry_speed_max_mm_s = 0;  // what the corner before it allows
     double braking_speed_mm_s = -1;   // the fastest entry from which the last move ends at rest
     double entry_speed_mm_s = 0;      // planned
-    Direction direction;              // at its start
-    Direction direction_end;
+    // At its start and its end: by how much each axis moves for a millimetre of way.
+    AxisLimits direction{};
+    AxisLimits direction_end{};
   };
 
-  void add_line(double x_mm, double y_mm, double z_mm, double speed_mm_s);
-  void add_arc(const ExtrudeArc& arc);
-  void add_filament(double filament_mm, double speed_mm_s);
-  void push(const Move& move);
+  [[nodiscard]] bool arc_directions(const Arc& arc, const Move& move, Block& block) const;
+  void limit(const Move& move, bool round, Block& block) const;
+  void push(Block block);
   void plan();
-  [[nodiscard]] double corner_speed(const Move& before, const Move& after) const;
+  [[nodiscard]] double corner_speed(const Block& before, const Block& after) const;
+  [[nodiscard]] double jerk_speed(const AxisLimits& before, const AxisLimits& after) const;
+  [[nodiscard]] double exit_of(std::size_t block) const;
 
   MotionModel model_;
-  RingBuffer<Move> moves_{kLookAheadMoves};
+  RingBuffer<Block> moves_{kLookAheadMoves};
   double seconds_done_ = 0;
   double x_mm_ = 0, y_mm_ = 0, z_mm_ = 0;
 };

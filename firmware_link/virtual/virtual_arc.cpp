@@ -73,7 +73,12 @@ void VirtualController::Firmware::queue_arc(const ArcWay& way, PlannerMove block
   const double turn = way.turn / blocks;
   const double tangent = way.start + turn / 2 + side * kPi / 2;
   block.length_mm = way.length_mm / blocks;
-  block.direction = {std::cos(tangent), std::sin(tangent), 0};
+  block.direction = {std::cos(tangent), std::sin(tangent), 0, block.direction[3]};
+  // An arc has all directions of its plane.
+  const VirtualAxes plane = {1, 1, 0, block.direction[3]};
+  block.acceleration_mm_s2 = set_.limits.acceleration(plane);
+  block.speed_mm_s = std::max(0.05, std::min(set_.limits.speed_mm_s(plane, position_.speed_mm_s()),
+                                             std::sqrt(block.acceleration_mm_s2 * way.radius_mm)));
   queue_blocks(block, static_cast<std::size_t>(blocks), turn);
 }
 

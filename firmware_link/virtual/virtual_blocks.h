@@ -29,14 +29,21 @@ class VirtualBlocks {
       planner.push(block_, now, pause_was_asked);
       pause_was_asked = false;
       --count_;
-      const auto [x, y, z] = block_.direction;
+      const auto [x, y, z, e] = block_.direction;
       const double c = std::cos(turn_), s = std::sin(turn_);
-      block_.direction = {c * x - s * y, s * x + c * y, z};
+      block_.direction = {c * x - s * y, s * x + c * y, z, e};
+      block_.goes_on = true;
     }
     return count_ == 0;
   }
 
-  void clear() { count_ = 0; }
+  void clear() {
+    count_ = 0;
+    short_way_mm = {};
+  }
+
+  // Of moves too short for a block: the next move goes it, too.
+  VirtualAxes short_way_mm{};
 
  private:
   PlannerMove block_;

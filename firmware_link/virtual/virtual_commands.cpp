@@ -16,7 +16,8 @@ constexpr double kTemperatureWindow = 1;
 constexpr double kHomingSpeedMmS = 50;
 constexpr double kHomingZSpeedMmS = 4;
 
-// Marlin makes no block of a move under 6 steps; its default axis has 80 steps a mm.
+// Marlin makes no block of a move under 6 steps: the next move goes its way, too. Its default axis
+// has 80 steps a mm.
 constexpr double kBlockLengthMmMin = 6.0 / 80;
 
 Duration seconds(double value) { return Duration(std::llround(value * 1e6)); }
@@ -48,8 +49,7 @@ void VirtualController::Firmware::start_command() {
   handler_.until += mishaps_.starts(word_of(text));
   handler_.busy_next = now_ + std::chrono::seconds(reports_.busy_interval_s);
   if (speaks(VirtualDialect::kKlipper) && klipper_answers(text)) return;
-  bool known = speaks(VirtualDialect::kKlipper) &&
-               (word_of(text) == "SET_PRESSURE_ADVANCE" || klipper_macro(text));
+  bool known = speaks(VirtualDialect::kKlipper) && (klipper_sets(text) || klipper_macro(text));
   if (text.size() > 1 && is_digit(text[1])) {
     std::size_t end = 1;
     std::int64_t code = 0;
@@ -71,7 +71,10 @@ void VirtualController::Firmware::start_command() {
 }
 
 bool VirtualController::Firmware::handle(char letter, std::int64_t code, std::string_view text) {
-  if (letter == 'T') return true;
+  if (letter == 'T') {
+    set_.tool = code;
+    return true;
+  }
   if (letter == 'G') return handle_g(code, text);
   if (letter == 'M') return handle_m(code, text);
   return false;
@@ -226,25 +229,31 @@ void VirtualController::Firmware::move(std::string_view text, const ArcWay* way)
   queue_move(length_mm, delta_mm, static_cast<double>(filament) * 1e-5, way);
 }
 
-void VirtualController::Firmware::queue_move(double length_mm, const std::array<double, 3>& delta,
+void VirtualController::Firmware::queue_move(double length_mm, std::array<double, 3> delta,
                                              double filament_mm, const ArcWay* way) {
+  if (way == nullptr) {
+    for (std::size_t axis = 0; axis < delta.size(); ++axis) {
+      delta[axis] += std::exchange(blocks_.short_way_mm[axis], 0.0);
+    }
+    filament_mm += std::exchange(blocks_.short_way_mm[3], 0.0);
+    length_mm = std::hypot(delta[0], delta[1], delta[2]);
+  }
   PlannerMove block;
   const bool moves = length_mm > 0;
   block.length_mm = moves ? length_mm : std::abs(filament_mm);
-  if (block.length_mm < kBlockLengthMmMin) return;
-  double speed = position_.speed_mm_s();
-  const double limits[] = {options_.speed_xy_mm_s_max, options_.speed_xy_mm_s_max,
-                           options_.speed_z_mm_s_max};
-  for (std::size_t axis = 0; moves && axis < 3; ++axis) {
+  const double least_mm = numbers_lines(options_.dialect) ? kBlockLengthMmMin : 1e-6;
+  if (block.length_mm < least_mm) {
+    blocks_.short_way_mm = {delta[0], delta[1], delta[2], filament_mm};
+    return;
+  }
+  for (std::size_t axis = 0; moves && axis < delta.size(); ++axis) {
     block.direction[axis] = delta[axis] / length_mm;
-    const double share = std::abs(block.direction[axis]);
-    if (share > 0) speed = std::min(speed, limits[axis] / share);
   }
-  if (filament_mm != 0) {
-    speed = std::min(speed, options_.speed_e_mm_s_max * block.length_mm / std::abs(filament_mm));
-  }
-  block.speed_mm_s = std::max(speed, 0.05);
-  block.acceleration_mm_s2 = options_.acceleration_mm_s2;
+  block.direction[3] = filament_mm / block.length_mm;
+  block.speed_mm_s =
+      std::max(set_.limits.speed_mm_s(block.direction, position_.speed_mm_s()), 0.05);
+  block.acceleration_mm_s2 = set_.limits.acceleration(block.direction);
+  block.corners = set_.limits.corners;
   if (way != nullptr && way->radius_mm > 0) {
     queue_arc(*way, block);
   } else {

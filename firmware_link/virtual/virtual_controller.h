@@ -23,7 +23,8 @@
 #include <span>
 #include <string_view>
 
-#include "firmware_link/wire/instant.h"  // Instant, Duration
+#include "firmware_link/virtual/virtual_limits.h"  // VirtualLimits
+#include "firmware_link/wire/instant.h"            // Instant, Duration
 
 namespace firmware_link {
 
@@ -77,10 +78,7 @@ struct VirtualControllerOptions {
   double bed_origin_y_mm = 0;
   double height_z_mm = 1e9;  // Marlin's default is 200; a tower of any height is worth a try
 
-  double acceleration_mm_s2 = 3000;
-  double speed_xy_mm_s_max = 300;
-  double speed_z_mm_s_max = 5;
-  double speed_e_mm_s_max = 25;
+  VirtualLimits limits;  // when it is switched on; Marlin's defaults
 
   double ambient_celsius = 25.45;
   double nozzle_heating_celsius_s = 4.15;  // 60 W
@@ -123,6 +121,7 @@ struct VirtualControllerTotals {
   // full while it moved (where Marlin starts to slow down).
   std::int64_t planner_underruns = 0;
   Duration planner_low{0};
+  Duration planner_busy{0};  // of moves that have ended
   std::size_t planner_blocks_max = 0;
   std::size_t receive_bytes_max = 0;
 };
@@ -140,6 +139,13 @@ struct VirtualControllerState {
   bool halted = false;
   std::int64_t last_line = 0;
   std::size_t planner_blocks = 0;  // moves that have not ended
+
+  // What commands have set, and holds until others set it again.
+  std::int64_t tool = 0;
+  std::int64_t feed_percent = 100;
+  std::int64_t flow_percent = 100;
+  double pressure_advance = 0;  // as it was told: s, or Marlin's K
+  VirtualLimits limits;
 };
 
 class VirtualController {

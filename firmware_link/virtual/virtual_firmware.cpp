@@ -24,7 +24,8 @@ VirtualController::Firmware::Firmware(const VirtualControllerOptions& options, I
       heaters_{{options.ambient_celsius, options.nozzle_heating_celsius_s, now},
                {options.ambient_celsius, options.bed_heating_celsius_s, now}} {
   LINK_CHECK(options_.baud >= 0 && options_.command_cost.count() >= 0);
-  LINK_CHECK(options_.acceleration_mm_s2 > 0);
+  LINK_CHECK(options_.limits.acceleration_mm_s2 > 0);
+  set_.limits = options_.limits;
   if (numbers_lines(options_.dialect) && options_.busy_lines) reports_.busy_interval_s = 2;
   planner_.moved = options_.moved;
   print(banner_of(options_.dialect));
@@ -177,6 +178,8 @@ void VirtualController::Firmware::forget_all() {
   position_ = {};
   blocks_.clear();
   planner_.clear();
+  set_ = {};
+  set_.limits = options_.limits;
   pause_was_asked_ = true;
   heaters_.off();
   heaters_.fan = 0;
@@ -197,6 +200,11 @@ VirtualControllerState VirtualController::Firmware::state() const {
   state.halted = halted_;
   state.last_line = numbers_.last();
   state.planner_blocks = planner_.count();
+  state.tool = set_.tool;
+  state.feed_percent = position_.feed_percent();
+  state.flow_percent = set_.flow_percent;
+  state.pressure_advance = set_.pressure_advance;
+  state.limits = set_.limits;
   return state;
 }
 
@@ -204,6 +212,7 @@ const VirtualControllerTotals& VirtualController::Firmware::totals() {
   totals_.stood_max = standing_.longest();
   totals_.planner_underruns = planner_.underruns();
   totals_.planner_low = planner_.low();
+  totals_.planner_busy = planner_.busy();
   totals_.planner_blocks_max = planner_.count_max();
   return totals_;
 }

@@ -124,6 +124,14 @@ class VirtualController::Firmware {
     }
   };
 
+  // What was set, and holds.
+  struct Set {
+    VirtualLimits limits;
+    std::int64_t tool = 0;
+    std::int64_t flow_percent = 100;
+    double pressure_advance = 0;
+  };
+
   // virtual_firmware.cpp
   bool step();
   void note_standing();
@@ -153,6 +161,7 @@ class VirtualController::Firmware {
   void klipper_shut_down(std::string_view words);
   [[nodiscard]] bool klipper_answers(std::string_view text);
   [[nodiscard]] bool klipper_macro(std::string_view text);
+  [[nodiscard]] bool klipper_sets(std::string_view text);
   [[nodiscard]] bool klipper_answers_unready(std::string_view command);
   void klipper_help();
   void klipper_set_position(std::string_view text);
@@ -175,10 +184,11 @@ class VirtualController::Firmware {
   [[nodiscard]] bool handle(char letter, std::int64_t code, std::string_view text);
   [[nodiscard]] bool handle_g(std::int64_t code, std::string_view text);
   [[nodiscard]] bool handle_m(std::int64_t code, std::string_view text);
+  [[nodiscard]] bool handle_m_set(std::int64_t code, std::string_view text);
   [[nodiscard]] bool handle_m_temperature(std::int64_t code, std::string_view text);
   [[nodiscard]] bool handle_m_host(std::int64_t code, std::string_view text);
   void move(std::string_view text, const ArcWay* way);
-  void queue_move(double length_mm, const std::array<double, 3>& delta, double filament_mm,
+  void queue_move(double length_mm, std::array<double, 3> delta, double filament_mm,
                   const ArcWay* way);
   void dwell(std::string_view text);
   void home(std::string_view text);
@@ -219,6 +229,7 @@ class VirtualController::Firmware {
   VirtualPosition position_;
   VirtualBlocks blocks_;
   VirtualPlanner planner_;
+  Set set_;
   bool pause_was_asked_ = true;
   Heaters heaters_;
   VirtualStanding standing_;

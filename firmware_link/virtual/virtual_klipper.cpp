@@ -18,7 +18,7 @@ std::string_view first_word(std::string_view text) { return text.substr(0, text.
 std::optional<std::int64_t> parameter_um(std::string_view text, char axis) {
   const std::size_t at = text.find(std::string(" ") + axis + "=");
   if (at == std::string_view::npos) return std::nullopt;
-  return word(std::string(1, axis) + std::string(text.substr(at + 3)), axis, 3);
+  return word(std::string(" ") + axis + std::string(text.substr(at + 3)), axis, 3);
 }
 
 }  // namespace
@@ -85,6 +85,21 @@ bool VirtualController::Firmware::klipper_answers_unready(std::string_view comma
   if (command == "M115") return false;
   if (command == "M114") return klipper_.starting();
   if (command == "M105") return false;
+  return true;
+}
+
+// SET_PRESSURE_ADVANCE, SET_VELOCITY_LIMIT.
+bool VirtualController::Firmware::klipper_sets(std::string_view text) {
+  const std::string_view command = first_word(text);
+  if (command == "SET_VELOCITY_LIMIT") {
+    set_.limits.set_velocity_limit(text);
+    return true;
+  }
+  if (command != "SET_PRESSURE_ADVANCE") return false;
+  if (const std::size_t at = text.find(" ADVANCE="); at != std::string_view::npos) {
+    const auto told = word(" V" + std::string(text.substr(at + 9)), 'V', 5);
+    set_.pressure_advance = static_cast<double>(told.value_or(0)) * 1e-5;
+  }
   return true;
 }
 

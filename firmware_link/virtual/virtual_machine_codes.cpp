@@ -11,14 +11,15 @@ namespace firmware_link {
 namespace {
 
 // Obeyed without a word, and without an effect that could be seen here.
-constexpr std::int64_t kSilentCodes[] = {17,  31,  73,  75,  76,  77,  78,  85,  92,  108,
-                                         111, 117, 119, 120, 121, 200, 201, 203, 205, 206,
-                                         218, 301, 302, 410, 420, 428, 500, 501, 502, 504};
+constexpr std::int64_t kSilentCodes[] = {17,  31,  73,  75,  76,  77,  78,  85,  92,
+                                         108, 111, 117, 119, 120, 121, 200, 206, 218,
+                                         301, 302, 410, 420, 428, 500, 501, 502, 504};
 
 }  // namespace
 
 bool VirtualController::Firmware::handle_m(std::int64_t code, std::string_view text) {
   if (handle_m_temperature(code, text) || handle_m_host(code, text)) return true;
+  if (handle_m_set(code, text)) return true;
   switch (code) {
     case 18:
     case 84:
@@ -42,26 +43,56 @@ bool VirtualController::Firmware::handle_m(std::int64_t code, std::string_view t
     case 107:
       heaters_.fan = 0;
       return true;
-    case 204:
-      // RepRapFirmware reads P and T alone.
-      return !speaks(VirtualDialect::kRepRap) || (word(text, 'P', 0) && word(text, 'T', 0));
     case 211:
       if (speaks(VirtualDialect::kMarlin) && !options_.tells_travel) return false;
       if (!word(text, 'S', 0)) print_travel();
       return true;
-    case 220:
-      position_.set_feed_percent(
-          std::clamp<std::int64_t>(word(text, 'S', 0).value_or(100), 10, 999));
-      return true;
-    case 221:
-      return true;
-    case 572:
-      return speaks(VirtualDialect::kRepRap);
-    case 900:
-      return speaks(VirtualDialect::kMarlin) || speaks(VirtualDialect::kPrusa);
     default:
       return std::find(std::begin(kSilentCodes), std::end(kSilentCodes), code) !=
              std::end(kSilentCodes);
+  }
+}
+
+// What holds until it is set again.
+bool VirtualController::Firmware::handle_m_set(std::int64_t code, std::string_view text) {
+  const bool reprap = speaks(VirtualDialect::kRepRap);
+  const bool klipper = speaks(VirtualDialect::kKlipper);
+  const auto percent = [&](std::int64_t before) {
+    return std::clamp<std::int64_t>(word(text, 'S', 0).value_or(before), 10, 999);
+  };
+  switch (code) {
+    case 201:
+      if (!klipper) set_.limits.set_accelerations_max(text);
+      return true;
+    case 203:
+      if (!klipper) set_.limits.set_speeds(text, reprap);
+      return true;
+    case 204:
+      // RepRapFirmware reads P and T alone.
+      if (reprap && !(word(text, 'P', 0) && word(text, 'T', 0))) return false;
+      set_.limits.set_accelerations(text);
+      return true;
+    case 205:
+      if (!klipper && !reprap) set_.limits.set_corners(text, false);
+      return true;
+    case 566:
+      if (reprap) set_.limits.set_corners(text, true);
+      return reprap;
+    case 220:
+      position_.set_feed_percent(percent(position_.feed_percent()));
+      return true;
+    case 221:
+      set_.flow_percent = percent(set_.flow_percent);
+      return true;
+    case 572:
+    case 900: {
+      const bool has = code == 572 ? reprap : !reprap && !klipper;
+      const auto told = word(text, code == 572 ? 'S' : 'K', 5);
+      if (has && told) set_.pressure_advance = static_cast<double>(*told) * 1e-5;
+      return has;
+    }
+    default:
+      return false;
   }
 }
 

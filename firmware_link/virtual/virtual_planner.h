@@ -1,10 +1,13 @@
 // The virtual controller's motion planner: a queue of 16 blocks, 15 of them usable, and how long
 // each takes to move.
 //
-// A block's time is that of a trapezoid from its entry to its exit speed. The speed at a corner is
-// the slower block's, times the cosine of the turn (0 from 90° on); behind the last block it is 0.
-// That is simpler than any firmware's, and right about what matters here: short segments that
-// arrive in time run through, those that arrive late stop at each end.
+// A block's time is that of a trapezoid from its entry to its exit speed. All that wait are planned
+// again with each new block: none enters faster than its corner allows, than the one before can
+// speed up to, or than those behind it can brake from, so that the last ends at rest. Thus segments
+// that arrive in time run through, those that arrive late stop at each end.
+//
+// A corner's speed is by the jerks, by Klipper's square corner or by the junction deviation, as the
+// block says. Within an arc no speed is larger than sqrt(acceleration · radius).
 #pragma once
 
 #include <array>
@@ -13,18 +16,21 @@
 #include <functional>
 #include <optional>
 
-#include "firmware_link/wire/instant.h"      // Instant
-#include "firmware_link/wire/limits.h"       // kPlannerBlocks
-#include "firmware_link/wire/ring_buffer.h"  // RingBuffer
+#include "firmware_link/virtual/virtual_limits.h"  // VirtualAxes, VirtualCorners
+#include "firmware_link/wire/instant.h"            // Instant
+#include "firmware_link/wire/limits.h"             // kPlannerBlocks
+#include "firmware_link/wire/ring_buffer.h"        // RingBuffer
 
 namespace firmware_link {
 
 struct PlannerMove {
-  double length_mm = 0;               // over x, y, z, or of filament when nothing else moves
-  double speed_mm_s = 0;              // REQUIRES: > 0
-  std::array<double, 3> direction{};  // of x, y, z; zero when only filament moves
-  double acceleration_mm_s2 = 0;      // REQUIRES: > 0
-  std::int64_t last_of = -1;          // the command whose last block it is; -1: others follow
+  double length_mm = 0;           // over x, y, z, or of filament when nothing else moves
+  double speed_mm_s = 0;          // REQUIRES: > 0
+  VirtualAxes direction{};        // of each axis for a millimetre of the length
+  double acceleration_mm_s2 = 0;  // REQUIRES: > 0
+  VirtualCorners corners;         // what counts at its start, and where it starts from rest
+  bool goes_on = false;           // the arc of the block before it
+  std::int64_t last_of = -1;      // the command whose last block it is; -1: others follow
 };
 
 class VirtualPlanner {
@@ -49,14 +55,19 @@ class VirtualPlanner {
 
   [[nodiscard]] std::int64_t underruns() const { return underruns_; }
   [[nodiscard]] Duration low() const { return low_; }
+  // How long blocks that have ended took.
+  [[nodiscard]] Duration busy() const { return busy_; }
   [[nodiscard]] std::size_t count_max() const { return count_max_; }
 
  private:
   struct Block {
     PlannerMove move;
-    double entry_speed_mm_s = 0;
+    double rest_speed_mm_s = 0;  // at which it may start from rest, or end
+    double entry_squared_max = 0;
+    double entry_squared = 0;
   };
 
+  void plan();
   void start(Instant when);
   [[nodiscard]] Instant end_of_first(Instant start);
 
@@ -67,6 +78,7 @@ class VirtualPlanner {
 
   std::int64_t underruns_ = 0;
   Duration low_{0};
+  Duration busy_{0};
   std::size_t count_max_ = 0;
 };
 

@@ -44,6 +44,7 @@ class VirtualPosition {
   [[nodiscard]] std::int64_t filament_10nm() const { return filament_10nm_; }
   [[nodiscard]] bool homed(std::size_t axis) const { return homed_[axis]; }
   [[nodiscard]] bool relative() const { return relative_; }
+  [[nodiscard]] std::int64_t feed_percent() const { return feed_percent_; }
   // As commanded, with M220.
   [[nodiscard]] double speed_mm_s() const {
     return static_cast<double>(feed_mm_min_ * feed_percent_) / 6000.0;

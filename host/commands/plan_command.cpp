@@ -39,12 +39,21 @@ std::string spaced(core::RoadKind kind) {
   return name;
 }
 
-std::string motion_model(const core::Settings& settings) {
+std::string model_text(const core::Settings& settings) {
   const double told_mm_s2 = settings.default_acceleration_mm_s2;
-  return fmt::format("{:g} mm/s2{}, junction deviation {:g} mm, look-ahead {} moves",
-                     told_mm_s2 > 0 ? told_mm_s2 : settings.acceleration_mm_s2,
-                     told_mm_s2 > 0 ? ", other kinds of roads as told" : "",
-                     settings.junction_deviation_mm, core::kLookAheadMoves);
+  const core::MotionModel model = core::motion_model(settings);
+  std::string corners = fmt::format("junction deviation {:g} mm", model.junction_deviation_mm);
+  if (model.square_corner_mm_s > 0) {
+    corners = fmt::format("{:g} mm/s through right angles", model.square_corner_mm_s);
+  }
+  if (model.jerks()) corners = fmt::format("jerk {:g} mm/s", model.jerk_mm_s[0]);
+  const double limit_mm_s2 = model.acceleration_max_mm_s2[0];
+  const double acceleration_mm_s2 = told_mm_s2 > 0 ? told_mm_s2 : model.acceleration_mm_s2;
+  return fmt::format(
+      "{:g} mm/s2{}{}, {}, look-ahead {} moves", acceleration_mm_s2,
+      told_mm_s2 > 0 ? ", other kinds of roads as told" : "",
+      limit_mm_s2 > 0 ? fmt::format(", of which the machine allows {:g}", limit_mm_s2) : "",
+      corners, core::kLookAheadMoves);
 }
 
 std::string table(const Options& options, const PrintPlan& print_plan,
@@ -95,7 +104,7 @@ std::string table(const Options& options, const PrintPlan& print_plan,
                    statistics.volumes.regularised_mm3 * statistics.volumes.filament_density_g_mm3);
   }
   fmt::format_to(out, "time       about {}, without heating up ({})\n",
-                 duration_text(statistics.time_s), motion_model(print_plan.settings));
+                 duration_text(statistics.time_s), model_text(print_plan.settings));
   fmt::format_to(out, "defects    {}\n",
                  statistics.defects.layers() == 0 ? "none" : statistics.defects.summary());
   const std::vector<std::string> hanging = statistics.hanging.summary();

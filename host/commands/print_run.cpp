@@ -15,6 +15,7 @@
 #include "host/commands/program_control.h"
 #include "host/printing/port_clock.h"
 #include "host/printing/print_part.h"
+#include "host/printing/virtual_machine.h"
 #include "host/system/exit_codes.h"
 #include "host/system/limits.h"
 #include "host/system/stop_signals.h"
@@ -31,18 +32,8 @@ bool is_virtual(const Options& options) { return options.link.port == "virtual";
 
 std::unique_ptr<BytePort> open_virtual_port(const Options& options,
                                             const core::Settings& settings) {
-  firmware_link::VirtualControllerOptions controller;
-  if (settings.gcode_flavor == core::GcodeFlavor::kKlipper) {
-    controller.dialect = firmware_link::VirtualDialect::kKlipper;
-  } else if (settings.gcode_flavor == core::GcodeFlavor::kRepRapFirmware) {
-    controller.dialect = firmware_link::VirtualDialect::kRepRap;
-  }
-  controller.bed_x_mm = settings.bed_x.mm();
-  controller.bed_y_mm = settings.bed_y.mm();
-  controller.bed_origin_x_mm = settings.bed_origin_x.mm();
-  controller.bed_origin_y_mm = settings.bed_origin_y.mm();
-  return std::make_unique<firmware_link::VirtualPort>(controller, steady_port_clock(),
-                                                      options.link.virtual_speed);
+  return std::make_unique<firmware_link::VirtualPort>(
+      virtual_machine(settings), steady_port_clock(), options.link.virtual_speed);
 }
 
 // How to resume a print that ended early, or why it can't be resumed.

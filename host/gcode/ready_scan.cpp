@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/bed.h"
-#include "core/motions/motion_clock.h"
+#include "host/gcode/command_clock.h"
 #include "host/gcode/gcode_comments.h"
 #include "host/gcode/ready_reader.h"
 
@@ -25,11 +25,6 @@ constexpr std::int64_t kUnitsOfUm = 10;
 // Lines between two signs of progress.
 constexpr std::int64_t kProgressLines = 16'384;
 
-core::MotionModel model_of(const core::Settings& settings) {
-  return {settings.acceleration_mm_s2, settings.filament_acceleration_mm_s2,
-          settings.junction_deviation_mm};
-}
-
 // Extent of roads, and the lines where it grew last.
 struct Extent {
   core::Box box;
@@ -45,7 +40,7 @@ class Scan {
         origin_y_(settings.bed_origin_y.units()),
         bed_(settings),
         rectangular_(settings.bed_shape.empty()),
-        clock_(model_of(settings)),
+        clock_(settings),
         summary_(summary) {}
 
   void comment(std::string_view comment) {
@@ -57,7 +52,6 @@ class Scan {
 
  private:
   void look_at_move(const ReadyCommand& command, const GcodeModes& before);
-  void add_to_clock(const Move& move, const GcodeModes& before, const GcodeModes& behind);
   void look_at_road(const ReadyCommand& command, const GcodeModes& before);
   void grow(Extent& extent, const GcodeModes& at, std::int64_t line) const;
   void unsafe(std::string why);
@@ -66,7 +60,7 @@ class Scan {
   std::int64_t origin_y_;
   core::Bed bed_;
   bool rectangular_;
-  core::MotionClock clock_;
+  CommandClock clock_;
   ReadySummary& summary_;
   std::int64_t layer_marks_ = 0;
   Extent all_;
@@ -97,30 +91,6 @@ void Scan::grow(Extent& extent, const GcodeModes& at, std::int64_t line) const {
   if (at.z_um && *at.z_um > extent.top_um) {
     extent.top_um = *at.z_um;
     extent.highest_line = line;
-  }
-}
-
-void Scan::add_to_clock(const Move& move, const GcodeModes& before, const GcodeModes& behind) {
-  const double speed = static_cast<double>(behind.f_mm_min.value_or(0)) / 60;
-  if (speed <= 0) return;
-  const double filament_mm = static_cast<double>(move.e_10nm.value_or(0)) * 1e-5;
-  const bool still =
-      (!move.x_um || move.x_um == before.x_um) && (!move.y_um || move.y_um == before.y_um);
-  const auto to = [&behind] {
-    const auto unit = [](const std::optional<std::int64_t>& um) {
-      constexpr std::int64_t kFar = 100'000'000;
-      return static_cast<std::int32_t>(std::clamp(um.value_or(0), -kFar, kFar) * kUnitsOfUm);
-    };
-    return core::Point{unit(behind.x_um), unit(behind.y_um)};
-  };
-  if (still && move.z_um && move.z_um != before.z_um) {
-    clock_.add(core::Lift{core::Length::from_units(*move.z_um * kUnitsOfUm), speed});
-  } else if (still && filament_mm != 0) {
-    clock_.add(core::MoveFilament{filament_mm, speed});
-  } else if (!still && filament_mm > 0) {
-    clock_.add(core::Extrude{to(), filament_mm, speed});
-  } else if (!still) {
-    clock_.add(core::Travel{to(), speed});
   }
 }
 
@@ -159,7 +129,7 @@ void Scan::command(const ReadyCommand& command, const GcodeModes& before, const 
   const ReadyLine& line = command.meaning.line;
   const Move& move = line.move;
   if (move.x_um || move.y_um || move.z_um || move.e_10nm) look_at_move(command, before);
-  add_to_clock(move, before, behind.modes);
+  clock_.add(line);
   if (line.effect.kind == Effect::Kind::kTool && line.effect.value != 0) {
     unsafe("it uses other tools than T0, which rind would not choose and heat again");
   }

@@ -35,7 +35,7 @@ struct ReadySummary {
   std::int64_t highest_line = 0;
   double filament_mm = 0;        // in roads
   double seconds = 0;            // at full speed
-  double clock_s = 0;            // as core::MotionClock has it
+  double clock_s = 0;            // as CommandClock has it
   std::optional<double> told_s;  // as the slicer tells it
   std::int64_t last_road = 0;    // the command of that number, from 1
   std::int64_t arcs = 0;

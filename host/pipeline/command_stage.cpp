@@ -5,25 +5,10 @@
 #include <optional>
 #include <utility>
 
+#include "host/gcode/flavor_of.h"
 #include "host/pipeline/user_gcode.h"  // with_own_modes
 
 namespace host {
-namespace {
-
-firmware_link::Flavor flavor_of(core::GcodeFlavor flavor) {
-  switch (flavor) {
-    case core::GcodeFlavor::kKlipper:
-      return firmware_link::Flavor::kKlipper;
-    case core::GcodeFlavor::kRepRapFirmware:
-      return firmware_link::Flavor::kRepRapFirmware;
-    case core::GcodeFlavor::kMarlin:
-      break;
-  }
-  return firmware_link::Flavor::kMarlin;
-}
-
-}  // namespace
-
 CommandStage::CommandStage(const core::Settings& settings, const std::function<CommandForm()>& form,
                            const PipelineOutputs& outputs, std::atomic<bool>& refused)
     : settings_(settings),
@@ -31,8 +16,7 @@ CommandStage::CommandStage(const core::Settings& settings, const std::function<C
       outputs_(outputs),
       refused_(refused),
       builder_(with_own_modes(settings)),
-      clock_({settings.acceleration_mm_s2, settings.filament_acceleration_mm_s2,
-              settings.junction_deviation_mm}),
+      clock_(settings),
       encoder_(settings),
       sink_([this](const core::Motion& motion) { send(motion); }),
       of_files_{true, flavor_of(settings.gcode_flavor)} {}
@@ -91,6 +75,7 @@ void CommandStage::decide_form() {
   const ObjectLabels labels(objects_, settings_, form.flavor);
   builder_.tell_objects(labels.definitions());
   encoder_.set_labels(labels);
+  clock_.set_flavor(form.flavor);
   if (builder_.arcs_undecided()) builder_.decide_arcs(form.arcs);
 }
 
@@ -99,9 +84,11 @@ void CommandStage::send(const core::Motion& motion) {
   if (outputs_.on_layer_time && std::holds_alternative<core::LayerStart>(motion)) {
     outputs_.on_layer_time(clock_.seconds());
   }
-  clock_.add(motion);
   const std::optional<firmware_link::Command> command = encoder_.encode(motion);
-  if (command) ++commands_;
+  if (command) {
+    ++commands_;
+    clock_.add(*command);
+  }
   if (!outputs_.on_motion(motion, command)) refused_ = true;
 }
 

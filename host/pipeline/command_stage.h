@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "core/motions/motion_builder.h"    // MotionBuilder
-#include "core/motions/motion_clock.h"      // MotionClock
 #include "core/roads/road.h"                // Road
 #include "core/roads/seams.h"               // SeamMemory
 #include "core/roads/travel_space.h"        // TravelSpace
 #include "core/settings.h"                  // Settings
 #include "core/slices/slice.h"              // Slice
 #include "core/units.h"                     // Length
+#include "host/gcode/command_clock.h"       // CommandClock
 #include "host/part/opened_part.h"          // PartObject
 #include "host/pipeline/checkpoint.h"       // Checkpoint
 #include "host/pipeline/motion_encoder.h"   // MotionEncoder
@@ -72,7 +72,7 @@ class CommandStage {
   const PipelineOutputs& outputs_;
   std::atomic<bool>& refused_;
   core::MotionBuilder builder_;
-  core::MotionClock clock_;
+  CommandClock clock_;
   MotionEncoder encoder_;
   core::MotionBuilder::Sink sink_;
   CommandForm of_files_;

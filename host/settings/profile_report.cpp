@@ -12,7 +12,10 @@ namespace host {
 namespace {
 
 // Read by prusa_supports.cpp and settings_file.cpp where all values are known.
-constexpr std::array<std::string_view, 12> kTakenTogether = {
+constexpr std::array<std::string_view, 15> kTakenTogether = {
+    "machine_max_acceleration_y",
+    "machine_max_feedrate_y",
+    "machine_max_jerk_y",
     "machine_width",
     "machine_depth",
     "machine_center_is_zero",

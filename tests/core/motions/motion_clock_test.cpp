@@ -6,13 +6,14 @@
 #include <random>
 #include <vector>
 
+#include "core/motions/motion.h"
+
 namespace {
 
 using core::Extrude;
 using core::ExtrudeArc;
 using core::Length;
 using core::Lift;
-using core::MotionClock;
 using core::MotionModel;
 using core::MoveFilament;
 using core::Point;
@@ -26,6 +27,48 @@ Point at_mm(double x, double y) {
   return {static_cast<std::int32_t>(std::lround(x * core::kUnitsPerMm)),
           static_cast<std::int32_t>(std::lround(y * core::kUnitsPerMm))};
 }
+
+// The clock, told in motions.
+class MotionClock {
+ public:
+  explicit MotionClock(const MotionModel& model) : clock_(model) {}
+
+  void add(const Travel& m) { move(m.to, 0, m.speed_mm_s); }
+  void add(const Extrude& m) { move(m.to, m.filament_mm, m.speed_mm_s); }
+  void add(const Lift& m) {
+    at_.z_mm = m.to.mm();
+    push(0, m.speed_mm_s);
+  }
+  void add(const MoveFilament& m) { push(m.filament_mm, m.speed_mm_s); }
+  void add(const ExtrudeArc& m) {
+    at_.arc = {m.centre.x / core::kUnitsPerMm, m.centre.y / core::kUnitsPerMm, m.clockwise,
+               m.length_mm};
+    move(m.to, m.filament_mm, m.speed_mm_s);
+    at_.arc.reset();
+  }
+  void add(const core::SetAcceleration& m) {
+    MotionModel model = clock_.model();
+    model.acceleration_mm_s2 = m.mm_s2;
+    clock_.set_model(model);
+  }
+  void rest(double seconds) { clock_.rest(seconds); }
+  [[nodiscard]] double seconds() const { return clock_.seconds(); }
+
+ private:
+  void move(Point to, double filament_mm, double speed_mm_s) {
+    at_.x_mm = to.x / core::kUnitsPerMm;
+    at_.y_mm = to.y / core::kUnitsPerMm;
+    push(filament_mm, speed_mm_s);
+  }
+  void push(double filament_mm, double speed_mm_s) {
+    at_.filament_mm = filament_mm;
+    at_.speed_mm_s = speed_mm_s;
+    clock_.add(at_);
+  }
+
+  core::MotionClock clock_;
+  core::MotionClock::Move at_;
+};
 
 // Time over a path sampled at `steps` places: at each, the fastest speed allowed by the wanted
 // speed, by the corners, and by what can be reached from and to every other place.
@@ -159,6 +202,71 @@ TEST_CASE("an arc takes as long as its length, no faster than its radius allows"
     tight.add(ExtrudeArc{at_mm(0.4, 0), at_mm(0, 0), false, 0.4 * kPi, 1, 500});
   }
   CHECK(tight.seconds() == doctest::Approx(200 * 0.4 * kPi / 20).epsilon(0.05));
+}
+
+TEST_CASE("a pause is counted, and the machine rests before it") {
+  MotionClock clock(kModel);
+  clock.add(Travel{at_mm(50, 0), 50});
+  const double half_s = clock.seconds();
+  clock.rest(3);
+  clock.add(Travel{at_mm(100, 0), 50});
+  CHECK(clock.seconds() == doctest::Approx(2 * half_s + 3));
+}
+
+TEST_CASE("no axis is faster, or speeds up more, than it may") {
+  MotionModel model = kModel;
+  model.speed_max_mm_s = {40, 40, 5, 25};
+  model.acceleration_max_mm_s2 = {500, 500, 50, 2'500};
+  const auto alone_s = [&](const auto& motion) {
+    MotionClock clock(model);
+    clock.add(motion);
+    return clock.seconds();
+  };
+  CHECK(alone_s(Travel{at_mm(100, 0), 90}) == doctest::Approx(100.0 / 40 + 40.0 / 500));
+  // Both axes at once: along the way they make √2 of it.
+  const double way = std::sqrt(2.0) * 100, speed = std::sqrt(2.0) * 40, a = std::sqrt(2.0) * 500;
+  CHECK(alone_s(Travel{at_mm(100, 100), 90}) == doctest::Approx(way / speed + speed / a));
+  CHECK(alone_s(Lift{Length::from_mm(10), 90}) == doctest::Approx(10.0 / 5 + 5.0 / 50));
+  // The filament is half as long as the way here: 25 mm/s of it are 50 mm/s, 40 are less.
+  CHECK(alone_s(Extrude{at_mm(100, 0), 100, 90}) == doctest::Approx(100.0 / 25 + 25.0 / 500));
+  CHECK(alone_s(MoveFilament{-50, 90}) == doctest::Approx(50.0 / 25 + 25.0 / 2'000));
+}
+
+TEST_CASE("with jerks, moves start with them, and corners change no axis by more") {
+  MotionModel model = kModel;
+  model.jerk_mm_s = {8, 8, 0.4, 4};
+  MotionClock line(model);
+  line.add(Travel{at_mm(100, 0), 50});
+  // From 8 mm/s to 50 and back.
+  const double ramp_s = (50.0 - 8) / 1'000, ramp_mm = (50.0 * 50 - 64) / 2'000;
+  CHECK(line.seconds() == doctest::Approx(2 * ramp_s + (100 - 2 * ramp_mm) / 50));
+  // A right angle: x ends with 8, y begins with 8.
+  MotionClock corner(model);
+  corner.add(Travel{at_mm(100, 0), 50});
+  corner.add(Travel{at_mm(100, 100), 50});
+  CHECK(corner.seconds() == doctest::Approx(2 * line.seconds()));
+  // A slight turn by 0.1 in y: 8 / 0.0995 mm/s would be allowed, so nothing is lost.
+  MotionClock slight(model);
+  slight.add(Travel{at_mm(100, 0), 50});
+  slight.add(Travel{at_mm(200, 10), 50});
+  const double whole_mm = 100 + std::sqrt(10'100.0);
+  const double last_mm_s = 8 / (100 / std::sqrt(10'100.0));
+  const double in_s = (50.0 - 8) / 1'000, in_mm = (50.0 * 50 - 64) / 2'000;
+  const double out_s = (50 - last_mm_s) / 1'000;
+  const double out_mm = (50.0 * 50 - last_mm_s * last_mm_s) / 2'000;
+  CHECK(slight.seconds() == doctest::Approx(in_s + out_s + (whole_mm - in_mm - out_mm) / 50));
+}
+
+TEST_CASE("through a right angle a square corner is taken at its speed") {
+  MotionModel model = kModel;
+  model.square_corner_mm_s = 5;
+  MotionClock clock(model);
+  clock.add(Travel{at_mm(100, 0), 50});
+  clock.add(Travel{at_mm(100, 100), 50});
+  // Both: from rest to 50, and from or to 5.
+  const double each_s = 50.0 / 1'000 + 45.0 / 1'000;
+  const double ramps_mm = 50.0 * 50 / 2'000 + (50.0 * 50 - 25) / 2'000;
+  CHECK(clock.seconds() == doctest::Approx(2 * (each_s + (100 - ramps_mm) / 50)));
 }
 
 }  // namespace

@@ -1,0 +1,48 @@
+// How long a print's commands take: one clock for what rind plans, writes and prints, and for ready
+// G-code. It follows what commands change about moving:
+//
+//     M201 M203 M204 M205 M566   SET_VELOCITY_LIMIT   M220     limits, accelerations, corners, feed
+//     G4                                                      a pause is counted
+//     G28 M109 M400 M600 macros …                              the machine comes to rest first
+//
+// Not counted: heating, homing, measuring the bed, and what macros and M600 do.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "core/motions/motion_clock.h"   // MotionClock
+#include "core/settings.h"               // Settings
+#include "firmware_link/wire/command.h"  // Command
+#include "host/gcode/gcode_modes.h"      // GcodeModes
+
+namespace host {
+
+class CommandClock {
+ public:
+  explicit CommandClock(const core::Settings& settings);
+
+  // Of the controller; that of the settings until it is known.
+  void set_flavor(firmware_link::Flavor flavor) { flavor_ = flavor; }
+
+  // COSTS: O(core::kLookAheadMoves).
+  void add(const firmware_link::Command& command);
+
+  // For all that was added, coming to rest at its end.
+  [[nodiscard]] double seconds() const { return clock_.seconds(); }
+
+ private:
+  void add_move(const firmware_link::Move& move);
+  void add_line(const firmware_link::ReadyLine& line);
+  void add_user_line(const firmware_link::Verbatim& line);
+  void change_model(std::string_view text);
+
+  firmware_link::Flavor flavor_;
+  core::MotionClock clock_;
+  GcodeModes modes_;  // of a user's lines
+  std::int64_t x_um_ = 0, y_um_ = 0, z_um_ = 0;
+  std::int64_t feed_mm_min_ = 1'500;  // Marlin's, until a line tells one
+  std::int64_t feed_percent_ = 100;
+};
+
+}  // namespace host
