@@ -15,6 +15,15 @@ constexpr std::int64_t kSilentCodes[] = {17,  31,  73,  75,  76,  77,  78,  85, 
                                          108, 111, 117, 119, 120, 121, 200, 206, 218,
                                          301, 302, 410, 420, 428, 500, 501, 502, 504};
 
+// Klipper has one acceleration: S, or the smaller of P and T where both are told.
+void set_klipper_acceleration(std::string_view text, VirtualLimits& limits) {
+  auto told = word(text, 'S', 3);
+  const auto print = word(text, 'P', 3), travel = word(text, 'T', 3);
+  if (!told && print && travel) told = std::min(*print, *travel);
+  if (!told || *told <= 0) return;
+  limits.acceleration_mm_s2 = limits.travel_acceleration_mm_s2 = static_cast<double>(*told) * 1e-3;
+}
+
 }  // namespace
 
 bool VirtualController::Firmware::handle_m(std::int64_t code, std::string_view text) {
@@ -70,7 +79,11 @@ bool VirtualController::Firmware::handle_m_set(std::int64_t code, std::string_vi
     case 204:
       // RepRapFirmware reads P and T alone.
       if (reprap && !(word(text, 'P', 0) && word(text, 'T', 0))) return false;
-      set_.limits.set_accelerations(text);
+      if (klipper) {
+        set_klipper_acceleration(text, set_.limits);
+      } else {
+        set_.limits.set_accelerations(text);
+      }
       return true;
     case 205:
       if (!klipper && !reprap) set_.limits.set_corners(text, false);
