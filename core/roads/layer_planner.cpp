@@ -1,5 +1,6 @@
 #include "core/roads/layer_planner.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/roads/crumbs.h"       // drop_crumbs
@@ -23,6 +24,11 @@ bool alike(const LooseBlock& a, const LooseBlock& b) {
   return alike(a.region, b.region) && a.layers == b.layers;
 }
 
+bool alike(const std::shared_ptr<const InsideAreas>& a,
+           const std::shared_ptr<const InsideAreas>& b) {
+  return a == b || (a && b && *a == *b);
+}
+
 // What is solid follows from the slice and what is loose. The first layer has a skirt.
 bool alike(const SplitLayer& a, const SplitLayer& b) {
   return a.slice.index != 0 && a.slice.height == b.slice.height && a.loose == b.loose &&
@@ -30,13 +36,21 @@ bool alike(const SplitLayer& a, const SplitLayer& b) {
          alike(a.below_loose, b.below_loose) && a.below_height == b.below_height &&
          a.corners_above == b.corners_above && alike(a.support_below, b.support_below) &&
          alike(a.window_loose, b.window_loose) && alike(a.block, b.block) &&
-         alike(a.branches, b.branches) && alike(a.below_branches, b.below_branches);
+         alike(a.slice.areas, b.slice.areas) && alike(a.branches, b.branches) &&
+         alike(a.below_branches, b.below_branches);
 }
 
 // Above the floor of a vase or not, likewise.
 bool alike_in_vase(const SplitLayer& a, const SplitLayer& b, const Settings& settings) {
   return in_vase(a.slice, settings) == in_vase(b.slice, settings) &&
          starts_vase(a, settings) == starts_vase(b, settings);
+}
+
+bool some_change_with_height(const std::shared_ptr<const InsideAreas>& areas) {
+  if (!areas) return false;
+  return std::any_of(areas->begin(), areas->end(), [](const InsideArea& area) {
+    return area.change.pattern && changes_with_height(*area.change.pattern);
+  });
 }
 
 // A vase has no inside that could hang, or hold.
@@ -54,7 +68,8 @@ HangingPlaces hanging_of(const SplitLayer& layer, const Settings& settings) {
 
 LayerPlanner::Reservation LayerPlanner::reserve(SplitLayer split) {
   std::shared_ptr<LayerPlan>& last = last_[turn_of(split.slice.index)];
-  const bool anew = loose_changes_ && !split.loose.empty();
+  const bool changes = loose_changes_ || some_change_with_height(split.slice.areas);
+  const bool anew = changes && !split.loose.empty();
   if (last && !anew && alike(last->split, split) && alike_in_vase(last->split, split, settings_)) {
     ++reused_;
     return {last, false};

@@ -13,8 +13,8 @@
 #include "core/roads/bridges.h"             // bridges
 #include "core/roads/brim.h"                // brim_roads
 #include "core/roads/hollow_ends.h"         // cut_hollow_ends
+#include "core/roads/inside_fill.h"         // inside_fill
 #include "core/roads/island_split.h"        // IslandSplit
-#include "core/roads/loose_fill.h"          // loose_roads
 #include "core/roads/overhangs.h"           // mark_holds
 #include "core/roads/perimeters.h"          // perimeters
 #include "core/roads/skirt.h"               // skirt_roads
@@ -146,16 +146,17 @@ std::vector<Road> inside_roads(const IslandPlan& plan, const SplitLayer& layer,
   const Region& room = plan.room.empty() ? plan.loose : plan.room;
   if (settings.loose_pattern == LoosePattern::kLightning) return {};
   const LooseBlock& block = layer.block;
-  if (!block.region) return loose_roads(plan.loose, room, layer.slice, settings);
+  if (!block.region) return inside_fill(plan.loose, room, layer.slice, settings);
   const Region own =
       regularise_loose(subtract(plan.loose, *block.region), regularise_options(settings));
-  std::vector<Road> roads = loose_roads(own, room, layer.slice, settings);
+  std::vector<Road> roads = inside_fill(own, room, layer.slice, settings);
   if (block.layers == 0) return roads;
   Slice thick;
   thick.index = block.number;
   thick.height = layer.slice.height * block.layers;
   thick.bottom = layer.slice.top() - thick.height;
-  for (Road& road : loose_roads(intersect(plan.loose, *block.region), room, thick, settings)) {
+  thick.areas = layer.slice.areas;
+  for (Road& road : inside_fill(intersect(plan.loose, *block.region), room, thick, settings)) {
     road.layers = block.layers;
     roads.push_back(std::move(road));
   }

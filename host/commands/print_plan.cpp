@@ -161,6 +161,7 @@ core::Result<PrintPlan> open_print_plan(const Options& options, Reporter& report
   if (!part.ok()) return part.error();
   const PartSummary& summary = part.value().summary;
   for (const std::string& warning : summary.warnings) reporter.note("warning", warning);
+  for (const std::string& one : part.value().modifiers) reporter.note("modifier", one);
   core::Status filled = fill_gcode(options, part.value(), whole.value(), reporter);
   if (!filled.ok()) return filled.error();
   return PrintPlan{std::move(settings), std::move(part).value(),  title_of(options.part),

@@ -50,8 +50,14 @@ enum class MeshRole : std::uint8_t {
   kNegative,  // cut out of the item
   kEnforcer,  // holds what hangs in it
   kBlocker,   // holds nothing in it
-  kLeftOut,   // ignored: modifiers
+  kLeftOut,   // ignored: modifiers without settings
+  kModifier,  // the first modifier's body; the others' roles follow
 };
+
+// Of the modifier's body of that number, counted from 0. REQUIRES: number < kModifiersMax
+[[nodiscard]] inline MeshRole modifier_role(std::size_t number) {
+  return static_cast<MeshRole>(static_cast<std::size_t>(MeshRole::kModifier) + number);
+}
 
 class MeshStore {
  public:

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "host/formats/mesh_store.h"     // MeshStore
+#include "host/formats/modifier_body.h"  // ModifierBody
 #include "host/formats/support_marks.h"  // MarkCounts, MarkedFacets
 
 namespace host {
@@ -43,6 +44,7 @@ struct ShellTree {
   std::vector<std::string> warnings;
   MarkCounts mark_counts{};
   std::unique_ptr<MarkedFacets> marked_facets{};  // nullptr if nothing is marked
+  std::vector<ModifierBody> modifiers{};
 
   // True if it is one mesh, without booleans.
   [[nodiscard]] bool is_plain() const { return operands.size() == 1 && nodes.size() == 1; }

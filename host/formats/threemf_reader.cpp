@@ -10,16 +10,17 @@
 #include <utility>
 #include <vector>
 
-#include "host/formats/mesh_store.h"        // MeshStore
-#include "host/formats/number_text.h"       // parse_real
-#include "host/formats/slice_stack.h"       // SlicedItem
-#include "host/formats/text_scanner.h"      // shown
-#include "host/formats/threemf_cut.h"       // cut_items
-#include "host/formats/threemf_elements.h"  // point_of
-#include "host/formats/threemf_marks.h"     // gather_marks
-#include "host/formats/threemf_package.h"   // root_model, scanner_of
-#include "host/formats/threemf_roles.h"     // read_roles
-#include "host/formats/threemf_slices.h"    // open_threemf_slices
+#include "host/formats/mesh_store.h"         // MeshStore
+#include "host/formats/number_text.h"        // parse_real
+#include "host/formats/slice_stack.h"        // SlicedItem
+#include "host/formats/text_scanner.h"       // shown
+#include "host/formats/threemf_cut.h"        // cut_items
+#include "host/formats/threemf_elements.h"   // point_of
+#include "host/formats/threemf_marks.h"      // gather_marks
+#include "host/formats/threemf_modifiers.h"  // gather_modifiers
+#include "host/formats/threemf_package.h"    // root_model, scanner_of
+#include "host/formats/threemf_roles.h"      // read_roles
+#include "host/formats/threemf_slices.h"     // open_threemf_slices
 
 namespace host {
 namespace {
@@ -71,6 +72,14 @@ class ThreeMfReader : public TriangleSource {
     return marks;
   }
 
+  [[nodiscard]] Result<std::vector<ModifierBody>> modifiers() override {
+    if (roles_.changes.empty() || !sliced_items_.empty()) return std::vector<ModifierBody>();
+    Result<std::vector<ModifierBody>> bodies = gather_modifiers(roles_.changes, items_, store_);
+    if (!bodies.ok()) return refused(bodies.error().message);
+    if (Status added = add_items(); !added.ok()) return added.error();
+    return bodies;
+  }
+
   // True if items have negative parts: the content is booleans then, no triangles.
   [[nodiscard]] bool is_cut() const {
     return sliced_items_.empty() && std::any_of(items_.begin(), items_.end(), [&](const auto& i) {
@@ -84,6 +93,9 @@ class ThreeMfReader : public TriangleSource {
     Result<std::unique_ptr<MarkedFacets>> marks = marked_facets();
     if (!marks.ok()) return marks.error();
     if (marks.value()) marks.value()->printed = {};  // what is left of it is not known
+    Result<std::vector<ModifierBody>> bodies = modifiers();
+    if (!bodies.ok()) return bodies.error();
+    tree_->modifiers = std::move(bodies).value();
     tree_->mark_counts = mark_counts();
     tree_->marked_facets = std::move(marks).value();
     tree_->warnings = std::move(warnings_);

@@ -1,6 +1,7 @@
 #include "host/formats/threemf_roles.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -37,6 +38,17 @@ MeshRole role_of(PartKind kind) {
   return MeshRole::kLeftOut;
 }
 
+// Settings of one body that are kept.
+constexpr std::size_t kBodySettingsMax = 200;
+
+// Metadata that tells what the body is, where it comes from, or that the first extruder prints it.
+bool is_no_setting(std::string_view key, std::string_view value) {
+  if (key == "extruder") return value == "0" || value == "1";
+  constexpr std::array kWords = {"volume_type", "modifier", "matrix", "mesh_stat", "text", "svg"};
+  return key.empty() || key.starts_with("source_") ||
+         std::find(kWords.begin(), kWords.end(), key) != kWords.end();
+}
+
 // One of the entries.
 class RolesReader {
  public:
@@ -63,17 +75,21 @@ class RolesReader {
   [[nodiscard]] Status start(const XmlEvent& event) {
     if (event.name == "object") {
       object_ = text_of(event, "id");
+      object_settings_.clear();
+      object_name_ = object_;
     } else if (event.name == "plate") {
       ++roles_.plates;
     } else if (event.name == "part") {
       open_ = true;
       part_ = text_of(event, "id");
       kind_ = part_kind_of(text_of(event, "subtype"));
+      settings_.clear();
+      name_.clear();
       note_unknown(text_of(event, "subtype"));
     } else if (event.name == "volume") {
       return volume(event);
-    } else if (event.name == "metadata" && open_) {
-      metadata(text_of(event, "key"), text_of(event, "value"));
+    } else if (event.name == "metadata" && !object_.empty()) {
+      return metadata(text_of(event, "key"), text_of(event, "value"));
     }
     return {};
   }
@@ -87,11 +103,25 @@ class RolesReader {
     open_ = true;
     part_.clear();
     kind_ = PartKind::kPlastic;
+    settings_.clear();
+    name_.clear();
     range_ = {static_cast<std::size_t>(*first), static_cast<std::size_t>(*last + 1), {}};
     return {};
   }
 
-  void metadata(const std::string& key, const std::string& value) {
+  [[nodiscard]] Status metadata(const std::string& key, const std::string& value) {
+    if (key == "name") {
+      (open_ ? name_ : object_name_) = value;
+    } else if (!is_no_setting(key, value)) {
+      ModifierSettings& into = open_ ? settings_ : object_settings_;
+      if (into.size() >= kBodySettingsMax) return xml_.bad("too many settings of one body");
+      into.emplace_back(key, value);
+    }
+    if (open_) role_word(key, value);
+    return {};
+  }
+
+  void role_word(const std::string& key, const std::string& value) {
     if (key == "volume_type") {
       kind_ = part_kind_of(value);
       note_unknown(value);
@@ -104,15 +134,54 @@ class RolesReader {
     if (kind_ == PartKind::kUnknown && roles_.unknown.empty()) roles_.unknown = shown(word);
   }
 
+  // Of a modifier with settings; kLeftOut for others.
+  MeshRole note_modifier() {
+    const std::size_t number = bodies_;
+    if (settings_.empty() || number >= kModifiersMax) {
+      ++roles_.modifiers;
+      return MeshRole::kLeftOut;
+    }
+    ++bodies_;
+    const std::string& name = name_.empty() ? part_ : name_;
+    roles_.changes.push_back(
+        {"modifier '" + shown(name) + "'", std::move(settings_), modifier_role(number), {}});
+    return modifier_role(number);
+  }
+
+  void note_object() {
+    if (object_settings_.empty()) return;
+    const std::string name = "object '" + shown(object_name_) + "'";
+    if (objects_ < kModifiersMax) {
+      ++objects_;
+      roles_.changes.push_back({name, std::move(object_settings_), MeshRole::kSolid, object_});
+    } else {
+      note_unused(name, object_settings_);
+    }
+    object_settings_.clear();
+  }
+
+  void note_unused(const std::string& name, const ModifierSettings& settings) {
+    if (settings.empty() || roles_.unused.size() >= kModifiersMax) return;
+    std::string keys;
+    for (const auto& [key, value] : settings) keys += (keys.empty() ? "" : ", ") + shown(key);
+    roles_.unused.push_back(name + ": " + keys);
+  }
+
   [[nodiscard]] Status end(const std::string& name) {
+    if (name == "object") {
+      note_object();
+      object_.clear();
+    }
     if (!open_ || (name != "part" && name != "volume")) return {};
     open_ = false;
-    if (kind_ == PartKind::kPlastic || kind_ == PartKind::kUnknown) return {};
-    if (kind_ == PartKind::kModifier) ++roles_.modifiers;
+    if (kind_ == PartKind::kPlastic || kind_ == PartKind::kUnknown) {
+      note_unused("part '" + shown(name_) + "'", settings_);
+      return {};
+    }
     if (kind_ == PartKind::kSupportEnforcer) ++roles_.enforcers;
     if (kind_ == PartKind::kSupportBlocker) ++roles_.blockers;
     if (++taken_ > kMeshObjectsMax) return xml_.bad("too many parts; merge them");
-    const MeshRole role = role_of(kind_);
+    const MeshRole role = kind_ == PartKind::kModifier ? note_modifier() : role_of(kind_);
     if (name == "part") {
       roles_.parts[{object_, part_}] = role;
     } else if (range_.last > range_.first) {
@@ -128,6 +197,9 @@ class RolesReader {
   std::string part_;
   RoleRange range_;  // of a volume
   PartKind kind_ = PartKind::kPlastic;
+  std::string name_, object_name_;
+  ModifierSettings settings_, object_settings_;  // of the part or volume; of the object
+  std::size_t bodies_ = 0, objects_ = 0;         // with settings
   std::size_t taken_ = 0;
 };
 
@@ -138,6 +210,11 @@ std::vector<std::string> ThreeMfRoles::left_out() const {
   if (modifiers > 0) {
     texts.push_back(counted(modifiers, "modifier") +
                     " left out: no plastic, and its settings are not used");
+  }
+  for (const std::string& one : unused) {
+    texts.push_back(one +
+                    ": not used: only modifiers and whole objects have settings of their "
+                    "own");
   }
   if (plates > 1) {
     texts.push_back("the file has " + std::to_string(plates) +

@@ -18,9 +18,10 @@
 #include <utility>
 #include <vector>
 
-#include "core/result.h"               // Result
-#include "host/formats/mesh_store.h"   // MeshRole
-#include "host/formats/zip_archive.h"  // ZipArchive
+#include "core/result.h"                 // Result
+#include "host/formats/mesh_store.h"     // MeshRole
+#include "host/formats/modifier_body.h"  // ModifierSettings
+#include "host/formats/zip_archive.h"    // ZipArchive
 
 namespace host {
 
@@ -31,12 +32,23 @@ struct RoleRange {
   MeshRole role = MeshRole::kSolid;
 };
 
+// A body with settings of its own: a modifier, or all plastic of an object of the root model.
+struct ThreeMfModifier {
+  std::string name;  // for messages
+  ModifierSettings settings;
+  MeshRole role = MeshRole::kSolid;  // modifier_role(); kSolid: of `object`
+  std::string object;
+};
+
 struct ThreeMfRoles {
   // By object of the root model. In ascending order, without overlaps.
   std::map<std::string, std::vector<RoleRange>> volumes;
   // By object of the root model and its component's object.
   std::map<std::pair<std::string, std::string>, MeshRole> parts;
-  std::int64_t modifiers = 0;
+  std::vector<ThreeMfModifier> changes;  // kModifiersMax at most
+  // "volume 'Lid': fill_density": settings of one body of an object's plastic
+  std::vector<std::string> unused;
+  std::int64_t modifiers = 0;  // that change nothing: without settings, or too many
   std::int64_t enforcers = 0;
   std::int64_t blockers = 0;
   std::int64_t plates = 0;

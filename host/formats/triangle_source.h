@@ -10,6 +10,7 @@
 
 #include "core/geometry.h"               // Triangle
 #include "core/result.h"                 // Result
+#include "host/formats/modifier_body.h"  // ModifierBody
 #include "host/formats/support_marks.h"  // MarkCounts, MarkedFacets
 
 namespace host {
@@ -34,6 +35,12 @@ class TriangleSource {
   // The same; nullptr if nothing is marked. Errors: as next(). REQUIRES: before the first next().
   [[nodiscard]] virtual core::Result<std::unique_ptr<MarkedFacets>> marked_facets() {
     return std::unique_ptr<MarkedFacets>();
+  }
+
+  // Bodies within which the file asks for other settings. Errors: as next(). REQUIRES: before the
+  // first next().
+  [[nodiscard]] virtual core::Result<std::vector<ModifierBody>> modifiers() {
+    return std::vector<ModifierBody>();
   }
 
   // Triangles given so far.

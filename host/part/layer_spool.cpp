@@ -1,5 +1,6 @@
 #include "host/part/layer_spool.h"
 
+#include <bit>
 #include <utility>
 #include <vector>
 
@@ -122,6 +123,31 @@ void put_note(const std::optional<std::string>& note, std::string& into) {
   if (note) into += *note;
 }
 
+void put_areas(const std::shared_ptr<const core::InsideAreas>& areas, std::string& into) {
+  put(areas ? areas->size() : 0, into);
+  if (!areas) return;
+  for (const core::InsideArea& area : *areas) {
+    put(area.change.density ? 1 : 0, into);
+    if (area.change.density) put(std::bit_cast<std::uint64_t>(*area.change.density), into);
+    const std::optional<core::LoosePattern> pattern = area.change.pattern;
+    put(pattern ? static_cast<std::uint64_t>(*pattern) + 1 : 0, into);
+    put_region(area.region, into);
+  }
+}
+
+std::shared_ptr<const core::InsideAreas> areas_in(Bytes& bytes) {
+  const std::uint64_t count = bytes.number();
+  if (count == 0) return nullptr;
+  core::InsideAreas areas(count);
+  for (core::InsideArea& area : areas) {
+    if (bytes.number() == 1) area.change.density = std::bit_cast<double>(bytes.number());
+    const std::uint64_t pattern = bytes.number();
+    if (pattern > 0) area.change.pattern = static_cast<core::LoosePattern>(pattern - 1);
+    area.region = region_in(bytes);
+  }
+  return std::make_shared<const core::InsideAreas>(std::move(areas));
+}
+
 SpooledLayer head_in(Bytes& bytes) {
   SpooledLayer layer;
   layer.index = bytes.signed_number();
@@ -161,6 +187,7 @@ core::Status LayerSpool::append(const SpooledLayer& layer) {
       known = {spool_.next_place(), region};
     }
   }
+  put_areas(layer.areas, record);
   return spool_.append(record);
 }
 
@@ -203,6 +230,7 @@ core::Result<SpooledLayer> LayerSpool::layer_of(const RecordSpool::Record& recor
       layer.regions[i] = read_[i].region;
     }
   }
+  layer.areas = areas_in(bytes);
   // These may read other records, into the same buffer.
   for (std::size_t i = 0; i < layer.regions.size(); ++i) {
     if (elsewhere[i] < 0) continue;

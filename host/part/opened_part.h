@@ -98,6 +98,10 @@ struct OpenedPart {
   std::function<PartCounters()> counters;  // valid as long as `layers`
   // Of a mesh. REQUIRES: it was read (read_rest). Valid as long as `layers`.
   std::function<PartPlacing()> placing;
+  // What the file's modifiers change, for people: "modifier 'Box': density 50 %"; and warnings
+  // about what of them is not used, which open_part() puts into the summary.
+  std::vector<std::string> modifiers;
+  std::vector<std::string> modifiers_unused;
   bool enforced = false;  // the file marks where supports are enforced, and they are used
 };
 

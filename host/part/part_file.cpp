@@ -14,11 +14,12 @@
 #include "host/formats/sif_reader.h"       // read_sif
 #include "host/formats/triangle_source.h"  // TriangleSource
 #include "host/gcode/gcode_kind.h"
-#include "host/part/boolean_layers.h"  // open_booleans
-#include "host/part/layer_file.h"      // open_layer_file
-#include "host/part/marked_layers.h"   // with_marks
-#include "host/part/mesh_layers.h"     // open_mesh
-#include "host/part/part_transform.h"  // transform
+#include "host/part/boolean_layers.h"   // open_booleans
+#include "host/part/layer_file.h"       // open_layer_file
+#include "host/part/marked_layers.h"    // with_marks
+#include "host/part/mesh_layers.h"      // open_mesh
+#include "host/part/modified_layers.h"  // with_modifiers
+#include "host/part/part_transform.h"   // transform
 
 namespace host {
 namespace {
@@ -96,6 +97,17 @@ Result<OpenedPart> marked(OpenedPart part, Marks marks, const core::Settings& se
   return with_warnings(std::move(with).value(), std::move(texts));
 }
 
+Result<OpenedPart> modified(OpenedPart part, std::vector<ModifierBody> bodies,
+                            const core::Settings& settings, const OpenOptions& options,
+                            const std::string& name) {
+  if (bodies.empty()) return part;
+  Result<OpenedPart> with =
+      with_modifiers(std::move(part), std::move(bodies), settings, options.sort_bytes, name);
+  if (!with.ok()) return with;
+  std::vector<std::string> texts = std::move(with.value().modifiers_unused);
+  return with_warnings(std::move(with).value(), std::move(texts));
+}
+
 // An archive holds a mesh, slices, or booleans of meshes.
 Result<OpenedPart> open_zipped(InputFile file, const std::string& path,
                                const core::Settings& settings, const OpenOptions& options) {
@@ -110,12 +122,16 @@ Result<OpenedPart> open_zipped(InputFile file, const std::string& path,
   }
   const std::string name = mesh.name;
   Marks marks;
+  std::vector<ModifierBody> modifiers;
   const auto with = [&](Result<OpenedPart> part) -> Result<OpenedPart> {
+    if (part.ok())
+      part = modified(std::move(part).value(), std::move(modifiers), settings, options, name);
     if (!part.ok()) return part;
     return marked(std::move(part).value(), std::move(marks), settings, options, name);
   };
   if (auto* tree = std::get_if<std::unique_ptr<ShellTree>>(&opened.value())) {
     marks = {(*tree)->mark_counts, std::move((*tree)->marked_facets)};
+    modifiers = std::move((*tree)->modifiers);
     return with(open_booleans(std::move(*tree), settings, options));
   }
   mesh.triangles = std::get<std::unique_ptr<TriangleSource>>(std::move(opened).value());
@@ -125,6 +141,9 @@ Result<OpenedPart> open_zipped(InputFile file, const std::string& path,
     if (!facets.ok()) return facets.error();
     marks.facets = std::move(facets).value();
   }
+  Result<std::vector<ModifierBody>> bodies = mesh.triangles->modifiers();
+  if (!bodies.ok()) return bodies.error();
+  modifiers = std::move(bodies).value();
   return with(open_transformed(std::move(mesh), settings, options));
 }
 

@@ -12,6 +12,7 @@ SpooledLayer spooled(const core::Slice& slice, std::shared_ptr<const core::Regio
   layer.height = slice.height;
   layer.defects = slice.defects;
   layer.note = std::move(pause);
+  layer.areas = slice.areas;
   layer.regions.front() = std::move(region);
   return layer;
 }
@@ -24,6 +25,7 @@ core::Result<TakenSlice> next_slice(LayerSpool& spool) {
   SpooledLayer& found = *layer.value();
   taken.slice =
       core::Slice{found.index, found.bottom, found.height, *found.regions.front(), found.defects};
+  taken.slice->areas = std::move(found.areas);
   taken.pause = std::move(found.note);
   return taken;
 }

@@ -8,6 +8,7 @@
 
 #include "core/result.h"
 #include "host/output/thumbnail_text.h"  // read_thumbnails
+#include "host/part/pattern_words.h"     // kPatternWords
 #include "host/settings/bed_setting.h"
 #include "host/settings/settings_text.h"
 #include "host/system/text.h"  // trimmed
@@ -222,15 +223,6 @@ struct WordPair {
   std::string_view ours;
 };
 
-constexpr std::array kPatterns = {
-    WordPair{"rectilinear", "lines"},   WordPair{"alignedrectilinear", "lines"},
-    WordPair{"line", "lines"},          WordPair{"zig-zag", "lines"},
-    WordPair{"grid", "grid"},           WordPair{"triangles", "triangles"},
-    WordPair{"cubic", "cubic"},         WordPair{"honeycomb", "honeycomb"},
-    WordPair{"gyroid", "gyroid"},       WordPair{"concentric", "concentric"},
-    WordPair{"lightning", "lightning"},
-};
-
 constexpr std::array kTopPatterns = {
     WordPair{"rectilinear", "rectilinear"}, WordPair{"alignedrectilinear", "rectilinear"},
     WordPair{"monotonic", "monotonic"},     WordPair{"monotoniclines", "monotonic"},
@@ -278,7 +270,7 @@ Translated thumbnail_settings(std::string_view list) {
 
 template <typename Names>
 Translated translate_word(const Names& names, std::string_view ours, std::string_view theirs) {
-  for (const WordPair& name : names) {
+  for (const auto& name : names) {
     if (name.theirs == theirs) return {{std::string(ours), std::string(name.ours)}};
   }
   return {};
@@ -293,7 +285,7 @@ Translated translate(const Alias& alias, std::string_view text) {
   if (alias.kind == Kind::kThumbnails) return thumbnail_settings(text);
   const std::string_view first = trimmed(text.substr(0, text.find(',')));
   if (alias.kind == Kind::kThumbnailFormat) return translate_word(kThumbnailFormats, ours, first);
-  if (alias.kind == Kind::kPattern) return translate_word(kPatterns, ours, first);
+  if (alias.kind == Kind::kPattern) return translate_word(kPatternWords, ours, first);
   if (alias.kind == Kind::kTopPattern) return translate_word(kTopPatterns, ours, first);
   if (alias.kind == Kind::kSeam) return translate_word(kSeams, ours, first);
   if (alias.kind == Kind::kFuzzySkin) return translate_word(kFuzzySkins, ours, first);

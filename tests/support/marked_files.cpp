@@ -42,6 +42,14 @@ std::string object(std::size_t id, const std::string& content) {
   return fmt::format("<object id=\"{}\" type=\"model\">{}</object>", id, content);
 }
 
+std::string settings_of(const BodySettings& settings, const std::string& type) {
+  std::string text;
+  for (const auto& [key, value] : settings) {
+    text += fmt::format("<metadata {}key=\"{}\" value=\"{}\"/>", type, key, value);
+  }
+  return text;
+}
+
 std::string package(const std::string& model, const std::string& entry, const std::string& roles) {
   return zip_file(
       {{"3D/3dmodel.model", model},
@@ -51,15 +59,17 @@ std::string package(const std::string& model, const std::string& entry, const st
 }  // namespace
 
 std::string prusa_threemf(const std::vector<MarkedBody>& bodies,
-                          const std::vector<std::string>& transforms) {
-  std::string roles = "<object id=\"1\">", items;
+                          const std::vector<std::string>& transforms,
+                          const BodySettings& of_object) {
+  std::string roles = "<object id=\"1\" instances_count=\"1\">", items;
+  roles += settings_of(of_object, "type=\"object\" ");
   std::int64_t first = 0;
   for (const MarkedBody& body : bodies) {
     const std::int64_t count = parts::count_facets(body.part);
     roles += fmt::format(
         "<volume firstid=\"{}\" lastid=\"{}\"><metadata type=\"volume\" key=\"volume_type\" "
-        "value=\"{}\"/></volume>",
-        first, first + count - 1, body.type);
+        "value=\"{}\"/>{}</volume>",
+        first, first + count - 1, body.type, settings_of(body.settings, "type=\"volume\" "));
     first += count;
   }
   for (const std::string& transform : transforms) {
@@ -70,18 +80,20 @@ std::string prusa_threemf(const std::vector<MarkedBody>& bodies,
                  "Metadata/Slic3r_PE_model.config", roles + "</object>");
 }
 
-std::string orca_threemf(const std::vector<MarkedBody>& bodies) {
+std::string orca_threemf(const std::vector<MarkedBody>& bodies, const BodySettings& of_object) {
   const std::size_t whole = bodies.size() + 1;
   std::string objects, components, roles;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     objects += object(i + 1, mesh_of({bodies[i]}, "paint_supports"));
     components += fmt::format("<component objectid=\"{}\"/>", i + 1);
-    roles += fmt::format("<part id=\"{}\" subtype=\"{}\"/>", i + 1, bodies[i].type);
+    roles += fmt::format("<part id=\"{}\" subtype=\"{}\">{}</part>", i + 1, bodies[i].type,
+                         settings_of(bodies[i].settings, ""));
   }
   objects += object(whole, "<components>" + components + "</components>");
-  return package(model(objects, fmt::format("<item objectid=\"{}\"/>", whole)),
-                 "Metadata/model_settings.config",
-                 fmt::format("<object id=\"{}\">{}</object>", whole, roles));
+  return package(
+      model(objects, fmt::format("<item objectid=\"{}\"/>", whole)),
+      "Metadata/model_settings.config",
+      fmt::format("<object id=\"{}\">{}{}</object>", whole, settings_of(of_object, ""), roles));
 }
 
 }  // namespace test

@@ -36,6 +36,15 @@ std::vector<host::SpooledLayer> random_layers(std::uint64_t seed, int count) {
             test::random_region(random, random.integer(6, 80), random.between(2, 400)));
       }
     }
+    if (random.unit() < 0.3) {
+      core::InsideAreas areas(static_cast<std::size_t>(random.integer(1, 3)));
+      for (core::InsideArea& area : areas) {
+        if (random.unit() < 0.7) area.change.density = random.unit();
+        if (random.unit() < 0.5) area.change.pattern = core::LoosePattern::kGyroid;
+        area.region = test::random_region(random, random.integer(6, 40), random.between(2, 400));
+      }
+      layer.areas = std::make_shared<const core::InsideAreas>(std::move(areas));
+    }
     if (random.unit() < 0.2) layer.note = random.unit() < 0.3 ? "" : "open at 3.2 mm; äöü";
     if (random.unit() < 0.2) {
       layer.defects.dropped_chains = random.integer(0, 9);
@@ -54,6 +63,8 @@ bool same(const host::SpooledLayer& a, const host::SpooledLayer& b) {
   };
   const core::SliceDefects &x = a.defects, &y = b.defects;
   const bool any = x.any() || y.any();
+  if ((a.areas != nullptr) != (b.areas != nullptr)) return false;
+  if (a.areas && *a.areas != *b.areas) return false;
   return a.index == b.index && a.bottom == b.bottom && a.height == b.height && a.note == b.note &&
          alike(a.regions[0], b.regions[0]) && alike(a.regions[1], b.regions[1]) &&
          (!any || (x.dropped_chains == y.dropped_chains && x.widest_gap == y.widest_gap &&

@@ -23,8 +23,9 @@ struct Computed {
 };
 
 Computed compute(const core::Settings& settings, const std::string& path,
-                 const std::optional<host::Checkpoint>& start) {
+                 const std::optional<host::Checkpoint>& start, int threads = 0) {
   host::PrintPlan print_plan = print_test::open(settings, path);
+  if (threads > 0) print_plan.threads = threads;
   print_plan.start = start;
   Computed computed;
   host::PipelineOutputs outputs;
@@ -275,5 +276,36 @@ TEST_CASE("an inside that holds up its own roof is known from any layer on") {
     settings.loose_density = 0;
     if (branches) settings.loose_pattern = core::LoosePattern::kLightning;
     check_tails(settings, path, compute(settings, path, {}));
+  }
+}
+
+TEST_CASE("modifiers hold from any layer on, through the spools, and for any number of threads") {
+  const test::PartFolder folder;
+  const auto block = [](double x, double y, double z, double width, double depth, double height) {
+    return parts::box({x, y, z}, width, depth, height);
+  };
+  const std::string path = folder.add_text(
+      "block.3mf",
+      test::prusa_threemf(
+          {{parts::together({block(0, 0, 0, 20, 16, 7), block(0, 0, 7, 26, 16, 2)}), "ModelPart"},
+           {block(10, -5, 2, 30, 30, 3), "ParameterModifier", {}, {{"fill_density", "60%"}}},
+           {block(-5, 8, 3, 30, 30, 2),
+            "ParameterModifier",
+            {},
+            {{"fill_pattern", "gyroid"}, {"fill_density", "35%"}}}}));
+  core::Settings plain = settings_of(core::WallShape::kBall, core::BuildStyle::kThinWall);
+  core::Settings supported = plain, coned = plain, thick = plain;
+  supported.supports = core::SupportPlace::kEverywhere;
+  coned.loose_roof = core::LooseRoof::kCone;
+  thick.layer_height = Length::from_mm(0.15);
+  thick.loose_every_layers = 2;
+  const std::string without = folder.add(
+      "without.stl", parts::together({block(0, 0, 0, 20, 16, 7), block(0, 0, 7, 26, 16, 2)}));
+  for (const core::Settings& settings : {plain, supported, coned, thick}) {
+    const Computed whole = compute(settings, path, {}, 1);
+    CHECK(whole.texts != compute(settings, without, {}, 1).texts);
+    for (const int threads : {2, 3})
+      CHECK(compute(settings, path, {}, threads).texts == whole.texts);
+    check_tails(settings, path, whole);
   }
 }
