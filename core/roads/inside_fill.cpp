@@ -39,6 +39,7 @@ std::vector<InsidePiece> inside_pieces(const Region& inside, const Slice& slice,
   Region rest = inside;
   for (std::size_t i = slice.areas ? slice.areas->size() : 0; i-- > 0 && !rest.empty();) {
     const InsideArea& area = (*slice.areas)[i];
+    if (!area.region.box().overlaps(rest.box())) continue;
     // Strips along the area's border that are too narrow stay with the rest.
     Region own = sorted(intersect(rest, area.region), road, settings.arc_tolerance).wide;
     if (own.empty()) continue;

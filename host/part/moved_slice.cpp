@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/booleans/boolean.h"  // intersect
+
 namespace host {
 namespace {
 
@@ -20,6 +22,15 @@ core::Region moved(const core::Region& region, const Shift& shift) {
     for (core::Point& point : ring) point = moved(point, shift);
   }
   return core::Region::from_clean_rings(std::move(rings));
+}
+
+core::Region clipped(const core::Region& region, const core::Box& box) {
+  core::Box both = box;
+  both.add(region.box());
+  if (both == box) return region;
+  const core::Point min = box.min, max = box.max;
+  return core::intersect(
+      region, core::Region::from_clean_rings({{min, {max.x, min.y}, max, {min.x, max.y}}}));
 }
 
 core::SliceDefects moved(core::SliceDefects defects, const Shift& shift) {

@@ -54,21 +54,36 @@ void append(const core::Region& region, const Shift& shift, std::vector<core::Ri
   std::move(more.begin(), more.end(), std::back_inserter(rings));
 }
 
-// The rings of all objects in one layer.
+// The rings of all objects in one layer. What marks or modifies an object may reach out of it, but
+// not into others.
 struct MergedRings {
   std::vector<core::Ring> slice, enforced, blocked;
+  core::InsideAreas areas;
 
-  void add(const Slice& part, const std::vector<Shift>& places) {
+  // `room` is the part's own, before it is moved to its places.
+  void add(const Slice& part, const core::Box& room, const std::vector<Shift>& places) {
+    core::SupportMarks marks;
+    if (part.marks) {
+      marks = {clipped(part.marks->enforced, room), clipped(part.marks->blocked, room)};
+    }
+    core::InsideAreas changes;
+    if (part.areas) changes = *part.areas;
+    for (core::InsideArea& area : changes) area.region = clipped(area.region, room);
     for (const Shift& shift : places) {
       append(part.region, shift, slice);
-      if (!part.marks) continue;
-      append(part.marks->enforced, shift, enforced);
-      append(part.marks->blocked, shift, blocked);
+      append(marks.enforced, shift, enforced);
+      append(marks.blocked, shift, blocked);
+      for (const core::InsideArea& area : changes) {
+        if (!area.region.empty()) areas.push_back({area.change, moved(area.region, shift)});
+      }
     }
   }
 
   void put_into(Slice& merged) {
     merged.region = core::Region::from_clean_rings(std::move(slice));
+    merged.areas =
+        areas.empty() ? nullptr : std::make_shared<const core::InsideAreas>(std::move(areas));
+    merged.marks = nullptr;
     if (enforced.empty() && blocked.empty()) return;
     merged.marks = std::make_shared<const core::SupportMarks>(
         core::SupportMarks{core::Region::from_clean_rings(std::move(enforced)),
@@ -112,7 +127,7 @@ class Plate : public LayerSource {
       part.ended = !read.value();
       if (part.ended) continue;
       Slice slice = *std::move(read).value();
-      rings.add(slice, part.places);
+      rings.add(slice, room_of(part), part.places);
       slice.defects = moved(slice.defects, part.places.front());
       if (!merged) {
         merged.emplace(std::move(slice));
@@ -142,6 +157,17 @@ class Plate : public LayerSource {
   }
 
   [[nodiscard]] const PartSummary& summary() const { return summary_; }
+  // Each once: copies have the same.
+  [[nodiscard]] std::vector<std::string> modifiers() const {
+    std::vector<std::string> all;
+    for (const PlatePart& part : parts_) {
+      for (const std::string& one : part.opened.modifiers) {
+        std::string text = parts_.size() == 1 ? one : part.title + ": " + one;
+        if (std::find(all.begin(), all.end(), text) == all.end()) all.push_back(std::move(text));
+      }
+    }
+    return all;
+  }
   [[nodiscard]] bool enforced() const {
     return std::any_of(parts_.begin(), parts_.end(),
                        [](const PlatePart& part) { return part.opened.enforced; });
@@ -177,6 +203,15 @@ class Plate : public LayerSource {
       }
     }
     return {};
+  }
+
+  // The box of an object before it is moved, and less than half the gap between objects around it.
+  [[nodiscard]] core::Box room_of(const PlatePart& part) const {
+    const auto around = static_cast<std::int32_t>(object_gap(settings_).units() / 3);
+    core::Box room = part.opened.summary.box;
+    room.min = {room.min.x - around, room.min.y - around};
+    room.max = {room.max.x + around, room.max.y + around};
+    return room;
   }
 
   void summarise() {
@@ -276,6 +311,7 @@ Result<OpenedPart> open_plate(const std::vector<std::string>& paths, const core:
   OpenedPart part;
   Plate* source = plate.get();
   part.enforced = plate->enforced();
+  part.modifiers = plate->modifiers();
   part.counters = [source] { return source->counters(); };
   if (plate->all_read()) {
     Result<PartSummary> summary = plate->read_rest();

@@ -7,8 +7,10 @@
 #include <utility>
 #include <vector>
 
+#include "core/booleans/boolean.h"
 #include "core/limits.h"
 #include "host/part/part_file.h"
+#include "tests/support/marked_files.h"
 #include "tests/support/part_folder.h"
 #include "tests/support/part_slices.h"
 #include "tests/support/region_checks.h"
@@ -48,6 +50,27 @@ std::vector<core::Ring> sorted_rings(std::vector<core::Ring> rings) {
   return rings;
 }
 
+// What of it lies on an object, but for two units at its border.
+double area_on(const core::Region& region, const host::PartObject& object) {
+  const core::Point min = object.box.min, max = object.box.max;
+  const auto box = core::Region::from_clean_rings({{min, {max.x, min.y}, max, {min.x, max.y}}});
+  return core::intersect(region, box).area_mm2();
+}
+
+// A block with a modifier, an enforcer and a blocker that reach far out of it.
+std::string marked_block(double density) {
+  const std::string percent = std::to_string(density) + "%";
+  return test::prusa_threemf(
+      {{parts::box({0, 0, 0}, 20, 10, 8), "ModelPart"},
+       {parts::box({10, -50, 2}, 300, 200, 4),
+        "ParameterModifier",
+        {},
+        {{"fill_density", percent}}},
+       {parts::box({12, 3, 1}, 3, 3, 5), "ParameterModifier", {}, {{"fill_pattern", "gyroid"}}},
+       {parts::box({-150, 2, 0}, 300, 4, 3), "SupportEnforcer"},
+       {parts::box({5, -150, 0}, 5, 300, 3), "SupportBlocker"}});
+}
+
 }  // namespace
 
 TEST_CASE("a plate's slices are those of its parts where these are printed alone") {
@@ -81,6 +104,57 @@ TEST_CASE("a plate's slices are those of its parts where these are printed alone
     CHECK((sorted_rings(slices[layer].region.rings()) == sorted_rings(wanted)));
     CHECK(test::is_clean(slices[layer].region));
   }
+}
+
+TEST_CASE("each copy has its modifiers and marks, and none of another's") {
+  const PartFolder folder;
+  const std::string dense = folder.add_text("dense.3mf", marked_block(60));
+  const std::string light = folder.add_text("light.3mf", marked_block(5));
+  Settings settings;
+  settings.supports = core::SupportPlace::kEverywhere;
+  settings.copies = 2;
+  host::OpenedPart plate = plate_of({dense, light}, settings);
+  CHECK_EQ(plate.modifiers.size(), 4);
+  CHECK_EQ(plate.modifiers.front().find("dense.3mf: modifier "), 0);
+  const std::vector<host::PartObject> objects = plate.summary.objects;
+  REQUIRE_EQ(objects.size(), 4);
+  const std::vector<core::Slice> slices = all_slices(plate);
+  std::vector<std::vector<core::Slice>> each;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    each.push_back(alone(i < 2 ? dense : light, settings, objects[i]));
+  }
+  for (std::size_t layer = 0; layer < slices.size(); ++layer) {
+    CAPTURE(layer);
+    std::size_t areas = 0;
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+      const core::Slice& one = each[i][layer];
+      REQUIRE_EQ(one.marks != nullptr, slices[layer].marks != nullptr);
+      if (one.marks) {
+        CHECK_EQ(area_on(slices[layer].marks->enforced, objects[i]),
+                 doctest::Approx(area_on(one.marks->enforced, objects[i])));
+        CHECK_EQ(area_on(slices[layer].marks->blocked, objects[i]),
+                 doctest::Approx(area_on(one.marks->blocked, objects[i])));
+        CHECK(test::is_clean(slices[layer].marks->enforced));
+      }
+      if (!one.areas) continue;
+      REQUIRE(slices[layer].areas);
+      for (const core::InsideArea& own : *one.areas) {
+        REQUIRE_LT(areas, slices[layer].areas->size());
+        const core::InsideArea& found = (*slices[layer].areas)[areas++];
+        CHECK(found.change == own.change);
+        for (std::size_t other = 0; other < objects.size(); ++other) {
+          const double wanted = other == i ? area_on(own.region, objects[i]) : 0;
+          CHECK_EQ(area_on(found.region, objects[other]), doctest::Approx(wanted));
+        }
+      }
+    }
+    CHECK_EQ(areas, slices[layer].areas ? slices[layer].areas->size() : 0);
+  }
+  REQUIRE(slices[12].areas);
+  CHECK_EQ(slices[12].areas->size(), 8);
+  CHECK_FALSE(slices[32].areas);
+  REQUIRE(slices[0].marks);
+  CHECK_GT(area_on(slices[0].marks->enforced, objects[3]), 1);
 }
 
 TEST_CASE("a part is read once for all of its copies") {
