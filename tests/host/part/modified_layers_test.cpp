@@ -61,7 +61,8 @@ TEST_CASE("a modifier lies where the file places it, in both slicers' words") {
     host::OpenedPart part = opened(path, Settings());
     CHECK_EQ(part.modifiers,
              std::vector<std::string>{"modifier 'Right half': density 50 %, pattern gyroid"});
-    CHECK(says(part.summary.warnings, path == prusa ? "perimeters = 5" : "wall_loops = 5"));
+    CHECK(says(part.summary.warnings, path == prusa ? "not used: perimeters = 5; within"
+                                                    : "not used: wall_loops = 5; within"));
     CHECK_EQ(part.summary.warnings.size(), 1);
     CHECK_EQ(part.summary.height.mm(), doctest::Approx(8));
     const std::vector<core::Slice> slices = test::all_slices(part);
@@ -138,6 +139,8 @@ TEST_CASE("what can't be changed within a part is named, never lost") {
   Settings lightning;
   lightning.loose_pattern = core::LoosePattern::kLightning;
   CHECK(says(opened(dense, lightning).summary.warnings, "not used: fill_density = 90%"));
+  const std::string branches = file("branches.3mf", {{"fill_pattern", "lightning"}});
+  CHECK(says(opened(branches, Settings()).summary.warnings, "not used: fill_pattern = lightning"));
   const std::string none = file("none.3mf", {{"name", "Nothing"}});
   CHECK(says(opened(none, Settings()).summary.warnings, "1 modifier left out"));
 }
