@@ -47,11 +47,16 @@ std::int64_t peak_rss(const PartFolder& folder, const std::string& part,
   return nlohmann::json::parse(text)["peak_rss_bytes"];
 }
 
-// Freed memory is kept back by the sanitizers.
+// Freed memory is kept back by the sanitizers. How threads meet changes a peak by a megabyte now and
+// then; what grows with the height does so each time.
 void check_same_peak(const PartFolder& folder, const std::string& low_part,
                      const std::string& high_part, const std::string& arguments) {
-  const std::int64_t low = peak_rss(folder, low_part, arguments);
-  const std::int64_t high = peak_rss(folder, high_part, arguments);
+  std::int64_t low = 0, high = 0;
+  for (int attempt = 0; attempt < 3; ++attempt) {
+    low = peak_rss(folder, low_part, arguments);
+    high = peak_rss(folder, high_part, arguments);
+    if (high - low < 1'000'000) break;
+  }
   CAPTURE(low);
   CAPTURE(high);
   if (!kSanitized) CHECK_LT(high - low, 1'000'000);
