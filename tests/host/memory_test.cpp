@@ -47,8 +47,8 @@ std::int64_t peak_rss(const PartFolder& folder, const std::string& part,
   return nlohmann::json::parse(text)["peak_rss_bytes"];
 }
 
-// Freed memory is kept back by the sanitizers. How threads meet changes a peak by a megabyte now and
-// then; what grows with the height does so each time.
+// Freed memory is kept back by the sanitizers. How threads meet may change a peak by a megabyte;
+// what grows with the height does so each time.
 void check_same_peak(const PartFolder& folder, const std::string& low_part,
                      const std::string& high_part, const std::string& arguments) {
   std::int64_t low = 0, high = 0;
