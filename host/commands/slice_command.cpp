@@ -85,6 +85,7 @@ class SliceFile {
       layers_->begin(text_);
     } else {
       text_ = gcode_head(kVersion, static_cast<std::int64_t>(std::time(nullptr))) + pictures;
+      text_ += kStartsOwnGcode;
     }
   }
 
@@ -187,16 +188,18 @@ class SliceFile {
   core::Status status_;
 };
 
-void report_done(const Options& options, const GeometryStatistics& statistics, Reporter& reporter) {
+void report_done(const Options& options, core::GcodeFlavor flavor,
+                 const GeometryStatistics& statistics, Reporter& reporter) {
   std::string message = fmt::format("{}: {} layers", options.output.path, statistics.layers);
   if (options.output.format == OutputFormat::kGcode) {
     message +=
         fmt::format(", {:.2f} m of filament, about {}", total_mm(statistics.filament_mm) / 1'000,
                     duration_text(statistics.time_s));
     if (statistics.arcs > 0) {
+      const bool klipper = flavor == core::GcodeFlavor::kKlipper;
       message += fmt::format(
-          "; {} arcs (G2, G3), which Klipper draws with [gcode_arcs] only: --set arcs=off",
-          statistics.arcs);
+          "; {} arcs (G2, G3), which {}: --set arcs=off", statistics.arcs,
+          klipper ? "Klipper draws with [gcode_arcs] only" : "PrusaSlicer 2.5's viewer leaves out");
     }
   }
   reporter.note("done", message,
@@ -251,7 +254,7 @@ int slice_command(const Options& options, Reporter& reporter) {
   } else {
     report_defects(statistics.defects, reporter);
     report_hanging(statistics.hanging, reporter);
-    report_done(options, statistics, reporter);
+    report_done(options, print_plan.settings.gcode_flavor, statistics, reporter);
   }
   return save_statistics(options, statistics, nullptr, exit_code, reporter);
 }

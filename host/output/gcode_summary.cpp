@@ -68,6 +68,8 @@ std::string gcode_tail(const core::Settings& settings, const GcodeTotals& totals
     fmt::format_to(out, "; total filament cost = {:.2f}\n", cost);
   }
   fmt::format_to(out, "; total layers count = {}\n", totals.layers);
+  // There is one nozzle, and filament of one kind.
+  text += "; total toolchanges = 0\n";
   fmt::format_to(out, "; estimated printing time (normal mode) = {}\n",
                  time_in_words(totals.time_s));
   fmt::format_to(out, "\n; layer_height = {:g}\n", settings.layer_height.mm());
@@ -82,6 +84,7 @@ std::string gcode_tail(const core::Settings& settings, const GcodeTotals& totals
   fmt::format_to(out, "; bed_temperature = {:g}\n", settings.bed_celsius);
   fmt::format_to(out, "; first_layer_bed_temperature = {:g}\n",
                  core::bed_first_layer_celsius(settings));
+  text += "; single_extruder_multi_material = 0\n; referenced_tools = 0\n";
   fmt::format_to(out, "; gcode_flavor = {}\n", flavor_name(settings.gcode_flavor));
   return text;
 }

@@ -36,6 +36,9 @@ struct GcodeTotals {
 // Ends with an empty comment. `seconds_since_1970` is the file's date.
 [[nodiscard]] std::string gcode_head(std::string_view version, std::int64_t seconds_since_1970);
 
+// The commands up to the first layer are the user's, and a purge is no road of the part.
+inline constexpr std::string_view kStartsOwnGcode = ";TYPE:Custom\n";
+
 [[nodiscard]] std::string gcode_tail(const core::Settings& settings, const GcodeTotals& totals);
 
 // The weight of filament in g; 0: its density is not known.

@@ -11,6 +11,7 @@
 #include <iterator>
 
 #include "host/presets/headed_profile.h"
+#include "host/presets/presets.h"  // find_preset
 
 namespace host {
 namespace {
@@ -133,7 +134,11 @@ Result<std::optional<PrinterFile>> find_printer(std::string_view name) {
   std::error_code error;
   if (!std::filesystem::exists(path, error)) {
     if (usual) return std::optional<PrinterFile>();
-    return bad(fmt::format("there is no printer \"{}\" ({}); {}", name, path, known_printers()));
+    const std::string preset = find_preset(PresetKind::kPrinter, name).ok()
+                                   ? fmt::format("; a preset has this name: --preset {}", name)
+                                   : "";
+    return bad(
+        fmt::format("there is no printer \"{}\" ({}); {}{}", name, path, known_printers(), preset));
   }
   const Result<std::string> text = whole_file(path);
   if (!text.ok()) return text.error();

@@ -105,6 +105,14 @@ TEST_CASE("every field that print hosts look for is there, and true") {
   CHECK_EQ(number(text, "; first_layer_temperature = ([0-9.]+)"), 235);
   CHECK_EQ(number(text, "; first_layer_bed_temperature = ([0-9.]+)"), 85);
   CHECK_NE(text.find("M190 S85"), std::string::npos);
+  CHECK_EQ(number(text, "; total toolchanges = (\\d+)"), 0);
+  CHECK_EQ(number(text, ";\\ssingle_extruder_multi_material\\s=\\s(\\d+)"), 0);
+  CHECK_EQ(number(text, ";\\sreferenced_tools\\s=\\s(\\d+)"), 0);
+  CHECK_EQ(text.find("\nT"), std::string::npos);
+  // What the viewer counts before the first layer is not the part's.
+  const std::size_t custom = text.find("\n;TYPE:Custom\n");
+  CHECK_LT(custom, text.find("\nG28"));
+  CHECK_LT(text.find("\nG28"), text.find("\n;LAYER_CHANGE"));
   const double time_s =
       seconds_in(field(text, "; estimated printing time \\(normal mode\\) = (.*)\n"));
   CHECK_GT(time_s, 60);

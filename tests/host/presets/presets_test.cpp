@@ -13,6 +13,7 @@
 #include "host/settings/whole_settings.h"
 #include "host/system/exit_codes.h"
 #include "tests/host/print_rig.h"
+#include "tests/support/gcode_machine.h"
 
 using host::PresetKind;
 using print_test::Rig;
@@ -116,6 +117,28 @@ TEST_CASE("each preset has a title, and every combination fits together") {
   }
   CHECK_GE(printers.size(), 15);
   CHECK_EQ(std::set<std::string>(filaments.begin(), filaments.end()).count("petg"), 1);
+}
+
+TEST_CASE("each printer's purge lays filament on both of its lines, whatever a macro left behind") {
+  for (const std::string& name : names_of(PresetKind::kPrinter)) {
+    CAPTURE(name);
+    const std::vector<std::string> start = settings_with(name, "pla", "0.2").start_gcode;
+    for (const bool absolute : {true, false}) {
+      test::GcodeMachine machine;
+      machine.run(absolute ? "M82" : "M83");
+      int lines = 0;
+      for (const std::string& command : start) {
+        const double before = machine.filament_mm;
+        machine.run(command);
+        if (pushes_filament(command)) {
+          ++lines;
+          CHECK_GT(machine.filament_mm - before, 3);
+          CHECK_LT(machine.filament_mm - before, 12);
+        }
+      }
+      CHECK_EQ(lines, 2);
+    }
+  }
 }
 
 TEST_CASE("each printer's preset: a part is printed within its bed, after a purge") {

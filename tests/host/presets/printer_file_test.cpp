@@ -120,6 +120,10 @@ TEST_CASE("printer.ini is used if none is named; --printer none and presets do w
   request.printer.printer = "small";
   const std::string missing = host::whole_settings(request).error().message;
   CHECK_NE(missing.find("there are big, printer"), std::string::npos);
+  CHECK_EQ(missing.find("--preset"), std::string::npos);
+  request.printer.printer = "mk3s";
+  const std::string preset = host::whole_settings(request).error().message;
+  CHECK_NE(preset.find("a preset has this name: --preset mk3s"), std::string::npos);
   request.printer.printer = "../big";
   CHECK_NE(host::whole_settings(request).error().message.find("is no printer's name"),
            std::string::npos);
