@@ -42,3 +42,14 @@ TEST_CASE("what can't be a thumbnail is told with the setting's name") {
   REQUIRE_FALSE(status.ok());
   CHECK(status.error().message.starts_with("thumbnails: \"8x8\" is no thumbnail"));
 }
+
+TEST_CASE("a machine's limits are taken, however large its profile has them") {
+  // The Jubilee's, in a bundle of PrusaSlicer 2.5.
+  const auto ours = host::from_prusa("machine_max_feedrate_x", "13000,200");
+  REQUIRE(ours.has_value());
+  REQUIRE_EQ(ours->size(), 1);
+  host::PrintSettings settings;
+  REQUIRE(host::set_setting(settings, ours->front().key, ours->front().text).ok());
+  CHECK(host::validate_settings(settings).ok());
+  CHECK_EQ(settings.speed_max_xy_mm_s, 13'000);
+}
