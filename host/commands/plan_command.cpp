@@ -3,6 +3,7 @@
 #include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "core/slices/standing.h"
 #include "host/commands/commands.h"
 #include "host/commands/ready_plan.h"
+#include "host/commands/spool_check.h"
 #include "host/output/gcode_summary.h"  // filament_grams
 #include "host/pipeline/pipeline.h"
 #include "host/pipeline/standing_text.h"
@@ -56,8 +58,9 @@ std::string model_text(const core::Settings& settings) {
       corners, core::kLookAheadMoves);
 }
 
+// `left_mm`: on the spool.
 std::string table(const Options& options, const PrintPlan& print_plan,
-                  const GeometryStatistics& statistics) {
+                  const GeometryStatistics& statistics, std::optional<double> left_mm) {
   std::string text;
   const auto out = std::back_inserter(text);
   const core::Box& box = print_plan.part.summary.box;
@@ -103,6 +106,9 @@ std::string table(const Options& options, const PrintPlan& print_plan,
     fmt::format_to(out, "  of it {:.2f} g solid only because the inside was too narrow there\n",
                    statistics.volumes.regularised_mm3 * statistics.volumes.filament_density_g_mm3);
   }
+  if (left_mm) {
+    fmt::format_to(out, "spool      {}\n", spool_text({*left_mm, statistics.needed_mm}));
+  }
   fmt::format_to(out, "time       about {}, without heating up ({})\n",
                  duration_text(statistics.time_s), model_text(print_plan.settings));
   fmt::format_to(out, "defects    {}\n",
@@ -118,7 +124,7 @@ std::string table(const Options& options, const PrintPlan& print_plan,
 
 // The statistics, with what the table tells of the part.
 std::string json_of(const Options& options, const PrintPlan& print_plan,
-                    const GeometryStatistics& statistics) {
+                    const GeometryStatistics& statistics, std::optional<double> left_mm) {
   using Json = nlohmann::ordered_json;
   const PartSummary& part = print_plan.part.summary;
   const PrintSettings& settings = print_plan.settings;
@@ -140,6 +146,11 @@ std::string json_of(const Options& options, const PrintPlan& print_plan,
     const double grams = filament_grams(total_mm(statistics.filament_mm), settings);
     json["filament_g"] = grams;
     if (settings.filament_cost_kg > 0) json["price"] = grams * 1e-3 * settings.filament_cost_kg;
+  }
+  if (left_mm) {
+    const SpoolCheck check{*left_mm, statistics.needed_mm};
+    json["spool_left_mm"] = check.left_mm;
+    json["spool_enough"] = check.enough();
   }
   return json.dump(2) + "\n";
 }
@@ -179,6 +190,8 @@ int plan_command(const Options& options, Reporter& reporter) {
   core::Result<PrintPlan> opened = open_print_plan(options, reporter);
   if (!opened.ok()) return fail(opened.error(), reporter);
   PrintPlan& print_plan = opened.value();
+  const core::Result<std::optional<double>> left_mm = spool_left_mm(options, print_plan.settings);
+  if (!left_mm.ok()) return fail(left_mm.error(), reporter);
 
   const double started_s = steady_seconds();
   PipelineOutputs outputs;
@@ -205,10 +218,10 @@ int plan_command(const Options& options, Reporter& reporter) {
   if (end.value() == PipelineEnd::kStopped) return stopped(options, reporter);
   statistics.standing = standing.report();
   if (options.json) tell_outlook(statistics, reporter);
-  const int shown =
-      show_result(options.json ? json_of(options, print_plan, statistics)
-                               : table(options, print_plan, statistics) + outlook(statistics),
-                  reporter);
+  const int shown = show_result(
+      options.json ? json_of(options, print_plan, statistics, left_mm.value())
+                   : table(options, print_plan, statistics, left_mm.value()) + outlook(statistics),
+      reporter);
   return save_statistics(options, statistics, nullptr, shown, reporter);
 }
 

@@ -10,6 +10,7 @@
 #include "firmware_link/ports/ports.h"
 #include "host/commands/commands.h"
 #include "host/commands/print_run.h"
+#include "host/commands/spool_check.h"
 #include "host/printing/journal_directory.h"  // choose_journal
 #include "host/settings/settings_table.h"
 #include "host/system/exit_codes.h"
@@ -112,12 +113,7 @@ Result<JournalChoice> wanted_journal(const Options& options, Reporter& reporter)
   const bool named = !options.print.journal.empty();
   if (options.print.no_journal || (options.link.port == "virtual" && !named))
     return JournalChoice{};
-  std::error_code error;
-  const std::vector<std::string> paths = part_paths(options);
-  const bool rereadable = std::all_of(paths.begin(), paths.end(), [&](const std::string& path) {
-    return path != "-" && std::filesystem::is_regular_file(path, error);
-  });
-  if (!rereadable) {
+  if (!rereadable(options)) {
     reporter.note("warning", "a part from a pipe can't be read again: this print can't be resumed");
     return JournalChoice{};
   }
@@ -202,12 +198,15 @@ int print_command(const Options& told, Reporter& reporter) {
     reporter.error(mistake, kExitUsage);
     return kExitUsage;
   }
+  if (const std::optional<int> ended = check_spool(options, reporter)) return *ended;
   core::Result<PrintPlan> opened = open_print_plan(options, reporter);
   if (!opened.ok()) return fail(opened.error(), reporter);
   PrintPlan& print_plan = opened.value();
   double& segment_time_min_ms = print_plan.settings.segment_time_min_ms;
   if (segment_time_min_ms == 0)
     segment_time_min_ms = line_time_ms(options.link.port, options.link.baud);
+  const Result<std::optional<double>> left_mm = spool_left_mm(options, print_plan.settings);
+  if (!left_mm.ok()) return fail(left_mm.error(), reporter);
   const std::string usb = options.link.port == "virtual" ? "" : usb_of(options.link.port);
   const Result<JournalChoice> choice = wanted_journal(options, reporter);
   if (!choice.ok()) return fail(choice.error(), reporter);
@@ -223,8 +222,9 @@ int print_command(const Options& told, Reporter& reporter) {
   }
   JournalKeeper keeper;
   plan_journal(options, choice.value(), usb, print_plan, keeper);
-  return run_print(options, print_plan, keeper, {usb, space_in(print_plan.settings, options), {}},
-                   started_s, reporter);
+  return run_print(options, print_plan, keeper,
+                   {usb, space_in(print_plan.settings, options), {}, left_mm.value()}, started_s,
+                   reporter);
 }
 
 }  // namespace host

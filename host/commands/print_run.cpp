@@ -137,6 +137,7 @@ int run_print(const Options& options, PrintPlan& print_plan, JournalKeeper& keep
     const bool waits = options.link.on_lost_port != OnLostPort::kStop && !is_virtual(options);
     request.options.lost_port_wait_s = waits ? options.link.lost_port_wait_s : 0;
     request.options.space = extras.space;
+    request.options.spool_left_mm = extras.spool_left_mm;
     request.options.resumption = extras.resumption;
     if (controls.has_keys()) reporter.note("keys", key_help());
     outcome = print_part(request);

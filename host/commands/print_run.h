@@ -31,6 +31,7 @@ struct RunExtras {
   std::string usb;  // of the port (usb_of)
   MachineSpace space;
   std::optional<Resumption> resumption;
+  std::optional<double> spool_left_mm = std::nullopt;  // nothing: nobody has said so
 };
 [[nodiscard]] int run_print(const Options& options, PrintPlan& print_plan, JournalKeeper& keeper,
                             const RunExtras& extras, double started_s, Reporter& reporter);

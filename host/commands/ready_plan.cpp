@@ -10,6 +10,7 @@
 
 #include "host/commands/commands.h"   // part_title
 #include "host/commands/print_run.h"  // space_in
+#include "host/commands/spool_check.h"
 #include "host/gcode/gcode_kind.h"
 #include "host/pipeline/user_gcode.h"  // allowed_commands
 #include "host/system/stage_clock.h"   // steady_seconds
@@ -120,21 +121,29 @@ int plan_ready(const Options& options, const PrintSettings& settings,
   const Result<PrintPlan> plan = ready_plan(options, settings, file, reporter);
   if (!plan.ok()) return fail(plan.error(), reporter);
   const ReadySummary& summary = file->summary();
+  const Result<std::optional<double>> left_mm = spool_left_mm(options, settings);
+  if (!left_mm.ok()) return fail(left_mm.error(), reporter);
+  const SpoolCheck spool{left_mm.value().value_or(0), summary.needed_mm};
   const auto mm = [](std::int64_t units) { return core::Length::from_units(units).mm(); };
   const core::Box& box = summary.box;
   const bool boxed = !box.empty();
   const double x_mm = boxed ? mm(std::int64_t{box.max.x} - box.min.x) : 0;
   const double y_mm = boxed ? mm(std::int64_t{box.max.y} - box.min.y) : 0;
   if (options.json) {
-    const nlohmann::ordered_json json = {{"format", "G-code"},
-                                         {"commands", summary.commands},
-                                         {"layers", summary.layers},
-                                         {"x_mm", x_mm},
-                                         {"y_mm", y_mm},
-                                         {"height_mm", summary.height.mm()},
-                                         {"filament_mm", summary.filament_mm},
-                                         {"time_s", summary.time_s()},
-                                         {"motion_clock_s", summary.clock_s}};
+    nlohmann::ordered_json json = {{"format", "G-code"},
+                                   {"commands", summary.commands},
+                                   {"layers", summary.layers},
+                                   {"x_mm", x_mm},
+                                   {"y_mm", y_mm},
+                                   {"height_mm", summary.height.mm()},
+                                   {"filament_mm", summary.filament_mm},
+                                   {"time_s", summary.time_s()},
+                                   {"motion_clock_s", summary.clock_s},
+                                   {"needed_mm", summary.needed_mm}};
+    if (left_mm.value()) {
+      json["spool_left_mm"] = spool.left_mm;
+      json["spool_enough"] = spool.enough();
+    }
     return show_result(json.dump(2) + "\n", reporter);
   }
   std::string text;
@@ -146,6 +155,7 @@ int plan_ready(const Options& options, const PrintSettings& settings,
   fmt::format_to(out, "layers     {}{}\n", summary.layers,
                  summary.marks ? ", as its comments tell" : ", by height");
   fmt::format_to(out, "filament   {:9.1f} mm in roads\n", summary.filament_mm);
+  if (left_mm.value()) fmt::format_to(out, "spool      {}\n", spool_text(spool));
   if (summary.told_s) {
     fmt::format_to(out, "time       {}, as its slicer tells\n", duration_text(*summary.told_s));
   }

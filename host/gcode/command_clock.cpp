@@ -67,6 +67,8 @@ void CommandClock::add(const firmware_link::Command& command) {
 void CommandClock::add_move(const Move& move) {
   if (move.f_mm_min) feed_mm_min_ = *move.f_mm_min;
   if (!moves(move)) return;
+  pushed_10nm_ += move.e_10nm.value_or(0) * flow_percent_ / 100;
+  needed_10nm_ = std::max(needed_10nm_, pushed_10nm_);
   core::MotionClock::Move way;
   if (move.arc) {
     way.arc = {mm(x_um_ + move.arc->i_um), mm(y_um_ + move.arc->j_um), move.arc->clockwise,
@@ -87,6 +89,7 @@ void CommandClock::add_move(const Move& move) {
 void CommandClock::add_line(const ReadyLine& line) {
   add_move(line.move);
   if (line.effect.kind == Effect::Kind::kFeedPercent) feed_percent_ = line.effect.value;
+  if (line.effect.kind == Effect::Kind::kFlowPercent) flow_percent_ = line.effect.value;
   if (line.place == PlaceAfter::kAxesLost) {
     if ((line.lost_axes & 1) != 0) x_um_ = 0;
     if ((line.lost_axes & 2) != 0) y_um_ = 0;

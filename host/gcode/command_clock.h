@@ -1,7 +1,8 @@
-// How long a print's commands take: one clock for what rind plans, writes and prints, and for ready
-// G-code. It follows what commands change about moving:
+// How long a print's commands take, and how much filament: one clock for what rind plans, writes
+// and prints, and for ready G-code. It follows what commands change about moving:
 //
 //     M201 M203 M204 M205 M566   SET_VELOCITY_LIMIT   M220     limits, accelerations, corners, feed
+//     M221                                                    the flow
 //     G4                                                      a pause is counted
 //     G28 M109 M400 M600 macros …                              the machine comes to rest first
 //
@@ -31,6 +32,9 @@ class CommandClock {
   // For all that was added, coming to rest at its end.
   [[nodiscard]] double seconds() const { return clock_.seconds(); }
 
+  // The most that was taken off the spool, with what users' lines push out.
+  [[nodiscard]] double needed_mm() const { return static_cast<double>(needed_10nm_) * 1e-5; }
+
  private:
   void add_move(const firmware_link::Move& move);
   void add_line(const firmware_link::ReadyLine& line);
@@ -43,6 +47,8 @@ class CommandClock {
   std::int64_t x_um_ = 0, y_um_ = 0, z_um_ = 0;
   std::int64_t feed_mm_min_ = 1'500;  // Marlin's, until a line tells one
   std::int64_t feed_percent_ = 100;
+  std::int64_t flow_percent_ = 100;
+  std::int64_t pushed_10nm_ = 0, needed_10nm_ = 0;
 };
 
 }  // namespace host

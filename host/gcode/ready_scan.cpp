@@ -159,6 +159,7 @@ void Scan::end(const FilePlace& last) {
   summary_.filament_mm = last.filament_mm;
   summary_.seconds = last.seconds;
   summary_.clock_s = clock_.seconds();
+  summary_.needed_mm = clock_.needed_mm();
   if (!last.set_up_whole) unsafe("it sets up more than rind remembers");
   if (!macros_.empty()) {
     unsafe(fmt::format("what the macro{} {} set{} up is not known", macros_.size() > 1 ? "s" : "",

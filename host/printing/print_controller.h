@@ -43,7 +43,8 @@ struct PrintOptions {
   double hot_s = kPausedHot_s;  // how long a paused nozzle stays hot
   double banner_wait_s = 2.5;   // for a `start` (SessionOptions)
   bool count_filament = true;   // likewise
-  std::optional<MachineSpace> space = std::nullopt;  // nothing: as the settings say
+  std::optional<double> spool_left_mm = std::nullopt;  // nothing: nobody has said so
+  std::optional<MachineSpace> space = std::nullopt;    // nothing: as the settings say
   std::optional<Resumption> resumption = std::nullopt;
 };
 

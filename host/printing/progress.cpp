@@ -72,6 +72,9 @@ std::string progress_line(const ProgressReport& report) {
   line += report.left_s ? " | " + duration_text(*report.left_s) + " left"
                         : " | " + duration_text(report.elapsed_s);
   if (report.filament_mm > 0) line += fmt::format(" | {:.2f} m", report.filament_mm / 1'000);
+  if (report.spool_left_mm) {
+    line += fmt::format(" | spool {:.2f} m", *report.spool_left_mm / 1'000);
+  }
   append_heat(line, "nozzle", report.nozzle_celsius, report.nozzle_target_celsius);
   append_heat(line, "bed", report.bed_celsius, report.bed_target_celsius);
   if (report.lines_in_flight) line += fmt::format(" | {} in flight", *report.lines_in_flight);
@@ -199,6 +202,7 @@ void Reporter::progress(const ProgressReport& report, double now_s) {
       if (value) fields.emplace_back(key, *value);
     };
     add("left_s", report.left_s);
+    add("spool_left_mm", report.spool_left_mm);
     add("nozzle_celsius", report.nozzle_celsius);
     add("nozzle_target_celsius", report.nozzle_target_celsius);
     add("bed_celsius", report.bed_celsius);

@@ -25,6 +25,7 @@ struct ProgressReport {
   core::LayerIndex layers = 0;  // 0: not known
   core::Length height;
   double filament_mm = 0;
+  std::optional<double> spool_left_mm;
   double elapsed_s = 0;
   std::optional<double> left_s;
   std::optional<double> share;  // of its time; nothing: layers tell it

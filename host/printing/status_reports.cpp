@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "host/system/limits.h"       // kSpoolLow_mm
 #include "host/system/stage_clock.h"  // steady_seconds
 
 namespace host {
@@ -250,9 +251,23 @@ std::optional<double> StatusReports::left_s(const ProgressReport& report) const 
          static_cast<double>(report.layer - first_layer_);
 }
 
+// Once, while there is time to change it in a pause.
+void StatusReports::tell_spool() {
+  if (!spool_left_mm_ || told_spool_low_) return;
+  const double left_mm = *spool_left_mm_ - commands_.last().filament_mm;
+  if (left_mm > kSpoolLow_mm || commands_.last().filament_mm == 0) return;
+  told_spool_low_ = true;
+  reporter_.note("spool_low",
+                 fmt::format("about {:.2f} m of filament are left on the spool: pause to change it "
+                             "before it ends",
+                             std::max(left_mm, 0.0) / 1'000),
+                 {{"spool_left_mm", left_mm}});
+}
+
 void StatusReports::show_progress(const firmware_link::Session& session) {
   const double now = steady_seconds();
   for (const std::string& warning : signals_.warnings.take()) reporter_.note("warning", warning);
+  tell_spool();
   if (!reporter_.progress_due(now)) return;
   const QueuedCommand& last = commands_.last();
   ProgressReport report;
@@ -261,6 +276,7 @@ void StatusReports::show_progress(const firmware_link::Session& session) {
   report.height = last.top;
   report.preparation = signals_.preparation.get();
   report.filament_mm = last.filament_mm;
+  if (spool_left_mm_) report.spool_left_mm = *spool_left_mm_ - last.filament_mm;
   report.elapsed_s = now - started_s_;
   report.left_s = left_s(report);
   if (const double all_s = signals_.full_speed_s.load(); all_s > 0) {

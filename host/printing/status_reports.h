@@ -41,6 +41,8 @@ class StatusReports {
   void tell_pause(PauseControl::Phase phase, const std::string& cause, double hot_s);
   // The feed or the flow was changed by this request.
   void tell_override(UserRequest request, const FeedOverride& feed);
+  // So much filament is left on the spool; it is counted down by the roads laid.
+  void count_down(std::optional<double> spool_left_mm) { spool_left_mm_ = spool_left_mm; }
   // Which objects can be cancelled, by number.
   void tell_objects();
   // `from`: the first layer without it; nothing: it can't be cancelled, and false is returned.
@@ -51,6 +53,7 @@ class StatusReports {
   void show_progress(const firmware_link::Session& session);
 
  private:
+  void tell_spool();
   void tell_counts(const firmware_link::SessionStatistics& link);
   void tell_heat(const firmware_link::Temperatures& heat);
   void tell_action(const std::string& action);
@@ -71,6 +74,8 @@ class StatusReports {
   double pause_began_s_ = 0;
   double paused_s_ = 0;  // in pauses that have ended
   firmware_link::Temperatures told_heat_;
+  std::optional<double> spool_left_mm_;
+  bool told_spool_low_ = false;
 };
 
 }  // namespace host

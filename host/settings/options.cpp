@@ -36,12 +36,32 @@ void add_journal(CLI::App& command, Options& options) {
                    "set the journal of an interrupted print aside (.old)");
 }
 
+// The value, or a usage error of that option.
+template <typename Value>
+Value taken(const char* option, core::Result<Value> read) {
+  if (!read.ok()) throw CLI::ValidationError(option, read.error().message);
+  return std::move(read).value();
+}
+
+void add_spool_left(CLI::App& command, Options& options) {
+  command
+      .add_option_function<std::string>(
+          "--spool-left",
+          [&options](const std::string& text) {
+            options.spool_left = taken("--spool-left", spool_amount(text));
+          },
+          "filament that is left on the spool, as '12 m' or '350 g': is it enough?")
+      ->type_name("AMOUNT")
+      ->trigger_on_parse();
+}
+
 CLI::App* add_print(CLI::App& app, Options& options) {
   CLI::App* command = app.add_subcommand("print", "print a part while it is being sliced");
   add_part(*command, options);
   add_sorted(*command, options);
   add_port(*command, options);
   add_journal(*command, options);
+  add_spool_left(*command, options);
   add_settings(*command, options);
   add_reports(*command, options);
   return command;
@@ -97,13 +117,6 @@ CLI::App* add_slice(CLI::App& app, Options& options, std::string& format, std::s
   add_settings(*command, options);
   add_reports(*command, options);
   return command;
-}
-
-// The value, or a usage error of that option.
-template <typename Value>
-Value taken(const char* option, core::Result<Value> read) {
-  if (!read.ok()) throw CLI::ValidationError(option, read.error().message);
-  return std::move(read).value();
 }
 
 CLI::App* add_show(CLI::App& app, Options& options) {
@@ -244,6 +257,7 @@ Commands add_commands(CLI::App& app, Options& options, std::string& format, std:
       Subcommand::kPlan,
       app.add_subcommand("plan", "layers, filament, time and defects; prints nothing"));
   add_part(plan, options);
+  add_spool_left(plan, options);
   add_settings(plan, options);
   add_reports(plan, options);
   commands.add(Subcommand::kShow, add_show(app, options));

@@ -13,6 +13,7 @@
 #include "host/part/bad_layers.h"          // OnBadLayer
 #include "host/pipeline/hanging_log.h"     // OnFloating
 #include "host/settings/section_words.h"   // SectionPlace, SectionZoom
+#include "host/settings/spool_amount.h"    // SpoolAmount
 #include "host/settings/whole_settings.h"  // SettingsRequest
 #include "host/system/limits.h"            // kSortBytesDefault
 
@@ -106,7 +107,8 @@ struct Options {
   PrintCommandOptions print;
   OutputOptions output;
   TestOptions test;
-  std::string preset_shown;  // presets: a name; empty: list them
+  std::optional<SpoolAmount> spool_left;  // plan, print
+  std::string preset_shown;               // presets: a name; empty: list them
 
   std::string translated;  // settings: the profile whose translation is shown; empty: none
 

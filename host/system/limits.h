@@ -72,6 +72,9 @@ inline constexpr std::size_t kLogFilesMax = 2;
 // The first layers, which fill reusable buffers; allocations are counted after them.
 inline constexpr std::int64_t kWarmUpLayers = 50;
 
+// Filament on the spool from which on its end is told: some minutes of printing.
+inline constexpr double kSpoolLow_mm = 1'000;
+
 // Least time between two progress lines in the log.
 inline constexpr double kLogPeriod_s = 60;
 

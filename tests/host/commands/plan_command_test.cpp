@@ -79,3 +79,77 @@ TEST_CASE("ready G-code is printed as it is: what would change it is refused by 
   }
   CHECK_EQ(test::rind("plan " + file).exit_code, 0);
 }
+
+TEST_CASE(
+    "plan says whether the spool is enough, by length and by weight, for all parts together") {
+  const PartFolder folder;
+  const std::string box = folder.add("box.stl", parts::box({1, 1, 0}, 8, 6, 4));
+  const auto planned = [&](const std::string& more) {
+    const ProgramRun run =
+        test::run_program(test::kRind + " plan " + more + kCoarse + " --json 2> /dev/null");
+    REQUIRE_EQ(run.exit_code, 0);
+    return nlohmann::json::parse(run.output);
+  };
+  const auto alone = planned(box);
+  CHECK_FALSE(alone.contains("spool_enough"));
+  const double needed_mm = alone["needed_mm"], grams = alone["filament_g"];
+  // No start G-code: that is what the roads take.
+  const double roads_mm = alone["filament_mm"]["total"];
+  CHECK(needed_mm == doctest::Approx(roads_mm).epsilon(0.001));
+
+  const auto left = [&](double share, const std::string& more) {
+    return planned(more + " --spool-left " + std::to_string(share * needed_mm) + "mm");
+  };
+  CHECK_EQ(left(1.02, box)["spool_enough"], true);
+  CHECK_EQ(left(0.98, box)["spool_enough"], false);
+  CHECK_EQ(left(2.9, box + " --copies 3")["spool_enough"], false);
+  CHECK_EQ(left(3.1, box + " --copies 3")["spool_enough"], true);
+  CHECK_EQ(left(1.9, box + " " + box)["spool_enough"], false);
+  CHECK_EQ(left(2.1, box + " " + box)["spool_enough"], true);
+  CHECK_EQ(planned(box + " --spool-left '" + std::to_string(1.02 * grams) + " g'")["spool_enough"],
+           true);
+  CHECK_EQ(planned(box + " --spool-left " + std::to_string(0.98e-3 * grams) + "kg")["spool_enough"],
+           false);
+  // What the start G-code pushes out is needed, too.
+  const std::string purge = " --set 'start_gcode=G28\\nM83\\nG1 E20 F300\\nG1 E-5\\nG1 E5'";
+  const double purged_mm = planned(box + purge)["needed_mm"];
+  CHECK(purged_mm == doctest::Approx(needed_mm + 20).epsilon(0.001));
+
+  const ProgramRun table = rind("plan " + box + kCoarse + " --spool-left '12 m'");
+  CHECK(says(table, "spool      12.00 m are left: enough, "));
+  const ProgramRun bare = rind("plan " + box + kCoarse + " --spool-left 12");
+  CHECK_EQ(bare.exit_code, 2);
+  CHECK(says(bare, "'12' is no amount of filament; write '12 m'"));
+  const ProgramRun unknown =
+      rind("plan " + box + kCoarse + " --spool-left 12g --set filament_density_g_cm3=0");
+  CHECK_EQ(unknown.exit_code, 3);
+  CHECK(says(unknown, "set filament_density_g_cm3"));
+}
+
+TEST_CASE("a print whose filament will not do says so before anything is heated") {
+  const PartFolder folder;
+  const std::string box = folder.add("box.stl", parts::box({1, 1, 0}, 8, 6, 1.6));
+  const std::string print = kCoarse + " --port virtual --virtual-speed 0";
+  const ProgramRun enough = rind("print " + box + print + " --spool-left '2 m'");
+  CAPTURE(enough.output);
+  CHECK_EQ(enough.exit_code, 0);
+  CHECK(says(enough, "2.00 m are left: enough, "));
+  const ProgramRun few = rind("print " + box + print + " --spool-left '30 mm'");
+  CAPTURE(few.output);
+  CHECK_EQ(few.exit_code, 2);
+  CHECK(says(few, "too short by "));
+  CHECK_FALSE(says(few, "nozzle"));
+
+  // Ready G-code tells what it needs; a pipe doesn't, and is counted down.
+  const std::string gcode = folder.file("box.gcode");
+  REQUIRE_EQ(rind("slice " + box + kCoarse + " -o " + gcode).exit_code, 0);
+  CHECK_EQ(rind("print " + gcode + print + " --spool-left '30 mm'").exit_code, 2);
+  CHECK_EQ(rind("print " + gcode + print + " --spool-left '2 m'").exit_code, 0);
+  CHECK(says(rind("plan " + gcode + " --spool-left '30 mm'"), "too short by "));
+  const ProgramRun pipe = test::run_program("cat " + box + " | " + test::kRind + " print - " +
+                                            print + " --spool-left '30 mm' 2>&1");
+  CAPTURE(pipe.output);
+  CHECK_EQ(pipe.exit_code, 0);
+  CHECK(says(pipe, "a part from a pipe can't be planned first"));
+  CHECK(says(pipe, "of filament are left on the spool"));
+}
