@@ -296,6 +296,10 @@ struct Settings {
   int copies = 1;                                // of each part
   Length part_gap = Length::from_units(60'000);  // between objects, at least
   ObjectLabels object_labels = ObjectLabels::kAuto;
+  // One object after another (host/part/object_sequence.h).
+  bool sequential = false;
+  Length clearance_radius = Length::from_units(450'000);
+  Length clearance_height = Length::from_units(200'000);
   double nozzle_celsius = 210;
   double nozzle_first_layer_celsius = 210;
   double bed_celsius = 60;

@@ -43,6 +43,8 @@ int run(const host::Options& options, host::Reporter& reporter) {
       return host::setup_command(options, reporter);
     case host::Subcommand::kTest:
       return host::test_command(options, reporter);
+    case host::Subcommand::kTell:
+      return host::tell_command(options, reporter);
   }
   return host::kExitUsage;
 }

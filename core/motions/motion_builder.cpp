@@ -22,6 +22,14 @@ namespace core {
 
 namespace {
 
+// How far the nozzle passes above finished objects, at least.
+constexpr Length kObjectClearance = Length::from_units(10'000);
+
+// A nozzle that oozes over a finished top leaves a trace.
+bool is_top(RoadKind kind) { return kind == RoadKind::kTopSolid || kind == RoadKind::kIroning; }
+
+bool is_outside(RoadKind kind) { return kind == RoadKind::kSkirt || kind == RoadKind::kBrim; }
+
 double length_mm(const std::vector<WidthStretch>& stretches) {
   double sum = 0;
   for (const WidthStretch& each : stretches) sum += length_mm(each.points, each.closed);
@@ -74,6 +82,7 @@ void MotionBuilder::start_layer(const Slice& slice, const Sink& sink) {
   top_ = slice.top();
   height_ = slice.height;
   speed_share_ = height_share(settings_, top_, settings_.height_slowdown_speed);
+  state_.highest = std::max(state_.highest, top_);
   ++totals_.layers;
   sink(LayerStart{index_, top_, height_});
 }
@@ -268,15 +277,6 @@ void MotionBuilder::lay_rising(const RoadPiece& piece, RoadKind kind, double fil
   }
 }
 
-namespace {
-
-// A nozzle that oozes over a finished top leaves a trace.
-bool is_top(RoadKind kind) { return kind == RoadKind::kTopSolid || kind == RoadKind::kIroning; }
-
-bool is_outside(RoadKind kind) { return kind == RoadKind::kSkirt || kind == RoadKind::kBrim; }
-
-}  // namespace
-
 // Not where the way is inside the part and short, or, if so set, as long as may be.
 bool MotionBuilder::needs_retraction(const std::vector<Point>& way, RoadKind kind,
                                      SliceBoundary& boundary) const {
@@ -296,17 +296,30 @@ std::vector<Point> MotionBuilder::way_to(Point to) const {
   return {state_.position, to};
 }
 
+// Whether the nozzle was lifted over finished objects, and has not gone down since.
+bool MotionBuilder::is_over_objects() const {
+  return state_.position_known && state_.highest > top_ &&
+         state_.nozzle_z.value_or(Length()) > state_.highest;
+}
+
+void MotionBuilder::leave_object(const Sink& sink) {
+  if (!state_.position_known) return;
+  retract(sink);
+  lift(std::max(park_height(state_.highest, settings_), state_.highest + kObjectClearance), sink);
+}
+
 void MotionBuilder::travel(Point to, RoadKind kind, SliceBoundary& boundary, const Sink& sink) {
   if (state_.position_known && state_.position == to) {
     lift(level_, sink);
     unretract(sink);
     return;
   }
-  std::vector<Point> way = way_to(to);
-  if (!state_.position_known || needs_retraction(way, kind, boundary)) {
+  const bool over = is_over_objects();
+  std::vector<Point> way = over ? std::vector{state_.position, to} : way_to(to);
+  if (!state_.position_known || over || needs_retraction(way, kind, boundary)) {
     retract(sink);
-    const Length over = level_ + settings_.retraction_lift;
-    if (state_.nozzle_z.value_or(Length()) < over) lift(over, sink);
+    const Length lifted = level_ + settings_.retraction_lift;
+    if (state_.nozzle_z.value_or(Length()) < lifted) lift(lifted, sink);
     // A wipe has moved the nozzle.
     if (state_.position != way.front()) way = way_to(to);
   } else {
@@ -366,7 +379,7 @@ void MotionBuilder::finish(const Sink& sink) {
   ended_ = true;
   retract(sink);
   const Length here = state_.nozzle_z.value_or(top_);
-  lift(std::max(park_height(top_, settings_), here), sink);
+  lift(std::max(park_height(state_.highest, settings_), here), sink);
   sink(Travel{park_place(settings_), settings_.travel_speed_mm_s});
   sink(SetNozzleTemperature{0, false});
   sink(SetBedTemperature{0, false});

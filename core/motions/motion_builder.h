@@ -64,6 +64,7 @@ struct MotionState {
   double acceleration_mm_s2 = 0;  // as last told; 0: never told
   std::optional<bool> arcs;       // whether round roads become arcs; nothing: not decided
   std::int64_t actions = 0;       // carried out, of those at heights (height_actions.h)
+  Length highest;                 // top of the highest layer that has roads
 };
 
 class MotionBuilder {
@@ -86,9 +87,15 @@ class MotionBuilder {
   // The roads of the next layer up, in this order. A layer without roads gives no motion, and a
   // print without any heats only in preheat().
   // `space`: of this slice, for ways around contours; null: ways are straight.
-  // REQUIRES: slices come from the bed up; every road has two points or more.
+  // REQUIRES: slices come from the bed up, again behind leave_object(); every road has two points
+  // or more.
   void layer(const Slice& slice, const std::vector<Road>& roads, const Sink& sink,
              const TravelSpace* space = nullptr);
+
+  // The object at hand is finished, and the next one begins on the bed: the nozzle is lifted over
+  // all that stands, and goes down again where the next road begins. Nothing when no layer had
+  // roads.
+  void leave_object(const Sink& sink);
 
   // Ends the print: retracts, lifts the nozzle off the part, parks it (park_place.h), heaters and
   // fan off, end G-code.
@@ -144,6 +151,7 @@ class MotionBuilder {
            const Sink& sink);
   void lay_rising(const RoadPiece& piece, RoadKind kind, double filament_per_mm, double speed,
                   const Sink& sink);
+  [[nodiscard]] bool is_over_objects() const;
   void travel(Point to, RoadKind kind, SliceBoundary& boundary, const Sink& sink);
   [[nodiscard]] std::vector<Point> way_to(Point to) const;
   [[nodiscard]] bool needs_retraction(const std::vector<Point>& way, RoadKind kind,

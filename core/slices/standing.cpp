@@ -140,6 +140,14 @@ void Standing::judge(const Body& body, double brim_mm, StandingReport& report) {
   if (!report.loosest || need(standing) > need(*report.loosest)) report.loosest = standing;
 }
 
+void Standing::next_object() {
+  ended_ = report();
+  last_ = Region();
+  islands_.clear();
+  bodies_.clear();
+  on_bed_ = true;
+}
+
 StandingReport Standing::report() const {
   StandingReport report = ended_;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {

@@ -66,6 +66,9 @@ class Standing {
   // islands whose boxes overlap. Holds the slice, and the hulls of the first one.
   void add(const Slice& slice);
 
+  // The slices that follow are another object's, which is printed when this one is finished.
+  void next_object();
+
   // Of all slices so far. COSTS: O(bodies).
   [[nodiscard]] StandingReport report() const;
 

@@ -26,6 +26,7 @@ int formats_command(const Options& options, Reporter& reporter);
 int presets_command(const Options& options, Reporter& reporter);
 int setup_command(const Options& options, Reporter& reporter);
 int test_command(const Options& options, Reporter& reporter);
+int tell_command(const Options& options, Reporter& reporter);
 
 // Printer, profile, then the command line's assignments, then the check that all fit together.
 // G-code that waits for the part is not in the settings.

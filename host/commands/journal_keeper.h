@@ -43,6 +43,9 @@ class JournalKeeper {
   // Null until it has started.
   [[nodiscard]] Journal* journal();
 
+  // Of the journal that is held for the print; empty: none is.
+  [[nodiscard]] std::string held_path() const { return journal_ ? journal_->path() : ""; }
+
   // The print has ended.
   void drop_if_empty();
 

@@ -58,6 +58,17 @@ std::string model_text(const core::Settings& settings) {
       corners, core::kLookAheadMoves);
 }
 
+// As they are cancelled by.
+std::string objects_text(const std::vector<PartObject>& objects) {
+  constexpr std::size_t kNamedMax = 24;
+  std::string text;
+  for (std::size_t i = 0; i < objects.size() && i < kNamedMax; ++i) {
+    text += fmt::format("{}{} {}", i > 0 ? ", " : "", i + 1, objects[i].name);
+  }
+  if (objects.size() > kNamedMax) text += fmt::format(" … {}", objects.size());
+  return text;
+}
+
 // `left_mm`: on the spool.
 std::string table(const Options& options, const PrintPlan& print_plan,
                   const GeometryStatistics& statistics, std::optional<double> left_mm) {
@@ -74,6 +85,8 @@ std::string table(const Options& options, const PrintPlan& print_plan,
                    mm(box.max.y - box.min.y),
                    (print_plan.part.summary.height - core::raft_lift(print_plan.settings)).mm());
   }
+  const std::vector<PartObject>& objects = print_plan.part.summary.objects;
+  if (!objects.empty()) fmt::format_to(out, "objects    {}\n", objects_text(objects));
   if (facets > 0) {
     fmt::format_to(out, "layers     {} of {}, wall {:g} mm", statistics.layers,
                    layer_words(print_plan.settings, print_plan.part.summary),
@@ -134,6 +147,7 @@ std::string json_of(const Options& options, const PrintPlan& print_plan,
                   {"facets", part.facets},
                   {"degenerate_facets", part.degenerate},
                   {"warnings", part.warnings}};
+  for (const PartObject& object : part.objects) json["part"]["objects"].push_back(object.name);
   if (!part.box.empty()) {
     const auto mm = [](std::int64_t units) { return core::Length::from_units(units).mm(); };
     json["part"]["x_mm"] = mm(std::int64_t{part.box.max.x} - part.box.min.x);
@@ -196,7 +210,10 @@ int plan_command(const Options& options, Reporter& reporter) {
   const double started_s = steady_seconds();
   PipelineOutputs outputs;
   core::Standing standing(core::brim_reach(print_plan.settings).mm());
+  core::Length top;
   outputs.on_layer = [&](const core::SplitLayer& layer) {
+    if (layer.slice.bottom < top) standing.next_object();
+    top = layer.slice.top();
     standing.add(layer.slice);
     const double now = steady_seconds();
     ProgressReport report;

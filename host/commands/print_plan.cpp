@@ -10,6 +10,7 @@
 #include "host/commands/output_names.h"
 #include "host/commands/ready_plan.h"
 #include "host/files/output_file.h"
+#include "host/part/object_sequence.h"
 #include "host/part/plate.h"
 #include "host/pipeline/inside_stage.h"  // holds_its_roof
 #include "host/pipeline/user_gcode.h"
@@ -93,13 +94,21 @@ bool leaves_roofs_unheld(const core::Settings& settings) {
          settings.style != core::BuildStyle::kRegular && !settings.spiral_vase;
 }
 
+// Pictures, and files of layers, have all objects in each layer.
+bool follows_time(const Options& options) {
+  if (options.subcommand == Subcommand::kShow) return false;
+  return options.subcommand != Subcommand::kSlice || options.output.format == OutputFormat::kGcode;
+}
+
 // Of the whole bed.
 core::Result<OpenedPart> opened(const Options& options, const core::Settings& settings,
                                 const OpenOptions& open, bool rest_later) {
   const std::vector<std::string> paths = part_paths(options);
   const bool plate = is_plate(paths, settings);
-  core::Result<OpenedPart> part =
-      plate ? open_plate(paths, settings, open) : open_part(options.part.path, settings, open);
+  const bool in_turn = plate && settings.sequential && follows_time(options);
+  core::Result<OpenedPart> part = in_turn ? open_sequence(paths, settings, open)
+                                  : plate ? open_plate(paths, settings, open)
+                                          : open_part(options.part.path, settings, open);
   return rest_later ? std::move(part) : read_whole(std::move(part));
 }
 

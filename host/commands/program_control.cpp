@@ -26,11 +26,33 @@ std::unique_ptr<BytePort> opened(const std::string& path, int baud) {
 
 int ProgramControl::stop_urgency() { return host::stop_urgency(); }
 
-std::optional<UserRequest> ProgramControl::next_request() { return parts_.controls.next(); }
+void ProgramControl::hear() {
+  while (pipe_ && !request_ && !cancelled_) {
+    const std::optional<TypedRequest> typed = pipe_->next();
+    if (!typed) return;
+    request_ = typed->request;
+    if (!typed->request) cancelled_ = typed->object;
+  }
+}
 
-std::optional<int> ProgramControl::next_cancelled() { return parts_.controls.next_cancelled(); }
+std::optional<UserRequest> ProgramControl::next_request() {
+  if (const std::optional<UserRequest> key = parts_.controls.next()) return key;
+  hear();
+  return std::exchange(request_, {});
+}
 
-core::Status ProgramControl::may_start() { return parts_.keeper.reserve(parts_.reporter); }
+std::optional<int> ProgramControl::next_cancelled() {
+  if (const std::optional<int> typed = parts_.controls.next_cancelled()) return typed;
+  hear();
+  return std::exchange(cancelled_, {});
+}
+
+core::Status ProgramControl::may_start() {
+  core::Status may = parts_.keeper.reserve(parts_.reporter);
+  const std::string journal = parts_.keeper.held_path();
+  if (may.ok() && !journal.empty() && !pipe_) pipe_ = RequestPipe::create(journal);
+  return may;
+}
 
 Journal* ProgramControl::journal() { return parts_.keeper.journal(); }
 

@@ -12,6 +12,7 @@
 #include "host/printing/controls.h"         // Controls
 #include "host/printing/print_control.h"    // PrintControl
 #include "host/printing/progress.h"         // Reporter
+#include "host/printing/request_pipe.h"     // RequestPipe
 #include "host/settings/options.h"          // Options
 
 namespace host {
@@ -40,8 +41,14 @@ class ProgramControl final : public PrintControl {
                                                           bool in_doubt) override;
 
  private:
+  // Requests that came over the pipe, sorted.
+  void hear();
+
   Parts parts_;
   std::string usb_;
+  std::unique_ptr<RequestPipe> pipe_;  // null: there is none
+  std::optional<UserRequest> request_;
+  std::optional<int> cancelled_;
 };
 
 // Asks a person where the nozzle is, in µm; nothing: nobody answered, or it is not safe. `z_um`:

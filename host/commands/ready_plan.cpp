@@ -79,6 +79,7 @@ Status check_as_it_is(const ReadyFile& file, const PrintSettings& settings) {
   const auto add = [&asked](bool is_asked, const char* key) {
     if (is_asked) asked += (asked.empty() ? "" : ", ") + std::string(key);
   };
+  add(settings.sequential, "sequential");
   add(settings.copies != plain.copies, "copies");
   add(settings.part_scale != plain.part_scale, "part_scale");
   add(settings.part_rotation != plain.part_rotation, "part_rotation");

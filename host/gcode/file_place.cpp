@@ -9,7 +9,7 @@
 namespace host {
 namespace {
 
-constexpr std::size_t kNumbers = 27;
+constexpr std::size_t kNumbers = 28;
 static_assert(kNumbers * 8 + kSetUpBytesMax <= kPlaceBytesMax);
 
 // Writes or reads 8 bytes a value, lowest first.
@@ -71,6 +71,7 @@ void pass_all(Numbers& numbers, FilePlace& place) {
   numbers.pass(modes.f_mm_min);
   numbers.pass(modes.e_count_10nm);
   numbers.pass(modes.drawn_back_10nm);
+  numbers.pass(modes.highest_laid_um);
   numbers.pass(modes.nozzle_tenths);
   numbers.pass(modes.bed_tenths);
   numbers.pass(modes.fan);

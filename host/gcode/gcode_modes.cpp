@@ -14,6 +14,11 @@ std::int64_t drawn_back_after(const firmware_link::Move& move, std::int64_t befo
   return std::max<std::int64_t>(0, before_10nm - *move.e_10nm);
 }
 
+std::int64_t highest_laid_after(const firmware_link::Move& move,
+                                const std::optional<std::int64_t>& z_um, std::int64_t before_um) {
+  return z_um && lays_road(move) ? std::max(before_um, *z_um) : before_um;
+}
+
 void GcodeModes::apply(const firmware_link::ReadyLine& line) {
   const firmware_link::Move& move = line.move;
   if (move.x_um) x_um = move.x_um;
@@ -22,6 +27,7 @@ void GcodeModes::apply(const firmware_link::ReadyLine& line) {
   if (move.f_mm_min) f_mm_min = move.f_mm_min;
   e_count_10nm += move.e_10nm.value_or(0);
   drawn_back_10nm = drawn_back_after(move, drawn_back_10nm);
+  highest_laid_um = highest_laid_after(move, z_um, highest_laid_um);
   road_laid = road_laid || lays_road(move);
   if (line.shifted) shifted = *line.shifted;
   if (line.place == PlaceAfter::kAxesLost) {

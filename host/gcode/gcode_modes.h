@@ -15,7 +15,8 @@ struct GcodeModes {
   std::optional<std::int64_t> f_mm_min;
   std::int64_t e_count_10nm = 0;  // what the controller counts
   std::int64_t drawn_back_10nm = 0;
-  std::int32_t nozzle_tenths = 0;  // targets
+  std::int64_t highest_laid_um = 0;  // at which a road was laid
+  std::int32_t nozzle_tenths = 0;    // targets
   std::int32_t bed_tenths = 0;
   std::uint8_t fan = 0;
   std::int32_t modes = 0;  // Effect::kRelativePlace, kRelativeFilament, kInches
@@ -36,6 +37,11 @@ struct GcodeModes {
 // How much filament is drawn back behind the move.
 [[nodiscard]] std::int64_t drawn_back_after(const firmware_link::Move& move,
                                             std::int64_t before_10nm);
+
+// The height at which roads were laid so far, behind the move.
+[[nodiscard]] std::int64_t highest_laid_after(const firmware_link::Move& move,
+                                              const std::optional<std::int64_t>& z_um,
+                                              std::int64_t before_um);
 
 // Whether material is laid: the nozzle moves along while filament is pushed.
 [[nodiscard]] inline bool lays_road(const firmware_link::Move& move) {

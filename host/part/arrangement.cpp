@@ -170,7 +170,8 @@ Length first_layer_reach(const core::Settings& settings) {
 
 Length object_gap(const core::Settings& settings) {
   const Length reach = first_layer_reach(settings);
-  return std::max(settings.part_gap, reach * 2 + settings.road_width);
+  const Length gap = std::max(settings.part_gap, reach * 2 + settings.road_width);
+  return settings.sequential ? std::max(gap, settings.clearance_radius + reach) : gap;
 }
 
 core::Result<std::vector<Point>> arranged(const std::vector<Footprint>& things,
@@ -188,10 +189,11 @@ core::Result<std::vector<Point>> arranged(const std::vector<Footprint>& things,
   return core::Error{
       core::ErrorCode::kOutOfBounds,
       fmt::format("{} of the {} objects fit on the bed of {:g} x {:g} mm, {:g} mm from one another "
-                  "and {:g} mm from its edges; print fewer, or set a smaller part_gap, "
+                  "and {:g} mm from its edges; print fewer, or set a smaller {}, "
                   "skirt_distance or brim_width",
                   std::max(from_middle, arranger.placed()), things.size(), settings.bed_x.mm(),
-                  settings.bed_y.mm(), object_gap(settings).mm(), arranger.edge().mm())};
+                  settings.bed_y.mm(), object_gap(settings).mm(), arranger.edge().mm(),
+                  settings.sequential ? "clearance_radius" : "part_gap")};
 }
 
 }  // namespace host

@@ -23,7 +23,8 @@ struct Footprint {
 // How far the first layer reaches beyond the slice of what stands on it: brim, raft, supports.
 [[nodiscard]] core::Length first_layer_reach(const core::Settings& settings);
 
-// How far objects stay from one another: part_gap, or as far as two first layers reach.
+// How far objects stay from one another: part_gap, or as far as two first layers reach. Where one
+// is printed after another, the print head has room beside what is finished, too.
 [[nodiscard]] core::Length object_gap(const core::Settings& settings);
 
 // The front left corner of each, in the order given. Between any two there is object_gap(), beside

@@ -89,12 +89,17 @@ struct PartPlacing {
   core::LayerHeights heights;
 };
 
+class ObjectSequence;
+
 struct OpenedPart {
   PartSummary summary;
   // Reads and checks what is needed before the first slice; returns the complete summary. Empty if
   // nothing is left to read. REQUIRES: called once, before layers->next().
   std::function<core::Result<PartSummary>()> read_rest;
   std::unique_ptr<LayerSource> layers;
+  // Of objects that are printed one after another: `layers`, `counters` and `placing` are empty
+  // then, and each object has its own (object_sequence.h). Null elsewhere.
+  std::shared_ptr<ObjectSequence> sequence;
   std::function<PartCounters()> counters;  // valid as long as `layers`
   // Of a mesh. REQUIRES: it was read (read_rest). Valid as long as `layers`.
   std::function<PartPlacing()> placing;

@@ -28,6 +28,7 @@ using core::Status;
 struct PlatePart {
   std::string path;
   std::string title;
+  core::Settings settings;  // as it was opened
   OpenedPart opened;
   std::vector<Shift> places;  // of its copies, from where it was opened; of the same number always
   bool ended = false;
@@ -37,7 +38,8 @@ std::string title_of(const std::string& path) {
   return path == "-" ? "standard input" : std::filesystem::path(path).filename().string();
 }
 
-// Letters, digits and underscores of a file's name, and a number that no other object has.
+}  // namespace
+
 std::string object_name(const std::string& path, std::size_t number) {
   constexpr std::size_t kBytesMax = 24;
   std::string name = path == "-" ? "part" : std::filesystem::path(path).stem().string();
@@ -48,6 +50,8 @@ std::string object_name(const std::string& path, std::size_t number) {
   for (char& c : name) c = is_plain(c) ? c : '_';
   return fmt::format("{}_{}", name, number);
 }
+
+namespace {
 
 void append(const core::Region& region, const Shift& shift, std::vector<core::Ring>& rings) {
   std::vector<core::Ring> more = moved(region, shift).rings();
@@ -154,6 +158,18 @@ class Plate : public LayerSource {
       all.spilled_bytes += one.spilled_bytes;
     }
     return all;
+  }
+
+  // REQUIRES: read_rest() was fine.
+  [[nodiscard]] std::vector<PlateObject> objects() const {
+    std::vector<PlateObject> objects;
+    for (const PlatePart& part : parts_) {
+      for (const Shift& shift : part.places) {
+        const PartObject& object = summary_.objects[objects.size()];
+        objects.push_back({part.path, part.settings, shift, object, part.opened.summary.layers});
+      }
+    }
+    return objects;
   }
 
   [[nodiscard]] const PartSummary& summary() const { return summary_; }
@@ -275,8 +291,11 @@ bool is_plate(const std::vector<std::string>& paths, const core::Settings& setti
   return paths.size() > 1 || settings.copies > 1 || pieces_of(settings).size() > 1;
 }
 
-Result<OpenedPart> open_plate(const std::vector<std::string>& paths, const core::Settings& settings,
-                              const OpenOptions& options) {
+namespace {
+
+Result<std::vector<PlatePart>> open_parts(const std::vector<std::string>& paths,
+                                          const core::Settings& settings,
+                                          const OpenOptions& options) {
   const std::vector<core::Settings> pieces = pieces_of(settings);
   const std::size_t parts_count = paths.size() * pieces.size();
   const std::size_t objects = parts_count * static_cast<std::size_t>(settings.copies);
@@ -302,25 +321,69 @@ Result<OpenedPart> open_plate(const std::vector<std::string>& paths, const core:
     }
     for (const core::Settings& piece : pieces) {
       Result<OpenedPart> opened = open_part(path, piece, each);
-      if (!opened.ok()) return opened;
-      parts.push_back({path, title_of(path), std::move(opened).value(),
+      if (!opened.ok()) return opened.error();
+      parts.push_back({path, title_of(path), piece, std::move(opened).value(),
                        std::vector<Shift>(static_cast<std::size_t>(settings.copies))});
     }
   }
-  auto plate = std::make_unique<Plate>(std::move(parts), settings);
+  return parts;
+}
+
+OpenedPart part_of(std::unique_ptr<Plate> plate) {
   OpenedPart part;
   Plate* source = plate.get();
   part.enforced = plate->enforced();
   part.modifiers = plate->modifiers();
   part.counters = [source] { return source->counters(); };
-  if (plate->all_read()) {
-    Result<PartSummary> summary = plate->read_rest();
-    if (!summary.ok()) return summary.error();
-    part.summary = std::move(summary).value();
-  } else {
-    part.read_rest = [source] { return source->read_rest(); };
-  }
   part.layers = std::move(plate);
+  return part;
+}
+
+}  // namespace
+
+Result<OpenedPart> open_plate(const std::vector<std::string>& paths, const core::Settings& settings,
+                              const OpenOptions& options) {
+  Result<std::vector<PlatePart>> parts = open_parts(paths, settings, options);
+  if (!parts.ok()) return parts.error();
+  auto plate = std::make_unique<Plate>(std::move(parts).value(), settings);
+  Plate* source = plate.get();
+  OpenedPart part = part_of(std::move(plate));
+  if (!source->all_read()) {
+    part.read_rest = [source] { return source->read_rest(); };
+    return part;
+  }
+  Result<PartSummary> summary = source->read_rest();
+  if (!summary.ok()) return summary.error();
+  part.summary = std::move(summary).value();
+  return part;
+}
+
+Result<PlateSurvey> survey_plate(const std::vector<std::string>& paths,
+                                 const core::Settings& settings, const OpenOptions& options) {
+  Result<std::vector<PlatePart>> parts = open_parts(paths, settings, options);
+  if (!parts.ok()) return parts.error();
+  Plate plate(std::move(parts).value(), settings);
+  Result<PartSummary> summary = plate.read_rest();
+  if (!summary.ok()) return summary.error();
+  return PlateSurvey{std::move(summary).value(), plate.objects()};
+}
+
+Result<OpenedPart> open_object(const PlateObject& object, const OpenOptions& options) {
+  OpenOptions alone = options;
+  alone.stream_pipes = false;
+  alone.on_facet = {};
+  Result<OpenedPart> opened = read_whole(open_part(object.path, object.settings, alone));
+  if (!opened.ok()) return opened;
+  PartSummary summary = opened.value().summary;
+  summary.box = object.object.box;
+  std::vector<PlatePart> parts;
+  parts.push_back({object.path,
+                   title_of(object.path),
+                   object.settings,
+                   std::move(opened).value(),
+                   {object.shift}});
+  OpenedPart part = part_of(std::make_unique<Plate>(std::move(parts), object.settings));
+  part.summary = std::move(summary);
   return part;
 }
 

@@ -15,6 +15,8 @@
 
 #include "core/result.h"            // Result
 #include "core/settings.h"          // Settings
+#include "core/units.h"             // LayerIndex
+#include "host/part/bed_placing.h"  // Shift
 #include "host/part/opened_part.h"  // OpenedPart, OpenOptions
 
 namespace host {
@@ -31,5 +33,31 @@ namespace host {
 [[nodiscard]] core::Result<OpenedPart> open_plate(const std::vector<std::string>& paths,
                                                   const core::Settings& settings,
                                                   const OpenOptions& options);
+
+// One of the objects, and how to read it alone.
+struct PlateObject {
+  std::string path;
+  core::Settings settings;  // that it is opened with
+  Shift shift;              // from where it is opened to where it lies
+  PartObject object;
+  core::LayerIndex layers = 0;  // its raft's counted
+};
+
+struct PlateSurvey {
+  PartSummary summary;
+  std::vector<PlateObject> objects;  // as in the summary
+};
+
+// Where open_plate() lays them. Reads each part to its end, and holds none of it. Errors: as there.
+[[nodiscard]] core::Result<PlateSurvey> survey_plate(const std::vector<std::string>& paths,
+                                                     const core::Settings& settings,
+                                                     const OpenOptions& options);
+
+// The object alone, where it lies. It is read again. Errors: those of open_part().
+[[nodiscard]] core::Result<OpenedPart> open_object(const PlateObject& object,
+                                                   const OpenOptions& options);
+
+// Letters, digits and underscores of a file's name, and a number.
+[[nodiscard]] std::string object_name(const std::string& path, std::size_t number);
 
 }  // namespace host

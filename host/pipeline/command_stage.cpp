@@ -65,7 +65,13 @@ void CommandStage::lay(const core::Slice& slice, const std::vector<core::Road>& 
                             filament_before_mm_ + total_mm(builder_.totals().filament_mm),
                             builder_.state(), encoder_.state(), seams_before});
   }
-  builder_.layer(slice, roads, sink_, space);
+  core::Slice of_object = slice;
+  of_object.index -= layers_before_;
+  builder_.layer(of_object, roads, sink_, space);
+}
+
+void CommandStage::preheat() {
+  if (!builder_.state().preheated) builder_.preheat(sink_);
 }
 
 void CommandStage::decide_form() {
@@ -79,10 +85,12 @@ void CommandStage::decide_form() {
   if (builder_.arcs_undecided()) builder_.decide_arcs(form.arcs);
 }
 
-void CommandStage::send(const core::Motion& motion) {
+void CommandStage::send(const core::Motion& of_object) {
   if (refused_) return;
-  if (outputs_.on_layer_time && std::holds_alternative<core::LayerStart>(motion)) {
-    outputs_.on_layer_time(clock_.seconds());
+  core::Motion motion = of_object;
+  if (auto* layer = std::get_if<core::LayerStart>(&motion)) {
+    layer->index += layers_before_;
+    if (outputs_.on_layer_time) outputs_.on_layer_time(clock_.seconds());
   }
   const std::optional<firmware_link::Command> command = encoder_.encode(motion);
   if (command) {

@@ -41,10 +41,16 @@ class CommandStage {
   // `printed` gets their names, and says which are not laid any more; it outlives the stage.
   void tell_objects(std::vector<PartObject> objects, PrintedObjects& printed);
 
-  void preheat() { builder_.preheat(sink_); }
+  // Once; nothing when it was done already.
+  void preheat();
 
-  // The next layer up. `seams_before`: of the layers below it. `space`: where travel stays in the
-  // part; none: it goes straight.
+  // Before the first layer of one of several objects that are laid one after another; the layers of
+  // those before it. And behind its last one, if others follow.
+  void begin_object(core::LayerIndex layers_before) { layers_before_ = layers_before; }
+  void leave_object() { builder_.leave_object(sink_); }
+
+  // The next layer up, counted from the print's first. `seams_before`: of the layers below it.
+  // `space`: where travel stays in the part; none: it goes straight.
   void layer(const core::Slice& slice, const std::vector<core::Road>& roads,
              const core::SeamMemory& seams_before, const core::TravelSpace* space);
 
@@ -80,6 +86,7 @@ class CommandStage {
   std::vector<PartObject> objects_;
   ObjectMap map_{{}};
   PrintedObjects* printed_ = nullptr;
+  core::LayerIndex layers_before_ = 0;
   std::int64_t commands_ = 0;  // of the whole print
   double filament_before_mm_ = 0;
 };

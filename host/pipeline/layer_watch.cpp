@@ -17,6 +17,14 @@ constexpr double kStoppedAfter_s = 2;
 
 }  // namespace
 
+void SlowLayers::add(const SlowLayers& more) {
+  count += more.count;
+  if (more.slowest.seconds > slowest.seconds) slowest = more.slowest;
+  const std::size_t room = kSlowLayersTold - std::min(first.size(), std::size_t{kSlowLayersTold});
+  const auto taken = static_cast<std::ptrdiff_t>(std::min(room, more.first.size()));
+  first.insert(first.end(), more.first.begin(), more.first.begin() + taken);
+}
+
 std::optional<std::string> slow_layers_text(const SlowLayers& slow, double limit_s) {
   if (slow.count <= static_cast<std::int64_t>(kSlowLayersTold)) return {};
   return fmt::format(

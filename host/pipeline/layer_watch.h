@@ -53,6 +53,9 @@ struct SlowLayers {
   std::int64_t count = 0;
   std::vector<SlowLayer> first;  // the first kSlowLayersTold, with their whole time
   SlowLayer slowest;
+
+  // Those of a later part.
+  void add(const SlowLayers& more);
 };
 
 // "20 layers took more than 60 s each …"; nothing where each was told.

@@ -1,5 +1,6 @@
 #include "host/pipeline/part_source.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -25,7 +26,7 @@ core::Status PartSource::prepare(const std::function<void()>& preheat, LayerWatc
   if (core::Status made = make_spools(); !made.ok()) return made;
   if (plan_.part.read_rest || supports_.wants_all() || inside_.wanted()) preheat();
   if (core::Status read = read_rest(); !read.ok()) return read;
-  signals_.layers.store(plan_.part.summary.layers);
+  signals_.layers.store(plan_.turn ? plan_.turn->layers : plan_.part.summary.layers);
   if (plan_.part.summary.nothing_hangs) supports_.call_off();
   if (supports_.wants_all()) {
     core::Status prepared = supports_.prepare(intake_, signals_.preparation, watch);
@@ -62,22 +63,27 @@ core::Result<TakenSlice> PartSource::next_slice() {
   return inside_.wanted() ? inside_.next_slice() : next_supported();
 }
 
-void PartSource::tell(GeometryStatistics& statistics) const {
+void PartSource::tell(GeometryStatistics& statistics, double sliced_before_s) const {
   const PartCounters used = plan_.part.counters();
   StageClock& clock = statistics.clock;
-  clock.set_seconds(Stage::kRead, used.read_cpu_s);
-  clock.set_seconds(Stage::kSort, used.sort_cpu_s);
-  clock.set_seconds(Stage::kSlice, used.slice_cpu_s);
-  clock.set_seconds(Stage::kSupport, supports_.seconds());
-  clock.set_worst_layer(Stage::kSupport, supports_.worst_layer_s());
-  statistics.peak_held.triangles = used.peak_triangles_held;
-  statistics.spilled_bytes =
+  const auto add = [&clock](Stage stage, double seconds) {
+    clock.set_seconds(stage, clock.seconds(stage) + seconds);
+  };
+  add(Stage::kRead, used.read_cpu_s);
+  add(Stage::kSort, used.sort_cpu_s);
+  // The stage's own time has reading and sorting in it.
+  clock.set_seconds(Stage::kSlice, sliced_before_s + used.slice_cpu_s);
+  add(Stage::kSupport, supports_.seconds());
+  clock.set_worst_layer(Stage::kSupport, std::max(clock.worst_layer_ms(Stage::kSupport) * 1e-3,
+                                                  supports_.worst_layer_s()));
+  statistics.peak_held.triangles =
+      std::max(statistics.peak_held.triangles, used.peak_triangles_held);
+  statistics.spilled_bytes +=
       used.spilled_bytes + supports_.spooled_bytes() + inside_.spooled_bytes();
-  statistics.bad_layers = intake_.bad_layers();
+  statistics.bad_layers += intake_.bad_layers();
   if (!inside_.wanted()) return;
   for (const Stage stage : {Stage::kOffset, Stage::kWindow}) {
-    const double here = inside_.use().seconds[static_cast<std::size_t>(stage)];
-    clock.set_seconds(stage, clock.seconds(stage) + here);
+    add(stage, inside_.use().seconds[static_cast<std::size_t>(stage)]);
   }
   statistics.retries.mountains += inside_.offset_retries();
   statistics.retries.booleans += inside_.use().boolean_retries;

@@ -41,8 +41,8 @@ class PartSource {
   // Slices that were taken so far.
   [[nodiscard]] core::LayerIndex taken() const { return intake_.taken(); }
 
-  // Adds what all of it has cost.
-  void tell(GeometryStatistics& statistics) const;
+  // Adds what all of it has cost. `sliced_before_s`: the stage's time before this part.
+  void tell(GeometryStatistics& statistics, double sliced_before_s) const;
 
  private:
   [[nodiscard]] core::Status make_spools();

@@ -1,388 +1,108 @@
 #include "host/pipeline/pipeline.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <memory>
-#include <new>
+#include <cstddef>
+#include <string>
 #include <utility>
 
-#include "core/offsets/slice_offsets.h"
-#include "core/raft_heights.h"
-#include "core/roads/layer_planner.h"
-#include "core/walls/corners_ahead.h"
-#include "core/walls/layer_neighbours.h"
-#include "core/walls/loose_blocks.h"
-#include "core/walls/wall_splitter.h"
-#include "core/walls/wall_style.h"
-#include "host/part/layer_rules.h"
-#include "host/part/vase_layers.h"
+#include "core/walls/wall_style.h"  // with_style
+#include "host/part/object_sequence.h"
 #include "host/pipeline/command_stage.h"
-#include "host/pipeline/floating_islands.h"
-#include "host/pipeline/layer_batch.h"
-#include "host/pipeline/layer_watch.h"
-#include "host/pipeline/ordered_stages.h"
-#include "host/pipeline/part_source.h"
-#include "host/pipeline/pauses_ahead.h"
-#include "host/pipeline/raft_stage.h"
-#include "host/system/memory_budget.h"
+#include "host/pipeline/part_pipeline.h"
 
 namespace host {
 namespace {
 
-class Pipeline {
+// A part; or objects one after another, each with a pipeline of its own.
+class PrintRun {
  public:
-  Pipeline(PrintPlan& print_plan, const PipelineOutputs& outputs, PipelineSignals& signals,
+  PrintRun(PrintPlan& print_plan, const PipelineOutputs& outputs, PipelineSignals& signals,
            GeometryStatistics& statistics)
       : plan_(print_plan),
-        settings_(core::with_style(core::settings_above_raft(whole(print_plan)))),
         outputs_(outputs),
         signals_(signals),
         statistics_(statistics),
-        raft_(print_plan.settings, print_plan.start),
-        source_(print_plan, settings_, signals, [this] { return stopped(); }),
-        supports_(source_.supports()),
-        inside_(source_.inside()),
-        watch_(signals.on_slow_layer, signals.slow_layer_s),
-        cutter_(settings_),
-        splitter_(settings_),
-        ahead_(core::seam_layers_ahead(settings_)),
-        blocks_(settings_),
-        planner_(settings_),
-        floating_(print_plan.on_floating, print_plan.part_path, signals.warnings),
-        commands_(core::with_style(whole(print_plan)), print_plan.command_form, outputs, refused_) {
-    plan_.part.layers =
-        vase_layers(std::move(plan_.part.layers), settings_, plan_.part_path, signals_.warnings);
-    if (!print_plan.start) return;
-    commands_.resume_from(*print_plan.start);
-    planner_.resume_from(print_plan.start->seams);
+        commands_(core::with_style(print_plan.settings), print_plan.command_form, outputs,
+                  refused_) {
+    if (plan_.start) commands_.resume_from(*plan_.start);
   }
 
-  core::Result<PipelineEnd> run() {
-    core::Result<PipelineEnd> end = run_in_memory();
-    close_statistics();
+  [[nodiscard]] core::Result<PipelineEnd> run() {
+    core::Result<PipelineEnd> end = plan_.part.sequence ? run_objects() : run_one(plan_);
+    if (end.ok() && end.value() == PipelineEnd::kDone && outputs_.on_motion) {
+      commands_.finish();
+      commands_.tell_missed(plan_.part_path, signals_.warnings);
+      if (refused_) end = PipelineEnd::kStopped;
+    }
+    commands_.tell(statistics_);
     return end;
   }
 
  private:
-  // Of the print, with its raft.
-  static const core::Settings& whole(const PrintPlan& print_plan) { return print_plan.settings; }
-
-  core::Result<PipelineEnd> run_in_memory() {
-    try {
-      if (core::Status ready = prepare(); !ready.ok()) return ready.error();
-      run_stages({.take = [this] { return take(); },
-                  .cut = [this](LayerBatch& batch) { cut(batch); },
-                  .split = [this](LayerBatch& batch) { split(batch); },
-                  .plan = [this](LayerBatch& batch) { plan(batch); },
-                  .seams = [this](LayerBatch& batch) { place_seams(batch); },
-                  .order = [this](LayerBatch& batch) { order(batch); },
-                  .give = [this](LayerBatch& batch) { give(batch); }},
-                 plan_.threads);
-      return finish();
-    } catch (const std::bad_alloc&) {
-      return core::Error{core::ErrorCode::kNoMemory,
-                         fmt::format("{}, layer {}: {}; allow more, or simplify the mesh",
-                                     plan_.part_path, layer_at_hand(), memory_refusal())};
-    }
+  [[nodiscard]] core::Result<PipelineEnd> run_one(PrintPlan& part) {
+    return run_part(part, outputs_, signals_, statistics_, commands_, refused_);
   }
 
-  // Counted from 1. Before the first layer, slices are taken for supports.
-  [[nodiscard]] core::LayerIndex layer_at_hand() const {
-    return (statistics_.layers > 0 ? statistics_.layers : source_.taken()) + 1;
-  }
-
-  core::Status prepare() {
-    const auto preheat = [this] {
-      if (outputs_.on_motion && !plan_.start) commands_.preheat();
-    };
-    core::Status prepared = source_.prepare(preheat, watch_);
+  [[nodiscard]] core::Result<PipelineEnd> run_objects() {
+    if (core::Status read = read_rest(); !read.ok()) return read.error();
+    ObjectSequence& objects = *plan_.part.sequence;
+    signals_.layers.store(plan_.part.summary.layers);
     commands_.tell_objects(plan_.part.summary.objects, signals_.objects);
-    return prepared;
+    const std::size_t first = plan_.start ? objects.of_layer(plan_.start->layer) : 0;
+    for (std::size_t i = first; i < objects.size(); ++i) {
+      const core::LayerIndex before = objects.layers_before(i);
+      if (signals_.objects.left_out(static_cast<int>(i), before)) continue;
+      core::Result<PrintPlan> object = plan_of(objects, i);
+      if (!object.ok()) return object.error();
+      if (plan_.start && i == first) {
+        object.value().start = plan_.start;
+        object.value().start->layer -= before;
+      }
+      commands_.begin_object(before);
+      core::Result<PipelineEnd> end = run_one(object.value());
+      if (!end.ok() || end.value() != PipelineEnd::kDone) return end;
+      if (i + 1 < objects.size() && outputs_.on_motion) commands_.leave_object();
+    }
+    return PipelineEnd::kDone;
   }
 
-  // Called in order. After the last slice it gives empty batches until the window is empty.
-  std::unique_ptr<LayerBatch> take() {
-    if (window_emptied_ || stopped()) return nullptr;
-    auto batch = std::make_unique<LayerBatch>();
-    if (source_ended_) return batch;
-    const StageMeter meter(Stage::kSlice, batch->use);
-    if (core::Status taken = take_slice(*batch); !taken.ok()) batch->error = taken.error();
-    source_ended_ = !batch->slice;
-    return batch;
-  }
-
-  core::Status take_slice(LayerBatch& batch) {
-    TakenSlice taken;
-    do {
-      core::Result<TakenSlice> next = source_.next_slice();
-      if (!next.ok()) return next.error();
-      taken = std::move(next).value();
-      supports_.keep(taken.support, batch.supports);
-      if (!taken.slice || stopped()) return {};
-    } while (plan_.start && is_far_below(*taken.slice, *raft_.start_in_part(), settings_));
-    batch.pause = std::move(taken.pause);
-    core::Slice& slice = *taken.slice;
-    signals_.slices_cut.fetch_add(1);
-    ++statistics_.layers;
-    statistics_.defects.add(slice);
-    batch.offsets = cutter_.reserve(slice);
-    batch.slice = std::move(slice);
+  // How large each object is decides where it lies.
+  [[nodiscard]] core::Status read_rest() {
+    if (!plan_.part.read_rest) return {};
+    if (outputs_.on_motion && !plan_.start) commands_.preheat();
+    core::Result<PartSummary> summary = plan_.part.read_rest();
+    if (!summary.ok()) return summary.error();
+    plan_.part.summary = std::move(summary).value();
+    plan_.part.read_rest = nullptr;
+    for (const std::string& warning : plan_.part.summary.warnings) signals_.warnings.put(warning);
     return {};
   }
 
-  // True for a layer below the start: it was printed before, and can't be split correctly here.
-  [[nodiscard]] bool below_start(const core::SplitLayer& split) const {
-    return plan_.start && split.slice.index < raft_.start_in_part()->layer;
-  }
-
-  void cut(LayerBatch& batch) {
-    if (!batch.slice || !batch.offsets.to_fill) return;
-    const StageMeter meter(Stage::kOffset, batch.use);
-    const LayerWatch::Look look(watch_, batch.slice->index, batch.slice->top(),
-                                &batch.slice->region, batch.watched_s);
-    batch.offset_retries = cutter_.fill(*batch.slice, *batch.offsets.offsets);
-  }
-
-  // In order.
-  void split(LayerBatch& batch) {
-    if (batch.error) return;
-    const StageMeter meter(Stage::kWindow, batch.use);
-    supports_.see(std::move(batch.supports));
-    if (!batch.slice) {
-      ahead_.end();
-      if (std::optional<core::SplitLayer> settled = splitter_.finish()) {
-        return reserve(neighbours_.push(*std::move(settled)), batch);
-      }
-      window_emptied_ = true;
-      return reserve(neighbours_.finish(), batch);
-    }
-    if (splitter_.next_index() == 0) splitter_.start_at(batch.slice->index);
-    if (batch.pause) pauses_.put(batch.slice->index, *std::move(batch.pause));
-    const LayerWatch::Look look(watch_, batch.slice->index, batch.slice->top(),
-                                size_of(batch.slice->region), batch.watched_s);
-    ahead_.see(batch.slice->index, batch.offsets.offsets->corners);
-    core::Layer layer{*std::move(batch.slice), std::move(batch.offsets.offsets)};
-    if (inside_.wanted()) return split_as_prepared(std::move(layer), batch);
-    std::optional<core::SplitLayer> settled = splitter_.push(std::move(layer));
-    for (; settled; settled = splitter_.next()) {
-      reserve(neighbours_.push(*std::move(settled)), batch);
-    }
-  }
-
-  void split_as_prepared(core::Layer layer, LayerBatch& batch) {
-    core::Result<core::SplitLayer> split = inside_.split(std::move(layer));
-    if (!split.ok()) return void(batch.error = split.error());
-    reserve(neighbours_.push(std::move(split).value()), batch);
-  }
-
-  void reserve(std::optional<core::SplitLayer> settled, LayerBatch& batch) {
-    if (settled) ahead_.push(*std::move(settled));
-    while (std::optional<core::SplitLayer> layer = ahead_.next()) blocks_.push(*std::move(layer));
-    if (window_emptied_) blocks_.end();
-    while (std::optional<core::SplitLayer> layer = blocks_.next()) {
-      if (below_start(*layer)) continue;
-      const core::LayerIndex index = layer->slice.index;
-      const core::Length bottom = layer->slice.bottom;
-      core::SupportPlanner::Reservation support;
-      if (supports_.wanted()) {
-        core::Result<core::SupportPlanner::Reservation> found = supports_.reserve(*layer);
-        if (!found.ok()) return void(batch.error = found.error());
-        support = std::move(found).value();
-      }
-      batch.settled.push_back({index,
-                               bottom,
-                               planner_.reserve(*std::move(layer)),
-                               {},
-                               {},
-                               pauses_.take(index),
-                               std::move(support)});
-    }
-  }
-
-  LayerWatch::Look watched(const SettledLayer& settled, LayerBatch& batch) {
-    const core::Slice& slice = settled.reserved.plan->split.slice;
-    return {watch_, settled.index, settled.bottom + slice.height, &slice.region, batch.watched_s};
-  }
-
-  void plan(LayerBatch& batch) {
-    const StageMeter meter(Stage::kRoads, batch.use);
-    for (SettledLayer& settled : batch.settled) {
-      const LayerWatch::Look look = watched(settled, batch);
-      if (settled.support.to_fill) supports_.fill(*settled.support.plan);
-      if (settled.reserved.to_fill) planner_.fill(*settled.reserved.plan, wants_roads());
-    }
-  }
-
-  // In order.
-  void place_seams(LayerBatch& batch) {
-    if (!wants_roads()) return;
-    const StageMeter meter(Stage::kRoads, batch.use);
-    for (SettledLayer& settled : batch.settled) {
-      settled.seams_before = std::make_shared<const core::SeamMemory>(planner_.seam_memory());
-      settled.ordering = planner_.place_seams(settled.reserved.plan, settled.index);
-    }
-  }
-
-  void order(LayerBatch& batch) {
-    const StageMeter meter(Stage::kRoads, batch.use);
-    for (SettledLayer& settled : batch.settled) {
-      if (!settled.ordering.to_order) continue;
-      const LayerWatch::Look look = watched(settled, batch);
-      planner_.order(*settled.reserved.plan, settled.ordering);
-    }
-  }
-
-  // In order.
-  void give(LayerBatch& batch) {
-    if (stopped()) return;
-    if (batch.error) return fail(*batch.error);
-    {
-      const StageMeter meter(Stage::kEncode, batch.use);
-      for (const SettledLayer& settled : batch.settled) {
-        if (core::Status given = give(settled); !given.ok()) return fail(given.error());
-        if (stopped()) return;
-      }
-    }
-    statistics_.retries.mountains += batch.offset_retries;
-    statistics_.retries.booleans += batch.use.boolean_retries;
-    statistics_.allocations.add(counts_.layers_timed, batch.use.allocations);
-    const double computing_s = statistics_.clock.add_layer(batch.use.seconds);
-    statistics_.layer_times.add(counts_.layers_timed++, computing_s);
-    statistics_.pace.add(counts_.given, computing_s, commands_.seconds());
-  }
-
-  void fail(const core::Error& error) {
-    error_ = error;
-    refused_ = true;
-  }
-
-  // Of the part; and before its first layer those of the raft.
-  core::Status give(const SettledLayer& settled) {
-    if (settled.index == 0 && wants_roads()) {
-      if (core::Status laid = give_raft(settled); !laid.ok() || stopped()) return laid;
-    }
-    if (settled.pause && outputs_.on_pause) outputs_.on_pause(*settled.pause);
-    const core::LayerPlan& plan = *settled.reserved.plan;
-    core::SplitLayer layer = plan.layer;
-    core::Slice& slice = layer.slice;
-    slice.index = settled.index;
-    slice.bottom = settled.bottom;
-    slice = raft_.lifted(std::move(slice));
-    counts_.given = slice.index;
-    statistics_.add_volume(layer, plan.regularised_mm3);
-    if (core::Status held = floating_.check(slice, plan.hanging); !held.ok()) return held;
-    statistics_.hanging.add(slice.index, slice.bottom, plan.hanging);
-    keep(outputs_.on_layer ? outputs_.on_layer(layer) : true);
-    if (!wants_roads()) return {};
-    const std::vector<core::Road>& roads = *settled.ordering.roads;
-    counts_.part_roads += roads.size();
-    const core::TravelSpace* space = plan.travel_space.get();
-    if (!settled.support.plan) return lay(layer, roads, *settled.seams_before, space);
-    return lay(layer, core::with_supports(settled.support.plan->roads, roads),
-               *settled.seams_before, space);
-  }
-
-  core::Status give_raft(const SettledLayer& settled) {
-    const auto give = [&](const core::RaftLayer& laid) -> core::Status {
-      if (stopped()) return {};
-      ++counts_.raft_layers;
-      keep(outputs_.on_layer ? outputs_.on_layer(laid.layer) : true);
-      return lay(laid.layer, laid.roads, *settled.seams_before, nullptr);
-    };
-    return raft_.lay(settled.reserved.plan->layer, plan_.part_path, watch_, give);
-  }
-
-  core::Status lay(const core::SplitLayer& layer, const std::vector<core::Road>& roads,
-                   const core::SeamMemory& seams_before, const core::TravelSpace* space) {
-    core::Status fits = check_on_bed(plan_.part_path, layer.slice, roads, settings_);
-    if (!fits.ok()) return fits;
-    statistics_.roads += static_cast<std::int64_t>(roads.size());
-    keep(outputs_.on_roads ? outputs_.on_roads(layer, roads) : true);
-    if (outputs_.on_motion) commands_.layer(layer.slice, roads, seams_before, space);
-    return {};
-  }
-
-  core::Result<PipelineEnd> finish() {
-    if (error_) return *error_;
-    if (stopped()) return PipelineEnd::kStopped;
-    if (wants_roads() && counts_.part_roads == 0) {
-      return no_road_fits(plan_.part_path, settings_);
-    }
-    if (outputs_.on_motion) commands_.finish();
-    if (outputs_.on_motion) commands_.tell_missed(plan_.part_path, signals_.warnings);
-    return stopped() ? PipelineEnd::kStopped : PipelineEnd::kDone;
-  }
-
-  void close_statistics() {
-    source_.tell(statistics_);
-    statistics_.layers += counts_.raft_layers;
-    statistics_.slow_layers = watch_.slow_layers();
-    if (const auto told = slow_layers_text(statistics_.slow_layers, signals_.slow_layer_s)) {
-      signals_.warnings.put(*told);
-    }
-    const core::WallSplitter::Usage window =
-        inside_.wanted() ? inside_.window() : splitter_.usage();
-    statistics_.peak_held.layers = static_cast<std::int64_t>(window.layers_held_peak);
-    statistics_.peak_held.regions = static_cast<std::int64_t>(window.regions_held_peak);
-    statistics_.region_operations = {window.operations, window.operations_worst};
-    statistics_.reused = {cutter_.reused(), window.layers_reused, planner_.reused()};
-    commands_.tell(statistics_);
-    statistics_.volumes.filament_density_g_mm3 = plan_.settings.filament_density_g_cm3 * 1e-3;
-  }
-
-  [[nodiscard]] bool wants_roads() const { return outputs_.on_roads || outputs_.on_motion; }
-  void keep(bool go_on) {
-    if (!go_on) refused_ = true;
-  }
-  [[nodiscard]] bool stopped() const {
-    return refused_ || (signals_.stop_asked && signals_.stop_asked());
+  // The skirt primes the nozzle: it is laid around the first object alone.
+  [[nodiscard]] core::Result<PrintPlan> plan_of(ObjectSequence& objects, std::size_t object) {
+    core::Result<OpenedPart> part = objects.open(object);
+    if (!part.ok()) return part.error();
+    PrintPlan plan{plan_.settings,     std::move(part).value(), objects.path(object),
+                   plan_.on_bad_layer, plan_.on_floating,       plan_.spool_folder,
+                   plan_.threads,      plan_.command_form};
+    if (object > 0) plan.settings.skirt_loops = 0;
+    plan.turn = {static_cast<int>(object), objects.layers_before(object),
+                 plan_.part.summary.layers};
+    return plan;
   }
 
   PrintPlan& plan_;
-  const core::Settings settings_;
   const PipelineOutputs& outputs_;
   PipelineSignals& signals_;
   GeometryStatistics& statistics_;
-
   std::atomic<bool> refused_ = false;  // an output returned false, or there was an error
-
-  RaftStage raft_;
-
-  // Of take().
-  PartSource source_;
-  SupportStage& supports_;  // split() uses what of them take() does not
-  InsideStage& inside_;
-  LayerWatch watch_;           // of all stages
-  core::OffsetCutter cutter_;  // cut() only reads its settings
-  bool source_ended_ = false;
-
-  // Of split().
-  core::WallSplitter splitter_;
-  core::LayerNeighbours neighbours_;
-  core::CornersAhead ahead_;
-  core::LooseBlocks blocks_;
-  core::LayerPlanner planner_;  // plan() only reads its settings
-  std::atomic<bool> window_emptied_ = false;
-  PausesAhead pauses_;
-
-  // Of give().
-  FloatingIslands floating_;
   CommandStage commands_;
-  struct Counts {
-    core::LayerIndex layers_timed = 0;
-    core::LayerIndex raft_layers = 0;
-    std::size_t part_roads = 0;
-    core::LayerIndex given = 0;  // the last one
-  } counts_;
-  std::optional<core::Error> error_;
 };
 
 }  // namespace
 
 core::Result<PipelineEnd> run_pipeline(PrintPlan& print_plan, const PipelineOutputs& outputs,
                                        PipelineSignals& signals, GeometryStatistics& statistics) {
-  return Pipeline(print_plan, outputs, signals, statistics).run();
+  return PrintRun(print_plan, outputs, signals, statistics).run();
 }
 
 }  // namespace host

@@ -9,7 +9,9 @@
 // The steps before ═> run on several threads (ordered_stages.h); the result is the same for any
 // number. Printing, slicing into a file and planning run this same code and differ
 // only in their outputs, so a print equals its preview. Layers that are given out count those of a
-// raft, which are laid before the part's first one (raft_stage.h).
+// raft, which are laid before the part's first one (raft_stage.h), and those of objects that are
+// printed before it. Objects that are printed one after another have a pipeline each, and share the
+// last step (pipeline.cpp).
 #pragma once
 
 #include <atomic>
@@ -45,6 +47,13 @@ struct CommandForm {
   firmware_link::Flavor flavor = firmware_link::Flavor::kMarlin;
 };
 
+// One of several objects that are printed one after another (host/part/object_sequence.h).
+struct PrintTurn {
+  int object = 0;
+  core::LayerIndex layers_before = 0;  // of the objects before it
+  core::LayerIndex layers = 0;         // of the whole print
+};
+
 // A part and how it is to be printed.
 struct PrintPlan {
   PrintSettings settings;  // REQUIRES: validated, check_user_gcode() fine
@@ -66,6 +75,9 @@ struct PrintPlan {
 
   // A ready G-code file is printed as it is; there is nothing to slice. Null: a part.
   std::shared_ptr<const ReadyFile> ready = nullptr;
+
+  // The part is one of several. Nothing: it is printed alone, or layer by layer with others.
+  std::optional<PrintTurn> turn = std::nullopt;
 };
 
 // Receivers of the results. Any may be empty; results without a receiver are not computed.

@@ -191,6 +191,20 @@ std::string road_kind_name(core::RoadKind kind) {
   return "unknown";
 }
 
+void GeometryStatistics::add_window(std::int64_t layers_held, std::int64_t regions_held,
+                                    const RegionOperations& operations) {
+  peak_held.layers = std::max(peak_held.layers, layers_held);
+  peak_held.regions = std::max(peak_held.regions, regions_held);
+  region_operations.count += operations.count;
+  region_operations.worst = std::max(region_operations.worst, operations.worst);
+}
+
+void GeometryStatistics::add_reused(const ReuseCounts& more) {
+  reused.offsets += more.offsets;
+  reused.splits += more.splits;
+  reused.roads += more.roads;
+}
+
 void GeometryStatistics::add_volume(const core::SplitLayer& layer, double moved_mm3) {
   const double height_mm = layer.slice.height.mm();
   volumes.solid_mm3 += layer.solid.area_mm2() * height_mm;

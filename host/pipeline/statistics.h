@@ -136,6 +136,10 @@ struct GeometryStatistics {
   std::optional<double> first_road_cpu_s;  // of the whole program
 
   void add_volume(const core::SplitLayer& layer, double moved_mm3);
+  // Of a part that has ended: the most that its window held, what it did, and what was reused.
+  void add_window(std::int64_t layers_held, std::int64_t regions_held,
+                  const RegionOperations& operations);
+  void add_reused(const ReuseCounts& more);
 };
 
 // Filled by the link's thread.

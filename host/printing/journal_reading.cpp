@@ -19,8 +19,8 @@ using core::ErrorCode;
 using core::Result;
 using Json = nlohmann::ordered_json;
 
-// "rind journal 5 0123456789abcdef 00001234\n": form, checksum and length of what follows.
-constexpr std::string_view kMark = "rind journal 5 ";
+// "rind journal 6 0123456789abcdef 00001234\n": form, checksum and length of what follows.
+constexpr std::string_view kMark = "rind journal 6 ";
 constexpr std::size_t kSumDigits = 16;
 constexpr std::size_t kLengthDigits = 8;
 constexpr std::size_t kFirstLineBytes = kMark.size() + kSumDigits + 1 + kLengthDigits + 1;

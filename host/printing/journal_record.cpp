@@ -97,6 +97,7 @@ void pass(Stream& stream, core::MotionState& motions) {
   stream.real(motions.bed_celsius);
   stream.number(motions.actions);
   stream.real(motions.acceleration_mm_s2);
+  pass(stream, motions.highest);
 }
 
 // Both ways, so that what is written is what is read.
@@ -126,6 +127,7 @@ void pass(Stream& stream, JournalRecord& record) {
   pass(stream, machine.z_um);
   pass(stream, machine.f_mm_min);
   stream.number(machine.drawn_back_10nm);
+  stream.number(machine.highest_laid_um);
   stream.number(machine.nozzle_tenths);
   stream.number(machine.bed_tenths);
   stream.number(machine.fan);

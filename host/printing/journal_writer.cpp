@@ -101,7 +101,7 @@ void JournalWriter::close(PrintState state, const LinkAccount& account,
   std::optional<JournalRecord> last = record(state, account);
   if (!last) return;
   if (state == PrintState::kStopped && last->machine.z_um && !pauses_.nozzle_z_um()) {
-    last->nozzle_z_um = lifted_um(*last->machine.z_um, machine);
+    last->nozzle_z_um = lifted_um(*lifted_from_um(last->machine), machine);
   }
   close(*last);
 }

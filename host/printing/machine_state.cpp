@@ -22,6 +22,7 @@ void apply_move(const Move& move, MachineState& state) {
   if (move.z_um) state.z_um = move.z_um;
   if (move.f_mm_min) state.f_mm_min = move.f_mm_min;
   state.drawn_back_10nm = drawn_back_after(move, state.drawn_back_10nm);
+  state.highest_laid_um = highest_laid_after(move, state.z_um, state.highest_laid_um);
 }
 
 // The two hold the same of a file; the state of a part's print has more.
@@ -33,6 +34,7 @@ GcodeModes modes_of(const MachineState& state) {
   modes.f_mm_min = state.f_mm_min;
   modes.e_count_10nm = state.e_count_10nm;
   modes.drawn_back_10nm = state.drawn_back_10nm;
+  modes.highest_laid_um = state.highest_laid_um;
   modes.nozzle_tenths = state.nozzle_tenths;
   modes.bed_tenths = state.bed_tenths;
   modes.fan = state.fan;
@@ -50,6 +52,7 @@ void put_modes(const GcodeModes& modes, MachineState& state) {
   state.f_mm_min = modes.f_mm_min;
   state.e_count_10nm = modes.e_count_10nm;
   state.drawn_back_10nm = modes.drawn_back_10nm;
+  state.highest_laid_um = modes.highest_laid_um;
   state.nozzle_tenths = modes.nozzle_tenths;
   state.bed_tenths = modes.bed_tenths;
   state.fan = modes.fan;
@@ -146,6 +149,7 @@ MachineState state_at(const Checkpoint& checkpoint, const core::Settings& of_pri
   if (checkpoint.motions.retracted) {
     state.drawn_back_10nm = filament_10nm(settings.retraction_mm);
   }
+  state.highest_laid_um = um_of(checkpoint.motions.highest.units());
   state.nozzle_tenths = celsius_tenths(checkpoint.motions.nozzle_celsius);
   state.bed_tenths = celsius_tenths(checkpoint.motions.bed_celsius);
   state.flavor = checkpoint.encoder.flavor;

@@ -17,6 +17,7 @@ struct MachineState {
   std::optional<std::int64_t> x_um, y_um, z_um;  // nothing: unknown, as after user G-code
   std::optional<std::int64_t> f_mm_min;
   std::int64_t drawn_back_10nm = 0;  // of the filament
+  std::int64_t highest_laid_um = 0;  // at which a road was laid: what is finished may stand higher
   std::int32_t nozzle_tenths = 0;    // targets
   std::int32_t bed_tenths = 0;
   std::uint8_t fan = 0;

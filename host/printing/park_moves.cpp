@@ -89,7 +89,7 @@ std::vector<Command> ParkMoves::leave_part(const MachineState& here) const {
   if (!here.position_known()) return {};
   std::vector<Command> way = here.own_modes();
   const std::vector<Command> off =
-      lift_off(retraction_10nm(settings_) - here.drawn_back_10nm, here.z_um, settings_);
+      lift_off(retraction_10nm(settings_) - here.drawn_back_10nm, lifted_from_um(here), settings_);
   way.insert(way.end(), off.begin(), off.end());
   // Where the parking position is in a file's own coordinates, nobody knows.
   if (here.shifted) return way;
@@ -152,7 +152,7 @@ std::vector<Command> ParkMoves::restart(const MachineState& here, std::int64_t n
   const bool bed = here.bed_tenths > 0;
   if (bed) way.emplace_back(firmware_link::SetTemperature{Heater::kBed, here.bed_tenths, true});
   way.emplace_back(firmware_link::SetTemperature{Heater::kNozzle, here.nozzle_tenths, true});
-  const std::int64_t from_um = std::max(nozzle_z_um, here.z_um.value_or(nozzle_z_um));
+  const std::int64_t from_um = std::max(nozzle_z_um, lifted_from_um(here).value_or(nozzle_z_um));
   // Behind the user's own lines the filament is drawn back, and come_back() leaves it so.
   const std::int64_t draw_back_10nm = here.position_known() ? retraction_10nm(settings_) : 0;
   const std::vector<Command> off = lift_off(draw_back_10nm, from_um, settings_);

@@ -61,7 +61,7 @@ std::vector<Command> PrintEnding::safe_sequence() const {
   };
   if (on_part()) {
     add(here.own_modes());
-    add(lift_off(retraction_10nm(machine), here.z_um, machine));
+    add(lift_off(retraction_10nm(machine), lifted_from_um(here), machine));
     if (here.z_um && !here.shifted) commands.push_back(park_move(machine));
   }
   add(heaters_off());

@@ -1,5 +1,7 @@
 #include "host/printing/safe_moves.h"
 
+#include <algorithm>
+
 #include "core/motions/park_height.h"  // park_height
 #include "core/motions/park_place.h"   // park_place
 #include "host/pipeline/wire_units.h"
@@ -17,6 +19,11 @@ std::int64_t retraction_10nm(const core::Settings& settings) {
 std::int64_t lifted_um(std::int64_t z_um, const core::Settings& settings) {
   const auto from = core::Length::from_units(z_um * kUnitsPerUm);
   return core::park_height(from, settings).units() / kUnitsPerUm;
+}
+
+std::optional<std::int64_t> lifted_from_um(const MachineState& here) {
+  if (!here.z_um || here.shifted) return here.z_um;
+  return std::max(*here.z_um, here.highest_laid_um);
 }
 
 std::vector<Command> lift_off(std::int64_t draw_back_10nm, std::optional<std::int64_t> z_um,

@@ -18,6 +18,10 @@ namespace host {
 // How high the nozzle is lifted from there (core::park_height).
 [[nodiscard]] std::int64_t lifted_um(std::int64_t z_um, const core::Settings& settings);
 
+// The height that it is lifted from: its own, or that of what stands finished beside it, if that is
+// higher. Nothing: its own is not known.
+[[nodiscard]] std::optional<std::int64_t> lifted_from_um(const MachineState& here);
+
 // Filament drawn back (0: not), then the nozzle lifted from `z_um` (nothing: not known, so it is
 // not lifted).
 [[nodiscard]] std::vector<firmware_link::Command> lift_off(std::int64_t draw_back_10nm,

@@ -208,6 +208,14 @@ inline constexpr std::array kMachineRows = {
             "how several objects are told apart: firmware: by its commands (M486, EXCLUDE_OBJECT) "
             "and a file's comments; comments: by these alone; auto: by commands where the firmware "
             "is Klipper or RepRapFirmware"},
+    Setting{"sequential", &PrintSettings::sequential, "", 0, 1,
+            "whether several objects are printed one after another, each to its top"},
+    Setting{"clearance_radius", &PrintSettings::clearance_radius, "mm", 0, 1'000,
+            "how far the print head reaches around the nozzle: with sequential, objects are at "
+            "least as far apart"},
+    Setting{"clearance_height", &PrintSettings::clearance_height, "mm", 0, 10'000,
+            "how high above the nozzle's tip the gantry is: with sequential, only the last "
+            "object may be higher"},
     Setting{"nozzle_celsius", &PrintSettings::nozzle_celsius, "°C", 0, 500,
             "temperature of the nozzle; 0: not heated"},
     Setting{"nozzle_first_layer_celsius", &PrintSettings::nozzle_first_layer_celsius, "°C", 0, 500,

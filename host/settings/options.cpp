@@ -90,6 +90,28 @@ CLI::App* add_resume(CLI::App& app, Options& options) {
   return command;
 }
 
+CLI::App* add_tell(CLI::App& app, Options& options) {
+  CLI::App* command = app.add_subcommand("tell", "tell a running print to pause, or what else");
+  command
+      ->add_option_function<std::vector<std::string>>(
+          "REQUEST",
+          [&options](const std::vector<std::string>& words) {
+            for (const std::string& word : words) {
+              options.request += (options.request.empty() ? "" : " ") + word;
+            }
+          },
+          "pause, resume, stop, or cancel N: object N, as rind plan counts them")
+      ->type_name("")
+      ->required()
+      ->expected(1, 2);
+  command
+      ->add_option("--print", options.print.journal,
+                   "which print, where several run: its part or its journal")
+      ->type_name("NAME");
+  command->add_flag("--json", options.json, "messages as JSON");
+  return command;
+}
+
 CLI::App* add_slice(CLI::App& app, Options& options, std::string& format, std::string& contents) {
   CLI::App* command = app.add_subcommand("slice", "write what would be printed to a file");
   add_part(*command, options);
@@ -252,6 +274,7 @@ Commands add_commands(CLI::App& app, Options& options, std::string& format, std:
   commands.add(Subcommand::kSetup, add_setup(app, options));
   commands.add(Subcommand::kPrint, add_print(app, options));
   commands.add(Subcommand::kResume, add_resume(app, options));
+  commands.add(Subcommand::kTell, add_tell(app, options));
   commands.add(Subcommand::kSlice, add_slice(app, options, format, contents));
   CLI::App& plan = commands.add(
       Subcommand::kPlan,

@@ -31,6 +31,7 @@ enum class Subcommand {
   kPresets,
   kSetup,
   kTest,
+  kTell,
 };
 
 // What to do if the port vanishes or the controller resets during a print.
@@ -72,7 +73,8 @@ struct LinkOptions {
 
 // print, resume: the print and its journal.
 struct PrintCommandOptions {
-  // print: empty: the default folder. resume: a journal or a part's name; empty: list all journals.
+  // print: empty: the default folder. resume, tell: a journal or a part's name; empty: resume lists
+  // all journals, tell means the one print that is running.
   std::string journal;
   bool no_journal = false;
   bool anew = false;  // the journal of an interrupted print of this part may be set aside
@@ -107,6 +109,7 @@ struct Options {
   PrintCommandOptions print;
   OutputOptions output;
   TestOptions test;
+  std::string request;                    // tell
   std::optional<SpoolAmount> spool_left;  // plan, print
   std::string preset_shown;               // presets: a name; empty: list them
 

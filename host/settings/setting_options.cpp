@@ -145,6 +145,9 @@ void add_settings(CLI::App& command, Options& options) {
   add_shortcut(command, options, "--units", "part_units", "UNIT",
                "unit of an STL's or OBJ's numbers: mm, inch, m");
   add_shortcut(command, options, "--copies", "copies", "N", "print each part so often");
+  command.add_flag_callback(
+      "--sequential", [&options] { options.settings.assignments.emplace_back("sequential", "on"); },
+      "print several objects one after another, each to its top");
   add_shortcut(command, options, "--layer-height", "layer_height", "MM", "thickness of a layer");
   add_shortcut(command, options, "--wall-thickness", "wall_thickness", "MM",
                "depth below the surface to which the part is dense");

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <variant>
@@ -340,4 +341,37 @@ TEST_CASE("what is due at a height is done once, wherever a print resumes") {
       CHECK_EQ(joined.motions[i].index(), all.motions[i].index());
     }
   }
+}
+
+TEST_CASE("objects one after another: the nozzle passes over what stands, and ends above it") {
+  Settings settings;
+  settings.park_lift = Length::from_mm(3);
+  MotionBuilder builder(settings);
+  Recorder recorder;
+  builder.leave_object(recorder.sink());
+  CHECK(recorder.motions.empty());
+  for (int index = 0; index < 10; ++index) {
+    builder.layer(slice_of(index, kSquare), {line(1, 1, 5, 1)}, recorder.sink());
+  }
+  recorder.motions.clear();
+  builder.leave_object(recorder.sink());
+  REQUIRE_EQ(recorder.all<Lift>().size(), 1);
+  CHECK_EQ(recorder.all<Lift>().front().to, Length::from_mm(5));
+  CHECK_EQ(recorder.all<MoveFilament>().size(), 1);
+  CHECK(recorder.all<Travel>().empty());
+  recorder.motions.clear();
+  builder.layer(slice_of(0, kSquare), {line(6, 6, 9, 6)}, recorder.sink());
+  // Straight, at that height, and down at its end.
+  REQUIRE_EQ(recorder.all<Travel>().size(), 1);
+  REQUIRE_EQ(recorder.all<Lift>().size(), 1);
+  CHECK_EQ(recorder.all<Lift>().front().to, Length::from_mm(0.2));
+  const auto is = [](auto kind) {
+    return [kind](const Motion& motion) { return motion.index() == Motion(kind).index(); };
+  };
+  const auto begin = recorder.motions.begin(), end = recorder.motions.end();
+  CHECK(std::find_if(begin, end, is(Travel())) < std::find_if(begin, end, is(Lift())));
+  recorder.motions.clear();
+  builder.finish(recorder.sink());
+  REQUIRE_EQ(recorder.all<Lift>().size(), 1);
+  CHECK_EQ(recorder.all<Lift>().front().to, Length::from_mm(5));
 }

@@ -351,3 +351,35 @@ TEST_CASE("an empty part, crumbs, and islands over the limit") {
   CHECK_EQ(report.loose_bodies, core::kStandingIslandsMax);
   CHECK_EQ(report.islands_not_followed, 10);
 }
+
+TEST_CASE("objects that are printed one after another stand each by itself") {
+  core::Standing standing(0);
+  const auto add = [&standing](double x, double side, int layers) {
+    for (int i = 0; i < layers; ++i) {
+      core::Slice slice;
+      slice.index = i;
+      slice.bottom = Length::from_mm(i);
+      slice.height = Length::from_mm(1);
+      slice.region = test::rectangle_region(x, 0, side, side);
+      standing.add(slice);
+    }
+  };
+  add(0, 2, 30);
+  const StandingReport mast = standing.report();
+  standing.next_object();
+  // At the same place on the bed: it is not what the mast's top goes on as.
+  add(0, 20, 5);
+  const StandingReport both = standing.report();
+  REQUIRE(both.slenderest.has_value());
+  CHECK_EQ(both.slenderest->height, Length::from_mm(30));
+  CHECK_EQ(both.loose_bodies, mast.loose_bodies);
+  CHECK_EQ(both.thin_columns, 1);
+  standing.next_object();
+  add(40, 2, 30);
+  CHECK_EQ(standing.report().thin_columns, 2);
+  standing.next_object();
+  // Begins as the one before has ended.
+  add(40, 2, 30);
+  CHECK_EQ(standing.report().thin_columns, 3);
+  CHECK_EQ(standing.report().loose_bodies, 3 * mast.loose_bodies);
+}

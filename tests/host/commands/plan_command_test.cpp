@@ -153,3 +153,19 @@ TEST_CASE("a print whose filament will not do says so before anything is heated"
   CHECK(says(pipe, "a part from a pipe can't be planned first"));
   CHECK(says(pipe, "of filament are left on the spool"));
 }
+
+TEST_CASE("objects in turn: plans and G-code follow them, pictures and layers have all of them") {
+  const PartFolder folder;
+  const std::string low = folder.add("low.stl", parts::box({1, 1, 0}, 8, 6, 4));
+  const std::string high = folder.add("high.stl", parts::box({1, 1, 0}, 8, 6, 8));
+  const std::string both = high + " " + low + kCoarse + " --printer none --sequential";
+  CHECK(says(rind("plan " + both), "objects    1 low_1, 2 high_2\nlayers     30 of 0.4 mm"));
+  const std::string gcode = folder.file("both.gcode");
+  REQUIRE_EQ(rind("slice " + both + " -o " + gcode).exit_code, 0);
+  const std::string text = content(gcode);
+  const std::size_t first = text.find(";Z:4\n");
+  REQUIRE(first != std::string::npos);
+  CHECK(text.find(";Z:0.4\n", first) != std::string::npos);
+  CHECK(says(rind("show " + both + " --layer 10 -o " + folder.file("all.svg")), "layer 10 of 20"));
+  CHECK(says(rind("slice " + both + " -o " + folder.file("both.cli")), "both.cli: 20 layers"));
+}

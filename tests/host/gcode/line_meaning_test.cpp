@@ -186,6 +186,13 @@ TEST_CASE("where the nozzle is: lost by homing, kept by a change of filament") {
   CHECK_FALSE(modes.x_um);
 }
 
+TEST_CASE("a file may print objects one after another: its highest road is known") {
+  const GcodeModes modes = after({"G90", "M83", "G28", "G0 X5 Y6 Z7 F600", "G1 X9 E1", "G0 Z40",
+                                  "G0 X90", "G0 Z0.2", "G1 X99 E1"});
+  CHECK_EQ(modes.z_um, 200);
+  CHECK_EQ(modes.highest_laid_um, 7'000);
+}
+
 TEST_CASE("G90 behind M83 means two things") {
   const std::vector<std::string> lines = {"M83", "G90"};
   CHECK(after(lines).modes == 0);

@@ -45,8 +45,9 @@ host::JournalRecord record_of(std::mt19937_64& random) {
   record.checkpoint.bottom = core::Length::from_units(any());
   record.checkpoint.commands = any();
   record.checkpoint.filament_mm = static_cast<double>(any()) / 3;
-  record.checkpoint.motions = {true, random() % 2 == 0, true, false, {-5, 7}, {}, 0.1, 210, 60, 800,
-                               {}};
+  record.checkpoint.motions = {
+      true, random() % 2 == 0, true, false, {-5, 7}, {}, 0.1, 210, 60, 800, {}, {}, {}};
+  record.checkpoint.motions.highest = core::Length::from_units(any());
   if (random() % 3 > 0) record.checkpoint.motions.arcs = random() % 2 == 0;
   if (random() % 2 == 0) record.checkpoint.motions.nozzle_z = core::Length::from_units(any());
   record.checkpoint.encoder = {maybe(), maybe(), maybe(), maybe(), -0.25};
@@ -62,7 +63,7 @@ host::JournalRecord record_of(std::mt19937_64& random) {
   record.line = static_cast<std::int32_t>(random() >> 34);
   record.lines_more = 32;
   record.line_kinds = static_cast<std::uint32_t>(random());
-  record.machine = {maybe(), maybe(), maybe(), maybe(), any(), 2'100, 600, 255};
+  record.machine = {maybe(), maybe(), maybe(), maybe(), any(), any(), 2'100, 600, 255};
   record.machine.flavor = firmware_link::Flavor::kKlipper;
   record.machine.acceleration_mm_s2 = 1'500;
   record.machine.pressure_advance_tens_us = 4'500;
@@ -115,6 +116,8 @@ TEST_CASE("a record is read back as it was written") {
     CHECK_EQ(read->record.checkpoint.motions.position.x, -5);
     CHECK(read->record.checkpoint.motions.arcs == record.checkpoint.motions.arcs);
     CHECK_EQ(read->record.checkpoint.motions.actions, 7);
+    CHECK_EQ(read->record.checkpoint.motions.highest, record.checkpoint.motions.highest);
+    CHECK_EQ(read->record.machine.highest_laid_um, record.machine.highest_laid_um);
     CHECK_EQ(read->record.last_planned, record.last_planned);
     CHECK_EQ(read->record.sure_hash, record.sure_hash);
     CHECK_EQ(read->record.line_kinds, record.line_kinds);

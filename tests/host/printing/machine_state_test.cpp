@@ -67,6 +67,23 @@ TEST_CASE("filament counts as drawn back where it moves alone or is wiped, and n
   CHECK_EQ(state.drawn_back_10nm, 0);
 }
 
+TEST_CASE("the highest road is known, not the highest move") {
+  host::MachineState state = in_a_road();
+  Move move = filament(30'000);
+  state.apply(move);
+  CHECK_EQ(state.highest_laid_um, 0);
+  move.x_um = 1;
+  state.apply(move);
+  CHECK_EQ(state.highest_laid_um, 2'400);
+  Move lift;
+  lift.z_um = 30'000;
+  state.apply(lift);
+  CHECK_EQ(state.highest_laid_um, 2'400);
+  move.z_um = 600;
+  state.apply(move);
+  CHECK_EQ(state.highest_laid_um, 2'400);
+}
+
 TEST_CASE("after user G-code the position and the feed are unknown, the heaters as they were") {
   host::MachineState state = in_a_road();
   state.apply(std::get<firmware_link::Verbatim>(firmware_link::verbatim_from("G28")));
@@ -91,6 +108,9 @@ TEST_CASE("a checkpoint tells how the machine is before its layer") {
   CHECK_EQ(state.bed_tenths, 600);
   CHECK_EQ(state.fan, 128);
   CHECK_EQ(state.drawn_back_10nm, 0);
+  CHECK_EQ(state.highest_laid_um, 0);
+  checkpoint.motions.highest = core::Length::from_mm(12.4);
+  CHECK_EQ(host::state_at(checkpoint, settings).highest_laid_um, 12'400);
   checkpoint.motions.retracted = true;
   CHECK_EQ(host::state_at(checkpoint, settings).drawn_back_10nm, 100'000);
 }

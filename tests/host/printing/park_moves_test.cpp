@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,19 @@ TEST_CASE("the nozzle leaves drawn back and lifted, and comes back primed") {
               "G1 E1 F2400", "M106 S255", "G0 F3600"});
   CHECK(texts_of(park_moves.come_back(here, true)).front() == "M140 S60");
   CHECK(texts_of(park_moves.come_back(here, true))[1] == "M109 S210");
+}
+
+TEST_CASE("the nozzle leaves over what stands beside it, finished") {
+  const core::Settings settings;
+  const host::ParkMoves park_moves(settings, {5'000, 295'000});
+  host::MachineState here = in_a_road();
+  here.highest_laid_um = 40'000;
+  CHECK(texts_of(park_moves.leave_part(here))[1] == "G0 Z50 F600");
+  const Texts restart = texts_of(park_moves.restart(here, 2'400, ""));
+  CHECK(std::find(restart.begin(), restart.end(), "G0 Z50 F600") != restart.end());
+  // In coordinates that a file has moved, heights from before say nothing.
+  here.shifted = true;
+  CHECK_EQ(host::lifted_from_um(here), 2'400);
 }
 
 TEST_CASE("filament that is drawn back already stays as it was") {
