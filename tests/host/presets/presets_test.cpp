@@ -61,6 +61,8 @@ bool pushes_filament(const std::string& line) {
 void check_printed(const std::string& name, const core::Settings& settings,
                    const std::string& part) {
   CAPTURE(name);
+  // Not every program that shows a file knows them.
+  CHECK_NE(settings.arcs, core::ArcUse::kOn);
   Rig rig(settings, part, controller_of(settings));
   rig.options.banner_wait_s = 0.05;
   std::int64_t roads = 0;
