@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "firmware_link/wire/quotes.h"  // in_quotes
+
 namespace firmware_link {
 namespace {
 
@@ -11,8 +13,6 @@ constexpr Duration kAskAgain = std::chrono::seconds(1);
 
 // A height that is no printer's would not be written in full.
 constexpr double kHeightMaxMm = 1e5;
-
-std::string quoted(std::string_view words) { return "\"" + std::string(words) + "\""; }
 
 }  // namespace
 
@@ -88,7 +88,7 @@ Readiness::Step Readiness::state_told(const Dialect& dialect, bool to_resume, In
     return ask(Query::kPosition);
   }
   if (!dialect.becomes_ready(alarm_)) {
-    reason_ = "the controller is not ready: " + quoted(alarm_);
+    reason_ = "the controller is not ready: " + in_quotes(alarm_);
     return Step::kFault;
   }
   const bool news = words_ != alarm_;
@@ -100,7 +100,7 @@ Readiness::Step Readiness::state_told(const Dialect& dialect, bool to_resume, In
 Readiness::Step Readiness::tick(Duration ready_wait, Instant now) {
   if (now - since_ > ready_wait) {
     reason_ = words_.empty() ? "the controller did not answer whether it is ready"
-                             : "the controller did not become ready: " + quoted(words_);
+                             : "the controller did not become ready: " + in_quotes(words_);
     return Step::kFault;
   }
   return ask_due_ && now >= *ask_due_ ? ask(Query::kState) : Step::kWait;

@@ -7,14 +7,9 @@
 
 #include "firmware_link/wire/check.h"
 #include "firmware_link/wire/meat_pack.h"  // kMeatPackReset
+#include "firmware_link/wire/quotes.h"     // in_quotes
 
 namespace firmware_link {
-namespace {
-
-std::string quoted(std::string_view words) { return "\"" + std::string(words) + "\""; }
-
-}  // namespace
-
 Session::Session(std::unique_ptr<Dialect> dialect, const SessionOptions& options, Instant now)
     : options_(options),
       stop_(now),
@@ -242,7 +237,7 @@ void Session::tick_greeting(Instant now) {
     case Greeting::Step::kGiveUp: {
       std::string why = greeting_.reason();
       const std::string& refusal = complaints_.last_refusal();
-      if (!refusal.empty()) why += " It said " + quoted(refusal);
+      if (!refusal.empty()) why += " It said " + in_quotes(refusal);
       fault(FaultKind::kNoAnswer, why, true);
       return;
     }
@@ -328,9 +323,9 @@ void Session::open(Instant now) {
 void Session::tick_shut_down(Instant now) {
   if (!shutdown_.over(window_.lines_in_flight() > 0, now)) return;
   if (shutdown_.is_shut_down()) {
-    halted("the controller has shut down: " + quoted(shutdown_.words()));
+    halted("the controller has shut down: " + in_quotes(shutdown_.words()));
   } else {
-    fault(FaultKind::kAlarm, "the controller refused a command: " + quoted(shutdown_.words()),
+    fault(FaultKind::kAlarm, "the controller refused a command: " + in_quotes(shutdown_.words()),
           true);
   }
 }
@@ -358,7 +353,7 @@ void Session::tick_silence(Instant now) {
     case SilenceWatch::Step::kGiveUp: {
       std::string why = silence_.reason();
       const std::string& refusal = complaints_.last_refusal();
-      if (!refusal.empty()) why += "; its last complaint was " + quoted(refusal);
+      if (!refusal.empty()) why += "; its last complaint was " + in_quotes(refusal);
       fault(FaultKind::kSilence, why, true);
       return;
     }

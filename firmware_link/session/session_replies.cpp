@@ -5,6 +5,7 @@
 #include "firmware_link/session/session.h"
 #include "firmware_link/wire/check.h"
 #include "firmware_link/wire/meat_pack.h"  // kMeatPackAnswer
+#include "firmware_link/wire/quotes.h"     // in_quotes
 
 namespace firmware_link {
 namespace {
@@ -12,8 +13,6 @@ namespace {
 // An `ok` too many uncovers itself by a request for a line that was acknowledged. So many of them
 // in a row are something else.
 constexpr std::int64_t kFalseAnswersMax = 8;
-
-std::string quoted(std::string_view words) { return "\"" + std::string(words) + "\""; }
 
 }  // namespace
 
@@ -65,7 +64,7 @@ void Session::reply(const Reply& reply, Instant now) {
 bool Session::reply_ends(const Reply& reply, Meaning meaning, Instant now) {
   if (shutdown_.is_shut_down()) {
     if (reply.kind == Reply::Kind::kAlarm) {
-      halted("the controller has shut down: " + quoted(reply.text));
+      halted("the controller has shut down: " + in_quotes(reply.text));
     }
     return true;
   }
@@ -81,7 +80,7 @@ bool Session::reply_ends(const Reply& reply, Meaning meaning, Instant now) {
     return true;
   }
   if (meaning == Meaning::kFatal) {
-    halted("the controller stopped: " + quoted(reply.text));
+    halted("the controller stopped: " + in_quotes(reply.text));
     return true;
   }
   if (meaning == Meaning::kAlarm && dialect().lost_its_position(reply.text)) {
@@ -90,7 +89,7 @@ bool Session::reply_ends(const Reply& reply, Meaning meaning, Instant now) {
   }
   if (shutdown_.is_lost() && meaning != Meaning::kReset) return true;
   if (meaning == Meaning::kAlarm) {
-    fault(FaultKind::kAlarm, "the controller refused a command: " + quoted(reply.text), true);
+    fault(FaultKind::kAlarm, "the controller refused a command: " + in_quotes(reply.text), true);
     return true;
   }
   if (meaning == Meaning::kReset) reset_seen(now);
@@ -145,7 +144,7 @@ void Session::reply_while_open(const Reply& reply, Meaning meaning, Instant now)
       // It counts the filament all the same, so M114 does not show it. Before the count starts, it
       // is the user's own start G-code that retracts cold.
       if (position_.watch().expected().e_10nm && state_ == SessionState::kStreaming) {
-        fault(FaultKind::kAlarm, "the controller refused to lay: " + quoted(reply.text), true);
+        fault(FaultKind::kAlarm, "the controller refused to lay: " + in_quotes(reply.text), true);
       } else {
         warn(reply.text);
       }
@@ -207,7 +206,7 @@ void Session::complaint_heard(const Reply& reply) {
   const bool unchecked = phase_ == Phase::kOpen && rules().macros && !rules().numbered;
   if (unchecked && quotes_what_was_not_sent(reply.text, window_)) {
     fault(FaultKind::kPosition,
-          "a line was damaged on its way to the controller, which says " + quoted(reply.text),
+          "a line was damaged on its way to the controller, which says " + in_quotes(reply.text),
           true);
     return;
   }
@@ -382,7 +381,7 @@ bool Session::repeat_from(std::int64_t sequence) {
     fault(FaultKind::kRefusals,
           "the controller refused line " + std::to_string(window_.number_of(sequence)) + " " +
               std::to_string(recovery_.repeats_of_a_line()) +
-              " times: " + quoted(complaints_.last_refusal()),
+              " times: " + in_quotes(complaints_.last_refusal()),
           true);
     return false;
   }
