@@ -37,6 +37,10 @@ constexpr std::array kRows = {
     Row{"internal_solid_infill_line_width", "solid_infill_extrusion_width"},
     Row{"top_surface_line_width", "top_infill_extrusion_width"},
     Row{"support_line_width", "support_material_extrusion_width"},
+    Row{"print_sequence", "complete_objects"},  // Cura's, too
+    Row{"extruder_clearance_max_radius", "extruder_clearance_radius"},
+    Row{"extruder_clearance_height_to_rod", "extruder_clearance_height"},
+    Row{"gantry_height", "extruder_clearance_height"},  // Cura's
     Row{"wall_loops", "perimeters"},
     Row{"top_shell_layers", "top_solid_layers"},
     Row{"bottom_shell_layers", "bottom_solid_layers"},
@@ -171,6 +175,10 @@ constexpr std::array kWords = {
     Word{"support_material_style", "hybrid(auto)", "tree"},
     Word{"support_material_style", "normal(auto)", "grid"},
     Word{"support_material_style", "normal(manual)", "grid"},
+    Word{"complete_objects", "by object", "1"},
+    Word{"complete_objects", "by layer", "0"},
+    Word{"complete_objects", "one_at_a_time", "1"},
+    Word{"complete_objects", "all_at_once", "0"},
     Word{"seam_position", "back", "rear"},
     Word{"seam_position", "shortest", "nearest"},
     Word{"fuzzy_skin", "allwalls", "all"},

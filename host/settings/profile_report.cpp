@@ -94,12 +94,14 @@ constexpr std::array<std::string_view, 62> kNoMeaning = {"bed_custom_model",
                                                          "retract_restart_extra_toolchange",
                                                          "retract_length_toolchange"};
 
-constexpr std::array<std::string_view, 20> kNoMeaningStarts = {
-    "compatible_print", "cooling_tube_", "default_",        "extruder_clearance_",
-    "extra_loading_",   "filament_load", "filament_unload", "filament_cooling_",
-    "inherits",         "mmu_",          "octoprint_",      "physical_printer",
-    "print_host",       "printhost_",    "serial_",         "single_extruder_multi_material",
-    "thumbnails",       "wipe_into_",    "wipe_tower",      "wiping_volumes_"};
+constexpr std::array<std::string_view, 19> kNoMeaningStarts = {
+    "compatible_print",  "cooling_tube_",    "default_",
+    "extra_loading_",    "filament_load",    "filament_unload",
+    "filament_cooling_", "inherits",         "mmu_",
+    "octoprint_",        "physical_printer", "print_host",
+    "printhost_",        "serial_",          "single_extruder_multi_material",
+    "thumbnails",        "wipe_into_",       "wipe_tower",
+    "wiping_volumes_"};
 
 bool is_without_meaning(std::string_view key, std::string_view value) {
   const std::string_view first = first_value(value);

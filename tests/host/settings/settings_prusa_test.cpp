@@ -5,6 +5,7 @@
 #include <string>
 
 #include "host/output/thumbnail_text.h"
+#include "host/settings/foreign_names.h"  // prusa_name, prusa_value
 #include "host/settings/settings_table.h"
 
 namespace {
@@ -52,4 +53,29 @@ TEST_CASE("a machine's limits are taken, however large its profile has them") {
   REQUIRE(host::set_setting(settings, ours->front().key, ours->front().text).ok());
   CHECK(host::validate_settings(settings).ok());
   CHECK_EQ(settings.speed_max_xy_mm_s, 13'000);
+}
+
+TEST_CASE("objects one after another, by the names of all slicers") {
+  struct Name {
+    const char *key, *value, *ours, *text;
+  };
+  for (const Name& name : {Name{"complete_objects", "1", "sequential", "1"},
+                           Name{"print_sequence", "by object", "sequential", "1"},
+                           Name{"print_sequence", "by layer", "sequential", "0"},
+                           Name{"print_sequence", "one_at_a_time", "sequential", "1"},
+                           Name{"print_sequence", "all_at_once", "sequential", "0"},
+                           Name{"extruder_clearance_radius", "45", "clearance_radius", "45"},
+                           Name{"extruder_clearance_max_radius", "65", "clearance_radius", "65"},
+                           Name{"extruder_clearance_height_to_rod", "36", "clearance_height", "36"},
+                           Name{"gantry_height", "25", "clearance_height", "25"}}) {
+    CAPTURE(name.key);
+    const std::string key(host::prusa_name(name.key));
+    const auto ours = host::from_prusa(key, host::prusa_value(name.key, name.value));
+    REQUIRE(ours.has_value());
+    REQUIRE_EQ(ours->size(), 1);
+    CHECK_EQ(ours->front().key, name.ours);
+    CHECK_EQ(ours->front().text, name.text);
+    host::PrintSettings settings;
+    CHECK(host::set_setting(settings, ours->front().key, ours->front().text).ok());
+  }
 }
