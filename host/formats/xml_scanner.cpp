@@ -10,6 +10,19 @@
 namespace host {
 namespace {
 
+// Where the parser is. Expat 2.9 counts in 64 bits everywhere, by functions of their own.
+#if XML_MAJOR_VERSION > 2 || XML_MINOR_VERSION >= 9
+std::int64_t line_of(XML_Parser parser) {
+  return static_cast<std::int64_t>(XML_GetCurrentLineNumber64(parser));
+}
+std::int64_t byte_of(XML_Parser parser) { return XML_GetCurrentByteIndex64(parser); }
+#else
+std::int64_t line_of(XML_Parser parser) {
+  return static_cast<std::int64_t>(XML_GetCurrentLineNumber(parser));
+}
+std::int64_t byte_of(XML_Parser parser) { return XML_GetCurrentByteIndex(parser); }
+#endif
+
 using core::Error;
 using core::ErrorCode;
 using core::Result;
@@ -52,7 +65,7 @@ struct XmlScanner::State {
     event.kind = kind;
     event.space.clear();
     event.name.clear();
-    event.line = static_cast<std::int64_t>(XML_GetCurrentLineNumber(parser));
+    event.line = line_of(parser);
     return event;
   }
 
@@ -125,12 +138,12 @@ struct XmlScanner::State {
     const XML_Status status =
         XML_Parse(parser, piece.data(), static_cast<int>(count.value()), ended ? 1 : 0);
     if (status == XML_STATUS_OK) {
-      const std::int64_t waiting = fed_bytes - XML_GetCurrentByteIndex(parser);
+      const std::int64_t waiting = fed_bytes - byte_of(parser);
       if (waiting <= kXmlTokenBytesMax || ended) return {};
       refusal = "a tag or text of more than " + std::to_string(kXmlTokenBytesMax) +
                 " bytes, more than fits; export the file again";
     }
-    line = static_cast<std::int64_t>(XML_GetCurrentLineNumber(parser));
+    line = line_of(parser);
     if (!refusal.empty()) return bad(refusal);
     const XML_Error code = XML_GetErrorCode(parser);
     if (ended) {
