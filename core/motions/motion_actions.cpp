@@ -21,16 +21,24 @@ void MotionBuilder::act(Length bottom, const Sink& sink) {
     retract(sink);
     lift(away, sink);
   }
+  bool told_otherwise = false;  // perhaps, by the user's lines
   for (const HeightAction& action : due) {
     if (action.kind == HeightAction::Kind::kPause) sink(Pause{action.height});
     if (action.kind != HeightAction::Kind::kGcode) continue;
     sink(Verbatim{action.line});
-    state_.acceleration_mm_s2 = 0;  // may be another one now
+    told_otherwise = true;
   }
+  if (told_otherwise) tell_ways_again(sink);
   sink(SetFan{state_.fan});
   state_.position_known = false;
   state_.nozzle_z.reset();
   lift(away, sink);
+}
+
+// The pressure advance and acceleration that were told last.
+void MotionBuilder::tell_ways_again(const Sink& sink) {
+  if (settings_.pressure_advance_s >= 0) sink(SetPressureAdvance{settings_.pressure_advance_s});
+  if (state_.acceleration_mm_s2 > 0) sink(SetAcceleration{state_.acceleration_mm_s2});
 }
 
 // A setting's value from here on.

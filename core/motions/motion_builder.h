@@ -123,6 +123,7 @@ class MotionBuilder {
   void start_layer(const Slice& slice, const Sink& sink);
   void act(Length bottom, const Sink& sink);
   void take(const HeightAction& action, const Sink& sink);
+  void tell_ways_again(const Sink& sink);
   void set_up_layer(double fan_share, const Sink& sink);
   // A road in stretches of one width, opened at its seam.
   struct LaidRoad {

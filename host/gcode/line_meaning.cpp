@@ -99,4 +99,16 @@ Result<std::optional<LineMeaning>> meaning_of(std::string_view text, const Meani
   return std::optional(meaning);
 }
 
+firmware_link::Effect percent_set_by(std::string_view line) {
+  using Kind = firmware_link::Effect::Kind;
+  GcodeModes modes;
+  MeaningRules rules;
+  rules.checks = false;
+  const Result<std::optional<LineMeaning>> meaning = meaning_of(line, rules, modes);
+  if (!meaning.ok() || !meaning.value()) return {};
+  const firmware_link::Effect effect = meaning.value()->line.effect;
+  const bool percent = effect.kind == Kind::kFeedPercent || effect.kind == Kind::kFlowPercent;
+  return percent ? effect : firmware_link::Effect();
+}
+
 }  // namespace host

@@ -37,4 +37,7 @@ struct LineMeaning {
                                                                   const MeaningRules& rules,
                                                                   GcodeModes& modes);
 
+// What M220 and M221 set; of other lines nothing. `line`: as verbatim_from() takes it.
+[[nodiscard]] firmware_link::Effect percent_set_by(std::string_view line);
+
 }  // namespace host

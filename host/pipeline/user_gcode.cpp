@@ -1,6 +1,7 @@
 #include "host/pipeline/user_gcode.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -12,6 +13,8 @@
 #include "firmware_link/wire/command.h"           // verbatim_from
 #include "firmware_link/wire/gcode_words.h"       // commands_in
 #include "firmware_link/wire/refused_commands.h"  // refused_in
+#include "host/gcode/line_meaning.h"              // meaning_of
+#include "host/pipeline/standing_values.h"
 
 namespace host {
 namespace {
@@ -98,8 +101,6 @@ constexpr std::array kKept = {
     Kept{"G58", "changes the coordinates that the part is laid in"},
     Kept{"G59", "changes the coordinates that the part is laid in"},
     Kept{"M206", "moves the coordinates that the part is laid in"},
-    Kept{"M220", "changes the speed of the whole print"},
-    Kept{"M221", "changes the flow of the whole print"},
     Kept{"SET_GCODE_OFFSET", "moves the coordinates that the part is laid in"},
 };
 
@@ -111,9 +112,62 @@ bool renames_place(const std::string& line) {
                      [&](char axis) { return firmware_link::has_parameter(line, axis); });
 }
 
+// A name of Klipper's of which nothing is known; PAUSE brings back what it changes.
+bool is_macro(const std::string& line) {
+  GcodeModes modes;
+  MeaningRules rules;
+  rules.checks = false;
+  const auto meaning = meaning_of(line, rules, modes);
+  const Lines commands = firmware_link::commands_in(line);
+  const std::string command = commands.empty() ? "" : commands.front();
+  return meaning.ok() && meaning.value() && meaning.value()->macro &&
+         command != "ACTIVATE_EXTRUDER" && command != "PAUSE";
+}
+
 bool chooses_other_tool(std::string_view command) {
   return command.size() > 1 && command[0] == 'T' && command != "T0" &&
          firmware_link::is_classic(command);
+}
+
+// What start_gcode sets for the whole print.
+constexpr std::array kStanding = {
+    Kept{"M220", "changes the speed of the whole print"},
+    Kept{"M221", "changes the flow of the whole print"},
+};
+
+// Of lines that are no start G-code.
+Lines effects_of_later(const std::string& line, const StandingValues& standing) {
+  Lines effects;
+  const Lines again = standing.told_again_after({line});
+  if (!again.empty()) {
+    effects.push_back(
+        fmt::format("counts for the lines at that place alone: {} is told behind them",
+                    fmt::join(again, ", ")));
+  }
+  if (standing.loses_value({line})) {
+    effects.emplace_back(
+        "changes the rest of the print: neither start_gcode nor a setting tells what to go back to "
+        "(default_acceleration_mm_s2, pressure_advance_s)");
+  }
+  if (is_macro(line)) {
+    effects.emplace_back(
+        "is a macro: the tool, M220, M221, acceleration and pressure advance stay as it leaves "
+        "them, unless other lines there change them");
+  }
+  return effects;
+}
+
+Lines effects_of_start(const std::string& line) {
+  Lines effects;
+  for (const std::string& command : firmware_link::commands_in(line)) {
+    for (const Kept& standing : kStanding) {
+      if (standing.command == command) effects.emplace_back(standing.effect);
+    }
+    if (chooses_other_tool(command)) {
+      effects.emplace_back("chooses the tool that the part is laid with");
+    }
+  }
+  return effects;
 }
 
 Lines lasting_effects(const std::string& line) {
@@ -126,18 +180,16 @@ Lines lasting_effects(const std::string& line) {
     for (const Kept& kept : kKept) {
       if (kept.command == command) effects.emplace_back(kept.effect);
     }
-    if (chooses_other_tool(command)) {
-      effects.emplace_back("chooses the tool that the part is laid with");
-    }
   }
   return effects;
 }
 
-// What the print needs behind the user's lines.
-Lines modes_after(const Lines& lines) {
+// What the print needs behind the user's lines. `again`: of standing values.
+Lines modes_after(const Lines& lines, const Lines& again = {}) {
   Lines modes = {"G21", "G90", "M83"};
   const Lines restored = restored_after(lines);
   modes.insert(modes.end(), restored.begin(), restored.end());
+  modes.insert(modes.end(), again.begin(), again.end());
   modes.emplace_back("G92 E0");
   return modes;
 }
@@ -146,6 +198,7 @@ Lines modes_after(const Lines& lines) {
 Lines with_modes_at_heights(const core::Settings& settings) {
   using Kind = core::HeightAction::Kind;
   const std::vector<core::HeightAction> actions = core::height_actions(settings);
+  const StandingValues standing(settings);
   Lines whole, of_height;
   for (std::size_t i = 0; i < actions.size(); ++i) {
     const core::HeightAction& action = actions[i];
@@ -161,7 +214,7 @@ Lines with_modes_at_heights(const core::Settings& settings) {
     }
     if (of_height.empty()) continue;
     if (i + 1 < actions.size() && actions[i + 1].height == action.height) continue;
-    Lines modes = modes_after(of_height);
+    Lines modes = modes_after(of_height, standing.told_again_after(of_height));
     modes.emplace_back("M400");
     for (const std::string& line : modes) whole.push_back(fmt::format("{} gcode {}", mm, line));
     of_height.clear();
@@ -208,10 +261,16 @@ std::vector<std::string> user_gcode_notes(const core::Settings& settings) {
     if (std::find(notes.begin(), notes.end(), text) == notes.end())
       notes.push_back(std::move(text));
   };
+  const StandingValues standing(settings);
   for (const NamedLines& lines : lines_of(settings)) {
-    if (lines.setting == std::string_view("end_gcode")) continue;
+    const std::string_view setting = lines.setting;
+    if (setting == "end_gcode") continue;
     for (const std::string& line : lines.lines) {
-      for (const std::string& lasts : lasting_effects(line)) {
+      Lines effects = lasting_effects(line);
+      const Lines more =
+          setting == "start_gcode" ? effects_of_start(line) : effects_of_later(line, standing);
+      effects.insert(effects.end(), more.begin(), more.end());
+      for (const std::string& lasts : effects) {
         note(fmt::format("{}: {} {}", lines.setting, firmware_link::without_comments(line), lasts));
       }
     }

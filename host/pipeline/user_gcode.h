@@ -11,9 +11,10 @@
 // for good, so that a resumed print never repeats it.
 //
 // Also restored, if the lines changed it: the plane of arcs (G17), feeds in mm/min (G94),
-// Celsius (M149 C), filament by its length (M200 D0), retraction by rind (M209 S0). Not restored,
-// because the user has changed it on purpose: offsets (G92 X…, G55), factors (M220, M221), the tool
-// (T1), limits (M203 …). user_gcode_notes() names those that change the part.
+// Celsius (M149 C), filament by its length (M200 D0), retraction by rind (M209 S0). The tool (T1),
+// M220, M221, M204 and pressure advance that start G-code sets stay, and are told again behind
+// later lines that change them (standing_values.h). Not restored: offsets (G92 X…, G55), limits
+// (M203 …). user_gcode_notes() names what changes the part.
 #pragma once
 
 #include <string>

@@ -3,7 +3,8 @@
 //
 //     feed = requested × throttle × file's        flow = requested × file's
 //
-// each within kFeedPercentMin … kFeedPercentMax. A ready file sets its own (M220, M221); else 100.
+// each within kFeedPercentMin … kFeedPercentMax. A ready file sets its own (M220, M221), so do
+// the user's lines; else 100.
 #pragma once
 
 #include <algorithm>

@@ -7,6 +7,8 @@
 #include "core/check.h"                   // RIND_CHECK
 #include "core/motions/height_actions.h"  // HeightActions
 #include "host/gcode/gcode_modes.h"
+#include "host/gcode/line_meaning.h"  // percent_set_by
+#include "host/pipeline/standing_values.h"
 #include "host/pipeline/user_gcode.h"  // with_own_modes
 #include "host/pipeline/wire_units.h"
 
@@ -62,6 +64,12 @@ void put_modes(const GcodeModes& modes, MachineState& state) {
   state.shifted = modes.shifted;
 }
 
+void note_percent(const Effect& effect, MachineState& state) {
+  const auto percent = static_cast<std::int32_t>(effect.value);
+  if (effect.kind == Effect::Kind::kFeedPercent) state.feed_percent = percent;
+  if (effect.kind == Effect::Kind::kFlowPercent) state.flow_percent = percent;
+}
+
 }  // namespace
 
 firmware_link::Command command_of(const std::string& line) {
@@ -97,6 +105,9 @@ void MachineState::apply(const firmware_link::Command& command) {
     modes.apply(*ready);
     put_modes(modes, *this);
   } else {
+    if (const auto* line = std::get_if<firmware_link::Verbatim>(&command)) {
+      note_percent(percent_set_by(line->text()), *this);
+    }
     x_um = y_um = z_um = f_mm_min = std::nullopt;
   }
 }
@@ -155,6 +166,11 @@ MachineState state_at(const Checkpoint& checkpoint, const core::Settings& of_pri
   state.flavor = checkpoint.encoder.flavor;
   if (checkpoint.motions.started && settings.pressure_advance_s >= 0) {
     state.pressure_advance_tens_us = pressure_advance_tens_us(settings.pressure_advance_s);
+  }
+  if (checkpoint.motions.started) {
+    const StandingValues standing(of_print);
+    state.feed_percent = standing.feed();
+    state.flow_percent = standing.flow();
   }
   const double told_mm_s2 = checkpoint.motions.acceleration_mm_s2;
   if (told_mm_s2 > 0) state.acceleration_mm_s2 = acceleration_mm_s2(told_mm_s2);

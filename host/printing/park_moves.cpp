@@ -15,7 +15,8 @@
 #include "core/motions/park_place.h"         // kParkEdge, park_place
 #include "firmware_link/wire/gcode_words.h"  // commands_in
 #include "host/gcode/set_up_lines.h"         // sets_up
-#include "host/pipeline/user_gcode.h"        // restored_after
+#include "host/pipeline/standing_values.h"
+#include "host/pipeline/user_gcode.h"  // restored_after
 #include "host/pipeline/wire_units.h"
 #include "host/printing/safe_moves.h"
 
@@ -32,6 +33,11 @@ constexpr std::int64_t kEdge_um = core::kParkEdge.units() / kUnitsPerUm;
 bool sets_up_alone(const std::string& line) {
   const std::vector<std::string> codes = firmware_link::commands_in(line);
   return codes.size() == 1 && sets_up(codes.front());
+}
+
+// RepRapFirmware's macros for tools move axes, which are not homed.
+std::string without_macros(const std::string& tool, firmware_link::Flavor flavor) {
+  return flavor == firmware_link::Flavor::kRepRapFirmware ? tool + " P0" : tool;
 }
 
 ParkingPosition from_bed_origin(ParkingPosition position, const core::Settings& settings) {
@@ -137,6 +143,8 @@ std::vector<Command> ParkMoves::restart(const MachineState& here, std::int64_t n
   if (set_up.empty()) {
     std::copy_if(settings_.start_gcode.begin(), settings_.start_gcode.end(),
                  std::back_inserter(set_up), sets_up_alone);
+    const std::string tool = StandingValues(settings_).tool();
+    if (!tool.empty()) set_up.insert(set_up.begin(), without_macros(tool, here.flavor));
   }
   std::vector<Command> way = {command_of("G21"), command_of("G90"), command_of("M83")};
   for (const std::string& line : set_up) way.push_back(command_of(line));

@@ -6,6 +6,7 @@
 #include <thread>
 #include <variant>
 
+#include "host/gcode/line_meaning.h"   // percent_set_by
 #include "host/printing/port_clock.h"  // link_now
 #include "host/printing/skipped_command.h"
 #include "host/system/limits.h"
@@ -148,13 +149,18 @@ bool PrintController::give_next(Instant now) {
                            next.layer);
     return false;
   }
-  const firmware_link::Effect effect = ready != nullptr ? ready->effect : firmware_link::Effect();
+  firmware_link::Effect effect;
+  if (ready != nullptr) effect = ready->effect;
+  if (const auto* own = std::get_if<firmware_link::Verbatim>(&next.command)) {
+    effect = percent_set_by(own->text());
+  }
   take(next, now);
   note_percents(effect, now);
   return true;
 }
 
-// A file has factors of its own, which the user's come on top of: told behind the file's.
+// A file and the user's lines have factors of their own, which what the user asks for while it
+// prints comes on top of: told behind theirs.
 void PrintController::note_percents(const firmware_link::Effect& effect, Instant now) {
   const auto percent = static_cast<int>(effect.value);
   if (effect.kind == firmware_link::Effect::Kind::kFeedPercent) {

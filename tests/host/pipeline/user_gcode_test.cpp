@@ -86,9 +86,40 @@ TEST_CASE("lines at heights and in pauses are checked as others are, and what la
   CHECK(contains(host::check_user_gcode(settings).error().message, "at_height, line 2 ('M112')"));
   settings.at_height = {"1 M220 S50"};
   CHECK(host::check_user_gcode(settings).ok());
-  CHECK(contains(host::user_gcode_notes(settings).at(0), "at_height: M220 S50 changes the speed"));
+  CHECK(
+      contains(host::user_gcode_notes(settings).at(0),
+               "at_height: M220 S50 counts for the lines at that place alone: M220 S100 is told"));
   settings.pause_gcode = {"M997"};
   CHECK(contains(host::check_user_gcode(settings).error().message, "pause_gcode, line 1"));
+}
+
+TEST_CASE("what start G-code chose is told again behind the lines of a height and of a pause") {
+  core::Settings settings;
+  settings.start_gcode = {"T1", "M221 S95"};
+  settings.at_height = {"1 gcode M221 S120", "2 gcode M117 a", "3 pause"};
+  settings.pause_gcode = {"T0", "M220 S50", "M25"};
+  CHECK(host::with_own_modes(settings).at_height ==
+        Lines{"1 gcode M221 S120", "1 gcode G21",    "1 gcode G90",       "1 gcode M83",
+              "1 gcode M221 S95",  "1 gcode G92 E0", "1 gcode M400",      "2 gcode M117 a",
+              "2 gcode G21",       "2 gcode G90",    "2 gcode M83",       "2 gcode G92 E0",
+              "2 gcode M400",      "3 pause",        "3 gcode G21",       "3 gcode G90",
+              "3 gcode M83",       "3 gcode T1",     "3 gcode M220 S100", "3 gcode G92 E0",
+              "3 gcode M400"});
+}
+
+TEST_CASE("what cannot be told again is named") {
+  core::Settings settings;
+  settings.at_height = {"1 M204 S300",   "2 M900 K0", "3 gcode SWAP_FILAMENT",
+                        "4 gcode PAUSE", "5 M600",    "6 gcode G55"};
+  const Lines notes = host::user_gcode_notes(settings);
+  REQUIRE_EQ(notes.size(), 4);
+  CHECK(contains(notes[0], "at_height: M204 S300 changes the rest of the print"));
+  CHECK(contains(notes[1], "at_height: M900 K0 changes the rest of the print"));
+  CHECK(contains(notes[2], "at_height: SWAP_FILAMENT is a macro"));
+  CHECK(contains(notes[3], "G55"));
+  settings.default_acceleration_mm_s2 = 500;
+  settings.start_gcode = {"M900 K0.1"};
+  CHECK_EQ(host::user_gcode_notes(settings).size(), 3);  // SWAP_FILAMENT, G55; M900 goes back
 }
 
 TEST_CASE("filament counts from 0 before an end that moves it") {

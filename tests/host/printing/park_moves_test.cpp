@@ -89,6 +89,18 @@ TEST_CASE("after a reset X and Y are homed, hot and lifted, and Z never") {
   CHECK_EQ(host::lifted_um(6'000, settings), 6'000);
 }
 
+TEST_CASE("after a reset the tool is chosen that start G-code chose, before anything heats") {
+  core::Settings settings;
+  settings.start_gcode = {"G28", "T1", "M221 S95", "M109 S200"};
+  const host::ParkMoves park_moves(settings, {5'000, 5'000});
+  host::MachineState here = in_a_road();
+  const Texts way = texts_of(park_moves.restart(here, 2'400, "G92 Z"));
+  CHECK(Texts(way.begin() + 3, way.begin() + 5) == Texts{"T1", "M221 S95"});
+  // Macros for the tool would move axes that are not homed.
+  here.flavor = firmware_link::Flavor::kRepRapFirmware;
+  CHECK_EQ(texts_of(park_moves.restart(here, 2'400, "G92 Z"))[3], "T1 P0");
+}
+
 TEST_CASE("the parking position is the bed's corner farthest from the part") {
   core::Settings settings;
   settings.bed_x = settings.bed_y = Length::from_mm(200);
