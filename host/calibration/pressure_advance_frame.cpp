@@ -79,6 +79,11 @@ core::Result<Calibration> pressure_advance_frame(const CalibrationRequest& reque
       "at its back. " +
           advice_on_firmware(settings),
   };
+  if (settings.pressure_advance_s < 0) {
+    calibration.advice.emplace_back(
+        "The printer keeps the last block's value after the print, until it is told another one or "
+        "is switched off: no setting says what it had before (pressure_advance_s).");
+  }
   return calibration;
 }
 

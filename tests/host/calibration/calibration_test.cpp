@@ -205,6 +205,17 @@ TEST_CASE("values follow the filament and the printer, or what was asked for") {
   CHECK_EQ(values({"retraction", 10, {}, 4}, settings_of("ender3")), Values{10, 14, 18});
 }
 
+TEST_CASE("a printer that keeps the last pressure advance is told of") {
+  PrintSettings settings = settings_of("ender3");
+  const auto lines = [&] {
+    return planned({"pressure-advance", {}, {}, {}}, settings).advice.size();
+  };
+  settings.pressure_advance_s = -1;
+  const std::size_t kept = lines();
+  settings.pressure_advance_s = 0.04;
+  CHECK_EQ(kept, lines() + 1);
+}
+
 TEST_CASE("what can't be printed is refused, with the reason") {
   const PrintSettings settings = settings_of("ender3");
   const auto says = [&](const host::CalibrationRequest& request, const char* words) {
