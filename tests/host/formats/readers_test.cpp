@@ -55,7 +55,7 @@ std::string svg(const std::string& groups) {
 }  // namespace
 
 TEST_CASE("SLC: layers reach up to the next; heads may be padded; inches") {
-  const std::string& plain = format_sample("3d.slc");
+  const std::string plain = format_sample("3d.slc");
   std::vector<Slice> slices = slices_of(plain);
   REQUIRE_EQ(slices.size(), 2);
   CHECK_EQ(slices[0].region, region_from_text("0:0 8:0 0:8"));
@@ -72,7 +72,7 @@ TEST_CASE("SLC: layers reach up to the next; heads may be padded; inches") {
 }
 
 TEST_CASE("SLC: keys without blanks between them, a name that looks like a unit, supports") {
-  const std::string& plain = format_sample("3d.slc");
+  const std::string plain = format_sample("3d.slc");
   CHECK_EQ(slices_of(replaced(plain, "-UNIT MM -TYPE PART", "-UNIT MM-TYPE PART"))[0].region,
            region_from_text("0:0 8:0 0:8"));
   CHECK_EQ(slices_of(replaced(plain, "-TYPE PART", "-PACKAGE INCHWORM"))[0].region,
