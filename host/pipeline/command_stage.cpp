@@ -85,13 +85,15 @@ void CommandStage::decide_form() {
   if (builder_.arcs_undecided()) builder_.decide_arcs(form.arcs);
 }
 
-void CommandStage::send(const core::Motion& of_object) {
+void CommandStage::send(const core::Motion& motion) {
   if (refused_) return;
-  core::Motion motion = of_object;
-  if (auto* layer = std::get_if<core::LayerStart>(&motion)) {
-    layer->index += layers_before_;
-    if (outputs_.on_layer_time) outputs_.on_layer_time(clock_.seconds());
-  }
+  const auto* layer = std::get_if<core::LayerStart>(&motion);
+  if (layer == nullptr) return pass_on(motion);
+  if (outputs_.on_layer_time) outputs_.on_layer_time(clock_.seconds());
+  pass_on(core::LayerStart{layer->index + layers_before_, layer->top, layer->height});
+}
+
+void CommandStage::pass_on(const core::Motion& motion) {
   const std::optional<firmware_link::Command> command = encoder_.encode(motion);
   if (command) {
     ++commands_;

@@ -71,7 +71,9 @@ class CommandStage {
   void lay(const core::Slice& slice, const std::vector<core::Road>& roads,
            const core::SeamMemory& seams_before, const core::TravelSpace* space);
   void decide_form();
+  // A motion of the object at hand; and as one of the print, whose layers are counted through.
   void send(const core::Motion& motion);
+  void pass_on(const core::Motion& motion);
 
   const core::Settings settings_;
   const std::function<CommandForm()>& form_;

@@ -120,7 +120,8 @@ struct Rig {
 
 // What `rind slice` writes, comments and empty lines left out.
 inline std::vector<std::string> sliced_lines(const core::Settings& settings,
-                                             const std::string& path) {
+                                             const std::string& path,
+                                             host::GeometryStatistics& statistics) {
   host::PrintPlan print_plan = open(settings, path);
   std::string text;
   host::GcodeWriter writer(settings.pause_gcode);
@@ -131,7 +132,6 @@ inline std::vector<std::string> sliced_lines(const core::Settings& settings,
     return true;
   };
   host::PipelineSignals signals;
-  host::GeometryStatistics statistics;
   const auto end = host::run_pipeline(print_plan, outputs, signals, statistics);
   REQUIRE(end.ok());
   std::vector<std::string> lines;
@@ -141,6 +141,12 @@ inline std::vector<std::string> sliced_lines(const core::Settings& settings,
     at = line_end + 1;
   }
   return lines;
+}
+
+inline std::vector<std::string> sliced_lines(const core::Settings& settings,
+                                             const std::string& path) {
+  host::GeometryStatistics statistics;
+  return sliced_lines(settings, path, statistics);
 }
 
 // The same without the lines that a session has of its own, too, as Rig::executed has them.

@@ -64,24 +64,9 @@ struct Sliced {
 };
 
 Sliced sliced(const core::Settings& settings, const std::string& part) {
-  Sliced result;
-  host::PrintPlan plan = print_test::open(settings, part);
-  host::PipelineOutputs outputs;
-  std::string text;
-  host::GcodeWriter writer(settings.pause_gcode);
-  outputs.on_motion = [&](const core::Motion& motion,
-                          const std::optional<firmware_link::Command>& command) {
-    writer.write(motion, command, text);
-    return true;
-  };
-  host::PipelineSignals signals;
   host::GeometryStatistics statistics;
-  REQUIRE(host::run_pipeline(plan, outputs, signals, statistics).ok());
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = text.find('\n', at);
-    if (text[at] != ';' && end > at) result.lines.push_back(text.substr(at, end - at));
-    at = end + 1;
-  }
+  Sliced result;
+  result.lines = print_test::sliced_lines(settings, part, statistics);
   result.planned_s = statistics.time_s;
   return result;
 }

@@ -246,16 +246,23 @@ TEST_CASE("the skirt is laid once") {
 
 TEST_CASE("from any layer of any object on, the commands are those of the whole print") {
   const Parts parts;
-  const core::Settings settings = in_turn();
-  const Computed whole = compute(open_in_turn(settings, parts.paths));
-  REQUIRE_GT(whole.checkpoints.size(), 50);
-  for (std::size_t i = 0; i < whole.checkpoints.size(); i += i % 13 < 2 ? 1 : 4) {
-    CAPTURE(i);
-    const host::Checkpoint& start = whole.checkpoints[i];
-    const Computed tail = compute(open_in_turn(settings, parts.paths), start);
-    const std::vector<std::string> wanted(
-        whole.texts.begin() + static_cast<std::ptrdiff_t>(start.commands), whole.texts.end());
-    CHECK(tail.texts == wanted);
+  core::Settings settings = in_turn();
+  for (const int raft_layers : {0, 2}) {
+    CAPTURE(raft_layers);
+    settings.raft_layers = raft_layers;
+    const Computed whole = compute(open_in_turn(settings, parts.paths));
+    REQUIRE_GT(whole.checkpoints.size(), 50);
+    for (std::size_t i = 0; i < whole.checkpoints.size(); i += i % 13 < 2 ? 1 : 4) {
+      CAPTURE(i);
+      const host::Checkpoint& start = whole.checkpoints[i];
+      const Computed tail = compute(open_in_turn(settings, parts.paths), start);
+      const std::vector<std::string> wanted(
+          whole.texts.begin() + static_cast<std::ptrdiff_t>(start.commands), whole.texts.end());
+      CHECK(tail.texts == wanted);
+    }
+    for (std::size_t i = 0; i < whole.layers.size(); ++i) {
+      CHECK_EQ(whole.layers[i], static_cast<core::LayerIndex>(i));
+    }
   }
 }
 

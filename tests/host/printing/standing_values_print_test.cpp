@@ -58,22 +58,27 @@ core::Settings with_lines(Lines start, const Lines& at_height) {
   return settings;
 }
 
+// Start G-code that sets all of it, and what a controller has then.
+const Lines kSetUp = {"G28", "T1", "M220 S90", "M221 S95", "M204 P800 T1500", "M900 K0.2"};
+
+void check_as_set_up(const VirtualControllerState& state) {
+  CHECK_EQ(state.tool, 1);
+  CHECK_EQ(state.feed_percent, 90);
+  CHECK_EQ(state.flow_percent, 95);
+  CHECK_EQ(state.limits.acceleration_mm_s2, 800);
+  CHECK_EQ(state.limits.travel_acceleration_mm_s2, 1'500);
+  CHECK_EQ(state.pressure_advance, doctest::Approx(0.2));
+}
+
 }  // namespace
 
 TEST_CASE("behind lines at a height the controller is as start G-code set it up") {
   const test::PartFolder folder;
   const Lines lines = {"T0", "M220 S50", "M221 S120", "M204 S300", "M900 K0", "M117 last"};
-  const core::Settings settings =
-      with_lines({"G28", "T1", "M220 S90", "M221 S95", "M204 P800 T1500", "M900 K0.2"}, lines);
+  const core::Settings settings = with_lines(kSetUp, lines);
   const Looks looks = print(settings, print_test::small_part(folder), VirtualDialect::kMarlin);
-  for (const VirtualControllerState& state : {looks.behind, looks.end}) {
-    CHECK_EQ(state.tool, 1);
-    CHECK_EQ(state.feed_percent, 90);
-    CHECK_EQ(state.flow_percent, 95);
-    CHECK_EQ(state.limits.acceleration_mm_s2, 800);
-    CHECK_EQ(state.limits.travel_acceleration_mm_s2, 1'500);
-    CHECK_EQ(state.pressure_advance, doctest::Approx(0.2));
-  }
+  check_as_set_up(looks.behind);
+  check_as_set_up(looks.end);
 }
 
 TEST_CASE("behind lines at a height the controller has what the settings told it") {
@@ -103,8 +108,7 @@ TEST_CASE("behind lines at a height the controller has what the settings told it
 
 TEST_CASE("after a reset a controller has them again") {
   const test::PartFolder folder;
-  const core::Settings settings =
-      with_lines({"G28", "T1", "M220 S90", "M221 S95", "M204 P800 T1500", "M900 K0.2"}, {});
+  const core::Settings settings = with_lines(kSetUp, {});
   Rig rig(settings, print_test::small_part(folder));
   rig.options.lost_port_wait_s = 20;
   rig.control.height = [](std::int64_t z_um) { return z_um; };
@@ -118,13 +122,7 @@ TEST_CASE("after a reset a controller has them again") {
   CAPTURE(outcome.message);
   CHECK_EQ(outcome.exit_code, host::kExitDone);
   REQUIRE_GT(before, 0);
-  const VirtualControllerState state = rig.controller();
-  CHECK_EQ(state.tool, 1);
-  CHECK_EQ(state.feed_percent, 90);
-  CHECK_EQ(state.flow_percent, 95);
-  CHECK_EQ(state.limits.acceleration_mm_s2, 800);
-  CHECK_EQ(state.limits.travel_acceleration_mm_s2, 1'500);
-  CHECK_EQ(state.pressure_advance, doctest::Approx(0.2));
+  check_as_set_up(rig.controller());
 }
 
 TEST_CASE("the factors of the user's lines are known where a print is resumed") {
