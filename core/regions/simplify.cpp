@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -66,8 +67,8 @@ class Sleeve {
 };
 
 // Drops points that a straight line passes; the ring starts at a point that is kept.
-Ring straightened(const Ring& ring, double tolerance) {
-  Ring kept{ring.front()};
+void straighten(const Ring& ring, double tolerance, Ring& kept) {
+  kept.assign(1, ring.front());
   Sleeve sleeve(ring.front(), tolerance);
   for (std::size_t i = 1; i < ring.size(); ++i) {
     const Point next = i + 1 == ring.size() ? ring.front() : ring[i + 1];
@@ -76,47 +77,77 @@ Ring straightened(const Ring& ring, double tolerance) {
     kept.push_back(ring[i]);
     sleeve = Sleeve(ring[i], tolerance);
   }
-  return kept;
 }
 
-// Marks the points to keep between two that are kept.
+std::size_t farthest_from_first(const Ring& ring) {
+  std::size_t farthest = 0;
+  double farthest_squared = 0;
+  for (std::size_t i = 1; i < ring.size(); ++i) {
+    const Vector d = towards(ring.front(), ring[i]);
+    const double squared = dot(d, d);
+    if (squared > farthest_squared) farthest = i, farthest_squared = squared;
+  }
+  return farthest;
+}
+
+// Replaces runs of points by their chords. Its memory is used again for the next ring.
 class ChordSplitter {
  public:
-  ChordSplitter(const Ring& ring, double tolerance)
-      : ring_(ring), squared_tolerance_(tolerance * tolerance), keep_(ring.size(), false) {}
+  // Indices of the points to keep, in ascending order.
+  const std::vector<std::size_t>& split(const Ring& ring, double tolerance) {
+    ring_ = &ring;
+    squared_tolerance_ = tolerance * tolerance;
+    keep_.assign(ring.size(), 0);
+    const std::size_t far = farthest_from_first(ring);
+    fixed_.clear();
+    for (std::size_t i = 0; i < far; i += kSimplifyRunMax) fixed_.push_back(i);
+    for (std::size_t i = far; i < ring.size(); i += kSimplifyRunMax) fixed_.push_back(i);
+    for (std::size_t i = 0; i < fixed_.size(); ++i) {
+      keep_[fixed_[i]] = 1;
+      split_run(fixed_[i], i + 1 < fixed_.size() ? fixed_[i + 1] : ring.size());
+    }
+    kept_.clear();
+    for (std::size_t i = 0; i < keep_.size(); ++i) {
+      if (keep_[i] != 0) kept_.push_back(i);
+    }
+    drop_unasked();
+    return kept_;
+  }
 
-  void keep(std::size_t index) { keep_[index] = true; }
-
-  // `last` may be ring.size(): the first point again.
-  void split(std::size_t first, std::size_t last) {
+ private:
+  // Marks the points to keep between two that are kept. `last` may be the ring's size: the first
+  // point again.
+  void split_run(std::size_t first, std::size_t last) {
+    runs_.clear();
     runs_.emplace_back(first, last);
     while (!runs_.empty()) {
       const auto [from, to] = runs_.back();
       runs_.pop_back();
       const auto [farthest, squared] = farthest_between(from, to);
       if (squared <= squared_tolerance_) continue;
-      keep_[farthest] = true;
+      keep_[farthest] = 1;
       runs_.emplace_back(from, farthest);
       runs_.emplace_back(farthest, to);
     }
   }
 
-  // The points kept, in ascending order.
-  [[nodiscard]] std::vector<std::size_t> kept() const {
-    std::vector<std::size_t> indices;
-    for (std::size_t i = 0; i < keep_.size(); ++i) {
-      if (keep_[i]) indices.push_back(i);
+  // The points it started with were kept without being asked for.
+  void drop_unasked() {
+    for (std::size_t i = 0; i < kept_.size() && kept_.size() > 3;) {
+      const bool unasked = std::binary_search(fixed_.begin(), fixed_.end(), kept_[i]);
+      const std::size_t before = i > 0 ? kept_[i - 1] : kept_.back();
+      std::size_t after = i + 1 < kept_.size() ? kept_[i + 1] : kept_.front();
+      if (after <= before) after += ring_->size();
+      if (unasked && farthest_between(before, after).second <= squared_tolerance_) {
+        kept_.erase(kept_.begin() + static_cast<std::ptrdiff_t>(i));
+      } else {
+        ++i;
+      }
     }
-    return indices;
   }
 
-  [[nodiscard]] bool chord_passes(std::size_t from, std::size_t to) const {
-    return farthest_between(from, to).second <= squared_tolerance_;
-  }
-
- private:
   [[nodiscard]] Point at(std::size_t index) const {
-    return ring_[index < ring_.size() ? index : index - ring_.size()];
+    return (*ring_)[index < ring_->size() ? index : index - ring_->size()];
   }
 
   // With its distance squared.
@@ -131,67 +162,46 @@ class ChordSplitter {
     return farthest;
   }
 
-  const Ring& ring_;
-  double squared_tolerance_;
-  std::vector<bool> keep_;
+  const Ring* ring_ = nullptr;
+  double squared_tolerance_ = 0;
+  std::vector<std::uint8_t> keep_;  // by point
   std::vector<std::pair<std::size_t, std::size_t>> runs_;
+  std::vector<std::size_t> fixed_;
+  std::vector<std::size_t> kept_;
 };
 
-std::size_t farthest_from_first(const Ring& ring) {
-  const auto squared = [&ring](Point p) {
-    const Vector d = towards(ring.front(), p);
-    return dot(d, d);
-  };
-  std::size_t farthest = 0;
-  for (std::size_t i = 1; i < ring.size(); ++i) {
-    if (squared(ring[i]) > squared(ring[farthest])) farthest = i;
-  }
-  return farthest;
-}
-
-Ring with_chords(const Ring& ring, double tolerance) {
-  const std::size_t far = farthest_from_first(ring);
-  ChordSplitter splitter(ring, tolerance);
-  std::vector<std::size_t> fixed;
-  for (std::size_t i = 0; i < far; i += kSimplifyRunMax) fixed.push_back(i);
-  for (std::size_t i = far; i < ring.size(); i += kSimplifyRunMax) fixed.push_back(i);
-  for (std::size_t i = 0; i < fixed.size(); ++i) {
-    splitter.keep(fixed[i]);
-    splitter.split(fixed[i], i + 1 < fixed.size() ? fixed[i + 1] : ring.size());
-  }
-  std::vector<std::size_t> kept = splitter.kept();
-  // The points it started with were kept without being asked for.
-  for (std::size_t i = 0; i < kept.size() && kept.size() > 3;) {
-    const bool unasked = std::binary_search(fixed.begin(), fixed.end(), kept[i]);
-    const std::size_t before = i > 0 ? kept[i - 1] : kept.back();
-    std::size_t after = i + 1 < kept.size() ? kept[i + 1] : kept.front();
-    if (after <= before) after += ring.size();
-    if (unasked && splitter.chord_passes(before, after)) {
-      kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(i));
-    } else {
-      ++i;
-    }
-  }
-  Ring result;
-  for (const std::size_t index : kept) result.push_back(ring[index]);
-  return result;
-}
+// Each thread keeps this, so that the result alone is allocated.
+struct Scratch {
+  Ring distinct;
+  Ring straight;
+  ChordSplitter splitter;
+};
 
 }  // namespace
 
 Ring simplify(const Ring& ring, Length tolerance) {
+  thread_local Scratch scratch;
   const double units = static_cast<double>(tolerance.units());
-  Ring result;
+  Ring& distinct = scratch.distinct;
+  distinct.clear();
   for (const Point p : ring) {
-    if (result.empty() || result.back() != p) result.push_back(p);
+    if (distinct.empty() || distinct.back() != p) distinct.push_back(p);
   }
-  while (result.size() > 1 && result.front() == result.back()) result.pop_back();
-  if (result.size() < 3) return {};
-  start_at_lowest(result);
-  result = straightened(result, std::min(units, kRoundingUnits));
-  if (result.size() < 3) return {};
-  if (units > kRoundingUnits) result = with_chords(result, units);
-  if (result.size() < 3) return {};
+  while (distinct.size() > 1 && distinct.front() == distinct.back()) distinct.pop_back();
+  if (distinct.size() < 3) return {};
+  start_at_lowest(distinct);
+  Ring& straight = scratch.straight;
+  straighten(distinct, std::min(units, kRoundingUnits), straight);
+  if (straight.size() < 3) return {};
+  Ring result;
+  if (units > kRoundingUnits) {
+    const std::vector<std::size_t>& kept = scratch.splitter.split(straight, units);
+    if (kept.size() < 3) return {};
+    result.reserve(kept.size());
+    for (const std::size_t index : kept) result.push_back(straight[index]);
+  } else {
+    result = straight;
+  }
   start_at_lowest(result);
   return result;
 }

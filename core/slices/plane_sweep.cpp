@@ -6,6 +6,7 @@
 
 #include "core/booleans/boolean.h"       // clean
 #include "core/check.h"                  // RIND_CHECK
+#include "core/regions/contact_check.h"  // surely_clean
 #include "core/regions/simplify.h"       // simplify
 #include "core/slices/inside_out.h"      // turn_inside_out
 #include "core/slices/plane_crossing.h"  // is_above, plane_crossing
@@ -80,11 +81,10 @@ Status PlaneSweep::take_triangles_below(std::int64_t doubled_z) {
   return {};
 }
 
-std::vector<Segment> PlaneSweep::cut(std::int64_t doubled_z) const {
-  std::vector<Segment> segments;
-  segments.reserve(held_.size());
-  for (const Triangle& triangle : held_) segments.push_back(cut_triangle(triangle, doubled_z));
-  return segments;
+void PlaneSweep::cut() {
+  segments_.clear();
+  segments_.reserve(held_.size());
+  for (const Triangle& triangle : held_) segments_.push_back(cut_triangle(triangle, doubled_z_));
 }
 
 Result<bool> PlaneSweep::advance() {
@@ -97,11 +97,12 @@ Result<bool> PlaneSweep::advance() {
   return true;
 }
 
-SliceRings PlaneSweep::rings(SliceDefects& defects) const {
+SliceRings PlaneSweep::rings(SliceDefects& defects) {
+  cut();
   const OnOneLine on_one_line = [this](SegmentIndex a, SegmentIndex b) {
     return on_one_wall(held_[a], held_[b]);
   };
-  return rings_of(cut(doubled_z_), options_.chain_gap_max, on_one_line, defects);
+  return rings_of(segments_, options_.chain_gap_max, on_one_line, defects);
 }
 
 Region PlaneSweep::region_of(SliceRings contours, SliceDefects& defects) const {
@@ -117,6 +118,9 @@ Region PlaneSweep::region_of(SliceRings contours, SliceDefects& defects) const {
     const Region bodies = clean(twice, FillRule::kEvenOdd);
     rings.insert(rings.end(), bodies.rings().begin(), bodies.rings().end());
   }
+  // Most slices are clean as they are; in_one_order() has been here.
+  const bool clean_already = !options_.unsure && twice.empty() && surely_clean(rings);
+  if (clean_already) return Region::from_clean_rings(rings);
   CleanedRings cleaned = clean_with_winding(rings, FillRule::kNonZero);
   if (cleaned.least_winding < 0 || options_.unsure) {
     const TurnedRings turned = turn_inside_out(rings, options_.unsure);

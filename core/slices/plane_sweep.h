@@ -62,17 +62,18 @@ class PlaneSweep {
   // To the next plane; false after the last one.
   [[nodiscard]] Result<bool> advance();
   [[nodiscard]] Status take_triangles_below(std::int64_t doubled_z);
-  [[nodiscard]] SliceRings rings(SliceDefects& defects) const;
+  [[nodiscard]] SliceRings rings(SliceDefects& defects);
   // What the rings enclose. Turns those that are inside out, and says so.
   [[nodiscard]] Region region_of(SliceRings contours, SliceDefects& defects) const;
-  // One for each triangle held, in the same order.
-  [[nodiscard]] std::vector<Segment> cut(std::int64_t doubled_z) const;
+  // Makes segments_.
+  void cut();
 
   Options options_;
   TriangleSource source_;
   LayerIndex next_index_ = 0;
   std::int64_t doubled_z_ = 0;  // of the plane that was reached last
   std::vector<Triangle> held_;
+  std::vector<Segment> segments_;    // of the triangles held, in the same order
   std::optional<Triangle> waiting_;  // above the plane that was cut last
   bool source_ended_ = false;
   std::int64_t peak_triangles_held_ = 0;

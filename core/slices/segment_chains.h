@@ -14,24 +14,20 @@
 //                               length does
 //   an open chain               closed_across_gaps() below
 //
-// The result does not depend on the order of the segments.
+// The result does not depend on the order of the segments. Those of a sound mesh are chained by
+// sound_rings.h.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
-#include <limits>
 #include <vector>
 
-#include "core/geometry.h"      // Point, Ring, Segment
-#include "core/slices/slice.h"  // SliceDefects
-#include "core/units.h"         // Length
+#include "core/geometry.h"        // Point, Ring, Segment
+#include "core/slices/on_line.h"  // OnOneLine, SegmentIndex
+#include "core/slices/slice.h"    // SliceDefects
+#include "core/units.h"           // Length
 
 namespace core {
-
-// Where in the vector a segment came from; a gap that was closed came from nowhere.
-using SegmentIndex = std::size_t;
-inline constexpr SegmentIndex kNoSegment = std::numeric_limits<SegmentIndex>::max();
 
 // Points joined by segments in one go, and how the segments are turned.
 struct Chain {
@@ -73,9 +69,6 @@ struct Chains {
 
 inline constexpr double kGapShareMax = 0.9;
 inline constexpr std::size_t kWideGapChainsMax = 64;
-
-// Whether two segments lie on one straight line, whatever the rounding of their ends.
-using OnOneLine = std::function<bool(SegmentIndex, SegmentIndex)>;
 
 struct SliceRings {
   std::vector<Ring> rings;
