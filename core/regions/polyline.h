@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/geometry.h"  // Point, Segment
+#include "core/rounded.h"   // rounded
 #include "core/units.h"     // kUnitsPerMm
 #include "core/vector.h"    // Vector, share_along
 
@@ -39,7 +40,7 @@ namespace core {
 [[nodiscard]] inline Point between(Point a, Point b, double t) {
   const double x = a.x + t * (static_cast<double>(b.x) - a.x);
   const double y = a.y + t * (static_cast<double>(b.y) - a.y);
-  return {static_cast<std::int32_t>(std::lround(x)), static_cast<std::int32_t>(std::lround(y))};
+  return {rounded(x), rounded(y)};
 }
 
 }  // namespace core

@@ -119,9 +119,9 @@ class Walk {
   void add_between(std::uint32_t site, Vector foot_a, Vector a, const Bead& first, Vector foot_b,
                    Vector b, const Bead& last) {
     add(foot_a + a * first.depth, first.room);
-    if (graph_.sites()[site].is_corner()) {
+    const double depth = std::max({first.depth, last.depth, tolerance_});
+    if (graph_.sites()[site].is_corner() && dot(a, b) < step_cosine(depth)) {
       const double turn = arc_tangent(std::abs(cross(a, b)), dot(a, b));
-      const double depth = std::max({first.depth, last.depth, tolerance_});
       const double step = std::min(kArcStepMax, 2 * arc_cosine(1 - tolerance_ / depth));
       const int parts = static_cast<int>(std::ceil(turn / step));
       for (int i = 1; i < parts; ++i) {
@@ -133,6 +133,12 @@ class Walk {
       }
     }
     add(foot_b + b * last.depth, last.room);
+  }
+
+  // Of the turn that one chord may make at that depth, as cosine(2 · arc_cosine(x)) = 2x² − 1.
+  [[nodiscard]] double step_cosine(double depth) const {
+    const double half = 1 - tolerance_ / depth;
+    return std::max(M_SQRT1_2, 2 * half * half - 1);
   }
 
   // At a wide place's depth, from site to site.

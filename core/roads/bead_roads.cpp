@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/regions/simplify.h"  // kSimplifyRunMax
+#include "core/rounded.h"           // rounded
 #include "core/trigonometry.h"      // hypotenuse
 
 namespace core {
@@ -16,15 +17,35 @@ constexpr Length kOneWidth = Length::from_units(50);
 // A closed bead that is shorter than this many times its width is a blot.
 constexpr double kLoopWidthsMin = 1;
 
-// How far a point is from where a road from a to b would have it, in shares of the tolerances.
-double off(const BeadPoint& p, const BeadPoint& a, const BeadPoint& b, double tolerance) {
-  const Vector along = b.at - a.at, away = p.at - a.at;
-  const double share = share_along(away, along);
-  const Vector rest = away - along * share;
-  const double width = p.room - (a.room + share * (b.room - a.room));
-  return std::max(hypotenuse(rest.x, rest.y) / tolerance,
-                  std::abs(width) / static_cast<double>(kBeadWidthTolerance.units()));
-}
+// How far points are from where a road from a to b would have them, in shares of the tolerances,
+// squared.
+class Chord {
+ public:
+  Chord(const BeadPoint& a, const BeadPoint& b, double tolerance)
+      : a_(a),
+        along_(b.at - a.at),
+        widens_(b.room - a.room),
+        per_length2_(dot(along_, along_) > 0 ? 1 / dot(along_, along_) : 0),
+        per_tolerance2_(1 / (tolerance * tolerance)) {}
+
+  [[nodiscard]] double off2(const BeadPoint& p) const {
+    const Vector away = p.at - a_.at;
+    const double share = std::clamp(dot(away, along_) * per_length2_, 0.0, 1.0);
+    const Vector rest = away - along_ * share;
+    const double width = (p.room - (a_.room + share * widens_)) * kPerWidthTolerance;
+    return std::max(dot(rest, rest) * per_tolerance2_, width * width);
+  }
+
+ private:
+  static constexpr double kPerWidthTolerance =
+      1 / static_cast<double>(kBeadWidthTolerance.units());
+
+  const BeadPoint& a_;
+  Vector along_;
+  double widens_;
+  double per_length2_;
+  double per_tolerance2_;
+};
 
 // Ramer–Douglas–Peucker with the width as a third coordinate.
 void keep_needed(const std::vector<BeadPoint>& points, std::size_t first, std::size_t last,
@@ -40,8 +61,9 @@ void keep_needed(const std::vector<BeadPoint>& points, std::size_t first, std::s
     runs.pop_back();
     double worst = 1;
     std::size_t at = from;
+    const Chord chord(points[from], points[to], tolerance);
     for (std::size_t i = from + 1; i < to; ++i) {
-      const double there = off(points[i], points[from], points[to], tolerance);
+      const double there = chord.off2(points[i]);
       if (there <= worst) continue;
       worst = there;
       at = i;
@@ -91,8 +113,7 @@ void add_bead_road(const BeadLine& line, const Beading& beading, RoadKind kind, 
   double length = 0, area = 0;
   const std::vector<BeadPoint> points = simplified(line, static_cast<double>(tolerance.units()));
   for (const BeadPoint& at : points) {
-    const Point point{static_cast<std::int32_t>(std::lround(at.at.x)),
-                      static_cast<std::int32_t>(std::lround(at.at.y))};
+    const Point point = rounded(at.at);
     if (!road.points.empty() && road.points.back() == point) continue;
     road.points.push_back(point);
     road.widths.push_back(beading.width(at.room));

@@ -71,6 +71,7 @@ class DepthBelow {
     grid_.collect(box, near_);
     return std::all_of(near_.begin(), near_.end(), [&](std::uint32_t number) {
       const Segment& edge = edges_[number];
+      if (!box.overlaps(core::box_of(edge))) return true;
       return farther(line.from, edge, reach) && farther(line.to, edge, reach) &&
              farther(edge.from, line, reach) && farther(edge.to, line, reach) && !cross(line, edge);
     });
@@ -129,14 +130,44 @@ double slack(double depth, double width) {
   return least;
 }
 
-std::vector<Place> places_of(const Road& road, DepthBelow& below) {
+// Where roads are held wholly: at this depth and deeper, in units. Places lie on the grid.
+double whole_depth(const Road& road) {
+  return (kWhollyHeldShare - 0.5) * static_cast<double>(widest(road).units()) + 2;
+}
+
+std::size_t segment_count(const Road& road) {
+  return road.closed ? road.points.size() : road.points.size() - 1;
+}
+
+Segment segment_of(const Road& road, std::size_t i) {
+  return {road.points[i], road.points[(i + 1) % road.points.size()]};
+}
+
+// By segment: whether no contour comes so near that its hold could change along it.
+std::vector<bool> clear_segments(const Road& road, DepthBelow& below) {
+  const double reach = whole_depth(road);
+  std::vector<bool> clear(segment_count(road));
+  for (std::size_t i = 0; i < clear.size(); ++i) {
+    clear[i] = below.clear_of(segment_of(road, i), reach);
+  }
+  return clear;
+}
+
+// Segments that are clear have one hold, and are one place if that is a whole one.
+std::vector<Place> places_of(const Road& road, DepthBelow& below, const std::vector<bool>& clear) {
   const auto step = static_cast<double>(kHoldStep.units());
   std::vector<Place> places;
   std::optional<SeenFrom> seen;
+  const double deep = whole_depth(road);
+  bool inside = false;  // the place before is as deep as that
   const std::size_t count = road.points.size();
-  for (std::size_t i = 0; i < (road.closed ? count : count - 1); ++i) {
+  for (std::size_t i = 0; i < clear.size(); ++i) {
     const std::size_t j = (i + 1) % count;
     const Point from = road.points[i], to = road.points[j];
+    if (clear[i] && inside) {
+      places.push_back({from, width_at(road, i), Hold::kWhole, true});
+      continue;
+    }
     const double length = distance_units(from, to);
     const double a = width_at(road, i).mm(), b = width_at(road, j).mm();
     for (double way = 0; way == 0 || way < length;) {
@@ -147,6 +178,8 @@ std::vector<Place> places_of(const Road& road, DepthBelow& below) {
       const double depth = below.at(point, seen);
       seen = {point, depth};
       places.push_back({point, width, hold_of(0.5 + depth / w), way == 0});
+      inside = clear[i] && depth > deep;
+      if (inside) break;
       way += std::max(step, slack(depth, w));
     }
   }
@@ -200,22 +233,12 @@ void smooth(std::vector<Place>& places, bool closed, double shortest_mm) {
   }
 }
 
-// Most roads are: this is told piece by piece instead of place by place.
-bool surely_whole(const Road& road, DepthBelow& below) {
-  const auto widest_units = static_cast<double>(widest(road).units());
-  // Places lie on the grid.
-  const double reach = (kWhollyHeldShare - 0.5) * widest_units + 2;
-  if (below.at(road.points.front(), std::nullopt) <= reach) return false;
-  const std::size_t count = road.points.size();
-  for (std::size_t i = 0; i < (road.closed ? count : count - 1); ++i) {
-    if (!below.clear_of({road.points[i], road.points[(i + 1) % count]}, reach)) return false;
-  }
-  return true;
-}
-
 void mark(DepthBelow& below, Road& road) {
-  if (surely_whole(road, below)) return;
-  std::vector<Place> places = places_of(road, below);
+  const std::vector<bool> clear = clear_segments(road, below);
+  // Most roads are held wholly: one place tells for all of it.
+  const bool all_clear = std::find(clear.begin(), clear.end(), false) == clear.end();
+  if (all_clear && below.at(road.points.front(), std::nullopt) > whole_depth(road)) return;
+  std::vector<Place> places = places_of(road, below, clear);
   smooth(places, road.closed, road.width.mm());
   const std::size_t stretches = road.closed ? places.size() : places.size() - 1;
   const bool whole =

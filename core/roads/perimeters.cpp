@@ -18,6 +18,7 @@
 #include "core/roads/bead_roads.h"           // add_bead_road
 #include "core/roads/centre_beads.h"         // centre_beads
 #include "core/roads/pin_rings.h"            // pin_rings
+#include "core/rounded.h"                    // rounded
 
 namespace core {
 
@@ -81,8 +82,7 @@ Region interior_of(const std::vector<BeadLine>& lines) {
   for (const BeadLine& line : lines) {
     Ring ring;
     for (const BeadPoint& at : line.points) {
-      const Point point{static_cast<std::int32_t>(std::lround(at.at.x)),
-                        static_cast<std::int32_t>(std::lround(at.at.y))};
+      const Point point = rounded(at.at);
       if (ring.empty() || ring.back() != point) ring.push_back(point);
     }
     while (ring.size() > 1 && ring.back() == ring.front()) ring.pop_back();

@@ -47,7 +47,9 @@ void add_without_tongues(Region island, Length radius, Length arc_tolerance,
   const Length reach = Length::from_mm(kCornerReach * radius.mm());
   std::vector<Ring> tongues;
   if (!stays_near(island, core, reach, Length::from_mm(kSampleShare * reach.mm()))) {
-    for (Island& lost : islands(subtract(island, offset(core, -radius, arc_tolerance)))) {
+    // Grown by a hair more than it was shrunk, so that only tongues and corners are left.
+    const Region opened = offset(core, -radius - arc_tolerance * 2, arc_tolerance);
+    for (Island& lost : islands(subtract(island, opened))) {
       if (!is_corner_bit(lost, radius)) append_rings(std::move(lost), tongues);
     }
   }
