@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/regions/region.h"            // Region
@@ -22,9 +23,9 @@
 
 namespace host {
 
-inline constexpr const char* kThreeMfCore =
+inline constexpr std::string_view kThreeMfCore =
     "http://schemas.microsoft.com/3dmanufacturing/core/2015/02";
-inline constexpr const char* kThreeMfSlice =
+inline constexpr std::string_view kThreeMfSlice =
     "http://schemas.microsoft.com/3dmanufacturing/slice/2015/07";
 
 // A <slicestack> in a model part of the package.

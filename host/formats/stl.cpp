@@ -7,6 +7,7 @@
 #include "core/units.h"                  // kUnitsPerMm
 #include "host/formats/format_limits.h"  // kPlaneMaxMm
 #include "host/formats/stl_kinds.h"      // open_binary_stl, open_text_stl
+#include "host/formats/vertex_snap.h"    // snapped_vertex
 
 namespace host {
 namespace {
@@ -61,14 +62,10 @@ Error StlReader::bad_part(const std::string& place, const std::string& cause) co
 std::optional<core::Triangle> StlReader::snapped(const Corners& corners) const {
   core::Triangle triangle;
   for (std::size_t i = 0; i < 3; ++i) {
-    const double x = corners[i][0] * unit_mm_, y = corners[i][1] * unit_mm_;
-    const double z = corners[i][2] * unit_mm_;
-    // Written so that NaN is refused, too.
-    const bool near = std::abs(x) <= kPlaneMaxMm && std::abs(y) <= kPlaneMaxMm;
-    if (!near || !(std::abs(z) <= kHeightMaxMm)) return std::nullopt;
-    triangle.corners[i] = {static_cast<std::int32_t>(std::llround(x * core::kUnitsPerMm)),
-                           static_cast<std::int32_t>(std::llround(y * core::kUnitsPerMm)),
-                           std::llround(z * core::kUnitsPerMm)};
+    const std::optional<core::Vertex> vertex = snapped_vertex(
+        {corners[i][0] * unit_mm_, corners[i][1] * unit_mm_, corners[i][2] * unit_mm_});
+    if (!vertex) return std::nullopt;
+    triangle.corners[i] = *vertex;
   }
   return triangle;
 }

@@ -34,6 +34,14 @@ std::string_view take_word(std::string_view& list) {
 
 std::string_view local_name(std::string_view name) { return name.substr(name.rfind('|') + 1); }
 
+// Attributes are as a rule in the order in which the standard names them.
+const std::string* attribute_at(const XmlEvent& event, std::size_t place, std::string_view name) {
+  if (place < event.attributes.size() && event.attributes[place].first == name) {
+    return &event.attributes[place].second;
+  }
+  return event.attribute(name);
+}
+
 }  // namespace
 
 Result<double> unit_of(const XmlEvent& event, const XmlScanner& xml) {
@@ -63,9 +71,9 @@ Result<double> unit_of(const XmlEvent& event, const XmlScanner& xml) {
 
 Result<PointMm> point_of(const XmlEvent& event, const XmlScanner& xml, double unit_mm) {
   PointMm point{};
-  constexpr std::array<const char*, 3> kNames{"x", "y", "z"};
+  constexpr std::array<std::string_view, 3> kNames{"x", "y", "z"};
   for (std::size_t i = 0; i < 3; ++i) {
-    const std::string* text = event.attribute(kNames[i]);
+    const std::string* text = attribute_at(event, i, kNames[i]);
     const std::optional<double> value = text ? parse_real(*text) : std::nullopt;
     if (!value) return xml.bad("a vertex without a number for x, y or z; export the part again");
     point[i] = *value * unit_mm;
@@ -76,9 +84,9 @@ Result<PointMm> point_of(const XmlEvent& event, const XmlScanner& xml, double un
 Result<std::array<std::uint32_t, 3>> corners_of(const XmlEvent& event, const XmlScanner& xml,
                                                 std::size_t vertices) {
   std::array<std::uint32_t, 3> corners{};
-  constexpr std::array<const char*, 3> kNames{"v1", "v2", "v3"};
+  constexpr std::array<std::string_view, 3> kNames{"v1", "v2", "v3"};
   for (std::size_t i = 0; i < 3; ++i) {
-    const std::string* text = event.attribute(kNames[i]);
+    const std::string* text = attribute_at(event, i, kNames[i]);
     const std::optional<std::int64_t> index = text ? parse_integer(*text) : std::nullopt;
     const bool known = index && *index >= 0 && static_cast<std::uint64_t>(*index) < vertices;
     if (!known) {

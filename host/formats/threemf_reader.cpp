@@ -153,6 +153,7 @@ class ThreeMfReader : public TriangleSource {
     Result<XmlScanner> opened = scanner_of(archive_, parts_[static_cast<std::size_t>(part)]);
     if (!opened.ok()) return opened.error();
     XmlScanner& xml = opened.value();
+    xml.expect_lists({"vertices", "triangles"});
     unit_mm_ = 1;
     while (true) {
       const Result<const XmlEvent*> event = xml.next();
@@ -213,8 +214,9 @@ class ThreeMfReader : public TriangleSource {
   [[nodiscard]] Status triangle(const XmlEvent& event, const XmlScanner& xml) {
     const auto corners = corners_of(event, xml, store_.vertices());
     if (!corners.ok()) return corners.error();
-    other_paint_ = other_paint_ || has_other_paint(event);
     if (Status added = store_.add_triangle(corners.value()); !added.ok()) return added;
+    if (event.attributes.size() == corners.value().size()) return {};
+    other_paint_ = other_paint_ || has_other_paint(event);
     const std::string_view paint = support_paint_of(event);
     if (paint.empty()) return {};
     ++painted_;
@@ -346,9 +348,7 @@ class ThreeMfReader : public TriangleSource {
     const std::string* printable = event.attribute("printable");
     const bool wanted = printable == nullptr || *printable != "0";
     if (!wanted || unprintable_.contains(read.value().key)) {
-      if (!told_) {
-        warn("objects that are not to be printed were left out");
-      }
+      if (!told_) warn("objects that are not to be printed were left out");
       told_ = true;
       return {};
     }

@@ -2,22 +2,9 @@
 
 #include <cmath>
 
-#include "core/units.h"                  // kUnitsPerMm
-#include "host/formats/format_limits.h"  // kPlaneMaxMm
-#include "host/formats/number_text.h"    // number_text
+#include "host/formats/number_text.h"  // number_text
 
 namespace host {
-
-std::optional<core::Vertex> snapped_vertex(const PointMm& mm) {
-  const auto& [x, y, z] = mm;
-  // NaN compares as false.
-  const bool fits =
-      std::abs(x) <= kPlaneMaxMm && std::abs(y) <= kPlaneMaxMm && std::abs(z) <= kHeightMaxMm;
-  if (!fits) return std::nullopt;
-  return core::Vertex{static_cast<std::int32_t>(std::llround(x * core::kUnitsPerMm)),
-                      static_cast<std::int32_t>(std::llround(y * core::kUnitsPerMm)),
-                      std::llround(z * core::kUnitsPerMm)};
-}
 
 std::string vertex_too_far(const PointMm& mm) {
   const auto& [x, y, z] = mm;

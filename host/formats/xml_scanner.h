@@ -8,28 +8,14 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
-#include "core/result.h"  // Result
+#include "core/result.h"             // Result
+#include "host/formats/xml_event.h"  // XmlEvent
 
 namespace host {
-
-struct XmlEvent {
-  enum class Kind { kStart, kEnd, kText };
-  Kind kind = Kind::kStart;
-  std::string space;  // the name's namespace; may be empty
-  std::string name;   // without prefix; for kText, the text, perhaps in pieces
-  // Names with a prefix are given as "namespace|name".
-  std::vector<std::pair<std::string, std::string>> attributes;
-  std::int64_t line = 0;
-
-  // Null if there is no such attribute. Valid as long as the event.
-  [[nodiscard]] const std::string* attribute(std::string_view wanted) const;
-};
 
 class XmlScanner {
  public:
@@ -40,6 +26,10 @@ class XmlScanner {
   XmlScanner(std::string name, ByteSource bytes, bool wants_text);
   ~XmlScanner();
   XmlScanner(XmlScanner&&) noexcept;
+
+  // Elements of these names, without prefix, hold many plain ones (plain_element.h). Those are read
+  // several times as fast, and have no kEnd. REQUIRES: before the first next(); without text
+  void expect_lists(std::vector<std::string> names);
 
   // The next event, valid until the next call; null at the document's end. An error is final.
   [[nodiscard]] core::Result<const XmlEvent*> next();
