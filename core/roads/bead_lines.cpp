@@ -45,7 +45,7 @@ class Walk {
     for (std::size_t i = spans_.starts()[ring]; i < spans_.starts()[ring + 1]; ++i) {
       const BeadSpan& span = spans_.spans()[i];
       const bool was_going = going_;
-      walk_span(span);
+      walk_span(span, spans_.ends()[i]);
       const bool started = !was_going && stretches_.size() > first;
       if (i == spans_.starts()[ring] && started) from_the_start = starts_whole_;
     }
@@ -73,11 +73,11 @@ class Walk {
     going_ = false;
   }
 
-  void walk_span(const BeadSpan& span) {
+  void walk_span(const BeadSpan& span, const BeadSpanEnds& ends) {
     starts_whole_ = true;
     if (span.edge == BeadSpan::kOpen) {
       if (!going_) begin(span.from);
-      add_open(span);
+      add_open(span, ends);
       return;
     }
     const AxisEdge& edge = graph_.edges()[span.edge];
@@ -96,7 +96,9 @@ class Walk {
     } else if (!going_) {
       begin(span.from);
     }
-    if (room_a > 0 && room_b > 0) return add_stretch(span.site, a.at, first, b.at, last);
+    if (room_a > 0 && room_b > 0) {
+      return add_between(span.site, ends.from_foot, ends.from, first, ends.to_foot, ends.to, last);
+    }
     // Where the line meets the axis; the same point from both sides.
     const double share = span.forward ? room_a / (room_a - room_b) : room_b / (room_b - room_a);
     const Vector start = graph_.nodes()[edge.from].at, stop = graph_.nodes()[edge.to].at;
@@ -142,7 +144,7 @@ class Walk {
   }
 
   // At a wide place's depth, from site to site.
-  void add_open(const BeadSpan& span) {
+  void add_open(const BeadSpan& span, const BeadSpanEnds& ends) {
     const ContourSites& sites = graph_.sites();
     const Bead bead = beading_.bead(level_, {beading_.wide(), 0, 0});
     const std::uint32_t ring_start = sites.starts()[ring_], ring_end = sites.starts()[ring_ + 1];
@@ -154,14 +156,12 @@ class Walk {
       Vector foot_b = on.at + Vector{a.y, -a.x} * on.length;
       const bool last = site == span.last && !going_round;
       if (!whole && first) {
-        const Vector node = graph_.nodes()[span.from].at;
-        a = sites.direction(site, node);
-        foot_a = sites.foot(site, node);
+        a = ends.from;
+        foot_a = ends.from_foot;
       }
       if (!whole && last) {
-        const Vector node = graph_.nodes()[span.to].at;
-        b = sites.direction(site, node);
-        foot_b = sites.foot(site, node);
+        b = ends.to;
+        foot_b = ends.to_foot;
       }
       add_between(site, foot_a, a, bead, foot_b, b, bead);
       if (last) return;

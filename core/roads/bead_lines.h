@@ -47,6 +47,13 @@ struct BeadSpan {
   bool round = false;   // all round, back to the site where it starts
 };
 
+// Where the nodes at a span's ends touch its contour, and the directions from there to them.
+// Nothing where the span is a whole ring.
+struct BeadSpanEnds {
+  Vector from_foot, from;
+  Vector to_foot, to;
+};
+
 class BeadSpans {
  public:
   explicit BeadSpans(const AxisGraph& graph);
@@ -54,6 +61,7 @@ class BeadSpans {
   // False where the axis does not go round the contours as it should; then there are no spans.
   [[nodiscard]] bool sound() const { return sound_; }
   [[nodiscard]] const std::vector<BeadSpan>& spans() const { return spans_; }
+  [[nodiscard]] const std::vector<BeadSpanEnds>& ends() const { return ends_; }  // by span
   // Spans of ring i: from starts()[i] to starts()[i + 1]; so are its sites.
   [[nodiscard]] const std::vector<std::size_t>& starts() const { return starts_; }
 
@@ -64,6 +72,7 @@ class BeadSpans {
 
   bool sound_ = true;
   std::vector<BeadSpan> spans_;
+  std::vector<BeadSpanEnds> ends_;
   std::vector<std::size_t> starts_;
 };
 

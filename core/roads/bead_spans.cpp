@@ -34,6 +34,14 @@ std::vector<Side> sides_in_order(const AxisGraph& graph) {
   return sides;
 }
 
+BeadSpanEnds ends_of(const AxisGraph& graph, const BeadSpan& span) {
+  if (span.from == BeadSpan::kOpen) return {};
+  const ContourSites& sites = graph.sites();
+  const Vector from = graph.nodes()[span.from].at, to = graph.nodes()[span.to].at;
+  return {sites.foot(span.site, from), sites.direction(span.site, from), sites.foot(span.last, to),
+          sites.direction(span.last, to)};
+}
+
 }  // namespace
 
 BeadSpans::BeadSpans(const AxisGraph& graph) {
@@ -53,6 +61,9 @@ BeadSpans::BeadSpans(const AxisGraph& graph) {
     close(graph, ring);
   }
   starts_.push_back(spans_.size());
+  if (!sound_) return;
+  ends_.reserve(spans_.size());
+  for (const BeadSpan& span : spans_) ends_.push_back(ends_of(graph, span));
 }
 
 void BeadSpans::add(const AxisGraph& graph, const BeadSpan& span, std::size_t ring) {

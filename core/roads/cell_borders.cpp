@@ -10,6 +10,7 @@
 #include "core/roads/border_pieces.h"   // Border, Stretch, join
 #include "core/roads/cell_curves.h"     // EdgeCurve, CornerCurve
 #include "core/roads/lower_envelope.h"  // LowerEnvelope
+#include "core/roads/wave.h"            // Sign, Wave
 #include "core/trigonometry.h"          // arc_tangent, cosine, sine, hypotenuse
 #include "core/vector.h"                // Vector, dot, left_of
 
@@ -275,15 +276,17 @@ class BorderSearch {
       const double x = cosine(angle), y = sine(angle);
       return Vector{x * middle.x + y * across.x, x * middle.y + y * across.y};
     };
+    const auto in_plane = [&](Vector turned) { return middle * turned.x + across * turned.y; };
     const auto near = [&](double start, double end) {
+      corner_from_ = {cosine(start), sine(start)};
+      corner_to_ =
+          end == -start ? Vector{corner_from_.x, -corner_from_.y} : Vector{cosine(end), sine(end)};
       // Between the two directions, centres lie beyond their chord by this at most.
       const double beyond = cap_ * (1 - cosine((end - start) / 2));
-      find_near(edge.from + direction(start) * cap_, edge.from + direction(end) * cap_,
+      find_near(edge.from + in_plane(corner_from_) * cap_, edge.from + in_plane(corner_to_) * cap_,
                 cap_ + beyond + 1);
     };
-    const auto add = [&](double start, double end) {
-      corner_from_ = {cosine(start), sine(start)};
-      corner_to_ = {cosine(end), sine(end)};
+    const auto add = [&](double, double) {
       corner_curves_.assign(1, {1 / cap_, 0, 0});
       corner_curves_.back().site = UINT32_MAX;
       for (const std::uint32_t other : near_) {
@@ -322,10 +325,18 @@ class BorderSearch {
     if (!reaches(curve)) return;
     // Touched at v = v0 + r n·along: v / r is of the same form as 1 / r, and so is (length − v) /
     // r.
-    const double v0 = -dot(away, to.along);
+    const double v0 = -dot(away, to.along), v1 = to.length - v0;
     const double x = dot(to.along, middle), y = dot(to.along, across);
-    add_where(v0 * curve.k, v0 * curve.x + x, v0 * curve.y + y, (to.length - v0) * curve.k,
-              (to.length - v0) * curve.x - x, (to.length - v0) * curve.y - y, curve);
+    const Wave on_start{v0 * curve.k, {v0 * curve.x + x, v0 * curve.y + y}};
+    const Wave on_end{v1 * curve.k, {v1 * curve.x - x, v1 * curve.y - y}};
+    const Sign start = on_start.sign_between(corner_from_, corner_to_);
+    const Sign end = on_end.sign_between(corner_from_, corner_to_);
+    if (start == Sign::kBelow || end == Sign::kBelow) return;
+    if (start == Sign::kAbove && end == Sign::kAbove) {
+      corner_curves_.push_back(curve);
+    } else {
+      add_where(on_start, on_end, curve);
+    }
   }
 
   // Whether it gets below the clearance at any angle between: at an end, or where its slope changes
@@ -338,13 +349,12 @@ class BorderSearch {
            hypotenuse(peak.x, peak.y) > most;
   }
 
-  // Adds the curve for the angles at which both k + x cos φ + y sin φ are at least 0.
-  void add_where(double k0, double x0, double y0, double k1, double x1, double y1,
-                 CornerCurve curve) {
+  // Adds the curve for the angles at which both are at least 0.
+  void add_where(const Wave& a, const Wave& b, CornerCurve curve) {
     double stops[6] = {-M_PI / 2, M_PI / 2};
     int count = 2;
-    for (const auto& [first, second] :
-         {CornerCurve::angles_where(x0, y0, -k0), CornerCurve::angles_where(x1, y1, -k1)}) {
+    for (const auto& [first, second] : {CornerCurve::angles_where(a.v.x, a.v.y, -a.k),
+                                        CornerCurve::angles_where(b.v.x, b.v.y, -b.k)}) {
       for (const double angle : {first, second}) {
         if (angle > -M_PI / 2 && angle < M_PI / 2) stops[count++] = angle;
       }
@@ -352,8 +362,8 @@ class BorderSearch {
     std::sort(stops, stops + count);
     for (int i = 0; i + 1 < count; ++i) {
       const double middle = (stops[i] + stops[i + 1]) / 2;
-      const double x = cosine(middle), y = sine(middle);
-      if (k0 + x0 * x + y0 * y < 0 || k1 + x1 * x + y1 * y < 0) continue;
+      const CornerCurve::Place there(middle);
+      if (std::min(a.at({there.x, there.y}), b.at({there.x, there.y})) < 0) continue;
       curve.low = stops[i];
       curve.high = stops[i + 1];
       corner_curves_.push_back(curve);
