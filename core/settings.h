@@ -107,7 +107,9 @@ struct Settings {
   // Roads.
   Length nozzle_diameter = Length::from_units(4'000);
   Length filament_diameter = Length::from_units(17'500);
-  std::string filament_type = "PLA";     // this and the next two: for people, and files' comments
+  std::string filament_type = "PLA";     // this and the next four: for people, and files' comments
+  std::string filament_name;             // empty: not known; likewise the next
+  std::string filament_colour;           // as "#FF8000"
   double filament_density_g_cm3 = 1.24;  // 0: not known
   double filament_cost_kg = 0;           // 0: not known
   double extrusion_multiplier = 1;       // of the filament that each road takes
@@ -276,7 +278,11 @@ struct Settings {
   bool avoid_crossing_perimeters = false;
   Length avoid_crossing_max_detour;  // longer than the straight way by more: straight; 0: any
 
-  // Machine.
+  // Machine. Its names are for files' comments; empty: not known.
+  std::string printer_name;     // of its settings
+  std::string printer_vendor;   // who makes it
+  std::string printer_model;    // as its maker calls it
+  std::string printer_variant;  // of the model; empty: the nozzle's bore
   Length bed_x = Length::from_units(3'000'000);
   Length bed_y = Length::from_units(3'000'000);
   Length bed_origin_x;  // the printer's coordinates of the bed's front left corner

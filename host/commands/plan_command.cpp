@@ -41,7 +41,7 @@ std::string spaced(core::RoadKind kind) {
   return name;
 }
 
-std::string model_text(const core::Settings& settings) {
+std::string model_text(const PrintSettings& settings) {
   const double told_mm_s2 = settings.default_acceleration_mm_s2;
   const core::MotionModel model = core::motion_model(settings);
   std::string corners = fmt::format("junction deviation {:g} mm", model.junction_deviation_mm);
@@ -52,10 +52,10 @@ std::string model_text(const core::Settings& settings) {
   const double limit_mm_s2 = model.acceleration_max_mm_s2[0];
   const double acceleration_mm_s2 = told_mm_s2 > 0 ? told_mm_s2 : model.acceleration_mm_s2;
   return fmt::format(
-      "{:g} mm/s2{}{}, {}, look-ahead {} moves", acceleration_mm_s2,
+      "{:g} mm/s2{}{}, {}, look-ahead {} moves{}", acceleration_mm_s2,
       told_mm_s2 > 0 ? ", other kinds of roads as told" : "",
       limit_mm_s2 > 0 ? fmt::format(", of which the machine allows {:g}", limit_mm_s2) : "",
-      corners, core::kLookAheadMoves);
+      corners, core::kLookAheadMoves, assumed_limits_text(settings));
 }
 
 // As they are cancelled by.
@@ -161,6 +161,7 @@ std::string json_of(const Options& options, const PrintPlan& print_plan,
     json["filament_g"] = grams;
     if (settings.filament_cost_kg > 0) json["price"] = grams * 1e-3 * settings.filament_cost_kg;
   }
+  if (!settings.limits_assumed.empty()) json["limits_assumed"] = settings.limits_assumed;
   if (left_mm) {
     const SpoolCheck check{*left_mm, statistics.needed_mm};
     json["spool_left_mm"] = check.left_mm;

@@ -117,6 +117,11 @@ void tell(const PrintSettings& settings, const ReadyFile& file, Reporter& report
 
 }  // namespace
 
+std::string assumed_limits_text(const PrintSettings& settings) {
+  if (settings.limits_assumed.empty()) return {};
+  return fmt::format("; the machine's limits are taken to be {}", settings.limits_assumed);
+}
+
 int plan_ready(const Options& options, const PrintSettings& settings,
                const std::shared_ptr<ReadyFile>& file, Reporter& reporter) {
   const Result<PrintPlan> plan = ready_plan(options, settings, file, reporter);
@@ -141,6 +146,7 @@ int plan_ready(const Options& options, const PrintSettings& settings,
                                    {"time_s", summary.time_s()},
                                    {"motion_clock_s", summary.clock_s},
                                    {"needed_mm", summary.needed_mm}};
+    if (!settings.limits_assumed.empty()) json["limits_assumed"] = settings.limits_assumed;
     if (left_mm.value()) {
       json["spool_left_mm"] = spool.left_mm;
       json["spool_enough"] = spool.enough();
@@ -160,8 +166,8 @@ int plan_ready(const Options& options, const PrintSettings& settings,
   if (summary.told_s) {
     fmt::format_to(out, "time       {}, as its slicer tells\n", duration_text(*summary.told_s));
   }
-  fmt::format_to(out, "time       about {} by rind's motion clock, without heating up\n",
-                 duration_text(summary.clock_s));
+  fmt::format_to(out, "time       about {} by rind's motion clock, without heating up{}\n",
+                 duration_text(summary.clock_s), assumed_limits_text(settings));
   return show_result(text, reporter);
 }
 

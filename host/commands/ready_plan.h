@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "core/result.h"             // Result
 #include "host/gcode/ready_file.h"   // ReadyFile
@@ -10,6 +11,9 @@
 #include "host/settings/options.h"   // Options
 
 namespace host {
+
+// "; the machine's limits are taken to be Marlin's defaults"; "" where its own are known.
+[[nodiscard]] std::string assumed_limits_text(const PrintSettings& settings);
 
 // Null: the file is no G-code, but a part. What comes through a pipe is spooled first, to its end.
 [[nodiscard]] core::Result<std::shared_ptr<ReadyFile>> open_ready(const Options& options);

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <ctime>
 #include <memory>
@@ -112,6 +113,10 @@ class SliceFile {
         if (const auto* layer = std::get_if<core::LayerStart>(&motion)) {
           ++totals_.layers;
           totals_.height = layer->top;
+        }
+        if (command && std::holds_alternative<firmware_link::Verbatim>(*command)) {
+          const std::string_view line = std::get<firmware_link::Verbatim>(*command).text();
+          totals_.chamber_celsius = std::max(totals_.chamber_celsius, chamber_celsius_in(line));
         }
         gcode_.write(motion, command, text_);
         if (lays_road(motion)) note_road();

@@ -4,12 +4,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <ctime>
+#include <initializer_list>
 #include <iterator>
 #include <numbers>
 
-#include "core/slices/height_ranges.h"  // first_layer_height
+#include "core/slices/height_ranges.h"       // first_layer_height
+#include "firmware_link/wire/gcode_words.h"  // canonical, command_word_size, without_comments
+#include "host/system/text.h"                // lower_case
 
 namespace host {
 namespace {
@@ -29,7 +33,51 @@ std::string_view flavor_name(core::GcodeFlavor flavor) {
   return "marlin";
 }
 
+// Nothing where the value is not known.
+void add_text(std::string_view key, std::string_view value, std::string& into) {
+  if (!value.empty()) fmt::format_to(std::back_inserter(into), "; {} = {}\n", key, value);
+}
+
+// As PrusaSlicer writes one of several texts; empty stays empty.
+std::string quoted(std::string_view text) {
+  if (text.empty()) return {};
+  std::string all = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') all += '\\';
+    all += c;
+  }
+  return all + '"';
+}
+
+// The number behind the first of these words; 0: none is there.
+double number_behind(std::string_view text, std::initializer_list<std::string_view> words) {
+  for (const std::string_view word : words) {
+    const std::size_t at = text.find(word);
+    if (at == std::string_view::npos) continue;
+    const std::string_view rest = text.substr(at + word.size());
+    double number = 0;
+    std::from_chars(rest.data(), rest.data() + rest.size(), number);
+    return number;
+  }
+  return 0;
+}
+
 }  // namespace
+
+double chamber_celsius_in(std::string_view line) {
+  std::string text = firmware_link::without_comments(line);
+  const std::string command =
+      firmware_link::canonical(text.substr(0, firmware_link::command_word_size(text)));
+  if (command == "M141" || command == "M191") {
+    return number_behind(text, {" S", " s", " R", " r"});
+  }
+  if (command != "SET_HEATER_TEMPERATURE") return 0;
+  text = lower_case(text);
+  const std::size_t heater = text.find("heater=");
+  if (heater == std::string::npos) return 0;
+  const std::string name = text.substr(heater, text.find(' ', heater) - heater);
+  return name.find("chamber") == std::string::npos ? 0 : number_behind(text, {" target="});
+}
 
 std::string gcode_head(std::string_view version, std::int64_t seconds_since_1970) {
   const std::tm date = fmt::gmtime(static_cast<std::time_t>(seconds_since_1970));
@@ -76,7 +124,9 @@ std::string gcode_tail(const core::Settings& settings, const GcodeTotals& totals
   fmt::format_to(out, "; first_layer_height = {:g}\n", core::first_layer_height(settings).mm());
   fmt::format_to(out, "; nozzle_diameter = {:g}\n", settings.nozzle_diameter.mm());
   fmt::format_to(out, "; filament_diameter = {:g}\n", settings.filament_diameter.mm());
-  fmt::format_to(out, "; filament_type = {}\n", settings.filament_type);
+  add_text("filament_type", settings.filament_type, text);
+  add_text("filament_settings_id", quoted(settings.filament_name), text);
+  add_text("filament_colour", settings.filament_colour, text);
   if (grams > 0)
     fmt::format_to(out, "; filament_density = {:g}\n", settings.filament_density_g_cm3);
   fmt::format_to(out, "; temperature = {:g}\n", settings.nozzle_celsius);
@@ -84,8 +134,17 @@ std::string gcode_tail(const core::Settings& settings, const GcodeTotals& totals
   fmt::format_to(out, "; bed_temperature = {:g}\n", settings.bed_celsius);
   fmt::format_to(out, "; first_layer_bed_temperature = {:g}\n",
                  core::bed_first_layer_celsius(settings));
+  if (totals.chamber_celsius > 0)
+    fmt::format_to(out, "; chamber_temperature = {:g}\n", totals.chamber_celsius);
   text += "; single_extruder_multi_material = 0\n; referenced_tools = 0\n";
   fmt::format_to(out, "; gcode_flavor = {}\n", flavor_name(settings.gcode_flavor));
+  add_text("printer_settings_id", settings.printer_name, text);
+  add_text("printer_vendor", settings.printer_vendor, text);
+  add_text("printer_model", settings.printer_model, text);
+  const bool variant = !settings.printer_variant.empty() || settings.printer_model.empty();
+  add_text("printer_variant",
+           variant ? settings.printer_variant : fmt::format("{:g}", settings.nozzle_diameter.mm()),
+           text);
   return text;
 }
 

@@ -30,8 +30,13 @@ struct GcodeTotals {
   core::LayerIndex layers = 0;
   core::Length height;
   double filament_mm = 0;
-  double time_s = 0;  // estimated, without heating up
+  double time_s = 0;           // estimated, without heating up
+  double chamber_celsius = 0;  // the highest that a command asks for; 0: none does
 };
+
+// The temperature that a line asks of the chamber: by M141, M191, or Klipper's
+// SET_HEATER_TEMPERATURE of a heater with "chamber" in its name. 0: none.
+[[nodiscard]] double chamber_celsius_in(std::string_view line);
 
 // Ends with an empty comment. `seconds_since_1970` is the file's date.
 [[nodiscard]] std::string gcode_head(std::string_view version, std::int64_t seconds_since_1970);

@@ -26,6 +26,9 @@ struct PrintSettings : core::Settings {
   PackUse meatpack = PackUse::kOff;
   double wait_limit_s = 0;  // least time to wait for an answer; 0: depends on the command
 
+  // Whose limits the machine's are taken to be, where its own are not known: for messages.
+  std::string limits_assumed;
+
   // Pictures of the part in a file (thumbnail_text.h).
   std::string thumbnails = "32x32, 300x300";
   ThumbnailFormat thumbnails_format = ThumbnailFormat::kPng;

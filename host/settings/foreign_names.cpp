@@ -86,6 +86,7 @@ constexpr std::array kRows = {
     Row{"hot_plate_temp_initial_layer", "first_layer_bed_temperature"},
     Row{"bed_temperature_initial_layer", "first_layer_bed_temperature"},
     Row{"bed_temperature_initial_layer_single", "first_layer_bed_temperature"},
+    Row{"chamber_temperatures", "chamber_temperature"},
     Row{"filament_flow_ratio", "extrusion_multiplier"},
     Row{"retraction_length", "retract_length"},
     Row{"retraction_speed", "retract_speed"},

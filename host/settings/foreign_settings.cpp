@@ -141,6 +141,27 @@ Status take_filament_overrides(LoadedSettings& loaded) {
   return {};
 }
 
+// A profile of another printer, or of another filament, has other names than a preset's.
+void forget_names(LoadedSettings& loaded) {
+  const auto says = [&loaded](std::string_view key) {
+    return loaded.values.find(key) != loaded.values.end();
+  };
+  PrintSettings& settings = loaded.settings;
+  if (says("bed_shape")) {
+    for (std::string* name : {&settings.printer_name, &settings.printer_vendor,
+                              &settings.printer_model, &settings.printer_variant}) {
+      name->clear();
+    }
+  }
+  if (says("machine_max_acceleration_x") || says("machine_max_feedrate_x")) {
+    settings.limits_assumed.clear();
+  }
+  if (says("filament_type") || says("filament_diameter") || says("temperature")) {
+    settings.filament_name.clear();
+    settings.filament_colour.clear();
+  }
+}
+
 // Checks that need the whole file.
 core::Status end_prusa(const std::string& name, LoadedSettings& loaded) {
   const std::vector<std::string> more = left_out_of(loaded.values);
@@ -203,6 +224,7 @@ Status apply_foreign(ForeignProfile profile, const std::string& name, LoadedSett
     loaded.values.insert_or_assign(line.key, line.value);
     loaded.values.insert_or_assign(ours.key, ours.value);
   }
+  forget_names(loaded);
   for (const ProfileLine& line : theirs) {
     ProfileLine ours = translated ? in_prusas_words(line) : line;
     ours.value = absolute_value(loaded.values, ours.key);

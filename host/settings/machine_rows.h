@@ -140,6 +140,8 @@ inline constexpr std::array kMachineRows = {
     Setting{"acceleration_max_filament_mm_s2", &PrintSettings::acceleration_max_filament_mm_s2,
             "mm/s2", 1, 1'000'000, "largest acceleration of the filament; off: no limit",
             kOffIsZero},
+    Setting{"limits_assumed", &PrintSettings::limits_assumed, "", 0, 0,
+            "whose limits these are, where the machine's own are not known: the estimate says so"},
     Setting{"retraction_mm", &PrintSettings::retraction_mm, "mm", 0, 100,
             "length of filament that is retracted before travel"},
     Setting{"retraction_speed_mm_s", &PrintSettings::retraction_speed_mm_s, "mm/s", 0.1, 500,
@@ -167,6 +169,13 @@ inline constexpr std::array kMachineRows = {
             "length that such a way may have more than the straight one, which is taken otherwise; "
             "off: any",
             kOffIsZero},
+    Setting{"printer_name", &PrintSettings::printer_name, "", 0, 0,
+            "name of the printer's settings, for files, as are the next three; a preset's own name "
+            "unless it is set"},
+    Setting{"printer_vendor", &PrintSettings::printer_vendor, "", 0, 0, "maker of the printer"},
+    Setting{"printer_model", &PrintSettings::printer_model, "", 0, 0, "model of the printer"},
+    Setting{"printer_variant", &PrintSettings::printer_variant, "", 0, 0,
+            "variant of the model; nozzle_diameter if it is empty and the model is known"},
     Setting{"bed_x", &PrintSettings::bed_x, "mm", 1, kBedMaxMm,
             "width of the bed; sets a rectangle"},
     Setting{"bed_y", &PrintSettings::bed_y, "mm", 1, kBedMaxMm,

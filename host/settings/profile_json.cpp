@@ -115,6 +115,14 @@ Result<Merged> merged(const json& all, const std::string& name, int depth = 0) {
   return whole;
 }
 
+// What a profile is called is the name that its program writes into files.
+void append_name(const Merged& from, ForeignProfile& profile) {
+  const std::string type = text_at(from, "type"), name = text_at(from, "name");
+  if (name.empty() || (type != "machine" && type != "filament")) return;
+  const std::string key = type == "machine" ? "printer_settings_id" : "filament_settings_id";
+  profile.lines.push_back({from.find("name")->second.place, "", key, name});
+}
+
 void append(const Merged& from, ForeignProfile& profile) {
   for (const auto& [key, line] : from) {
     // Words there, switches in PrusaSlicer.
@@ -129,6 +137,7 @@ void append(const Merged& from, ForeignProfile& profile) {
       profile.lines.push_back({line.place, "", "support_material_auto", manual ? "0" : "1"});
     }
   }
+  append_name(from, profile);
 }
 
 // Adds the print or the filament that goes with a printer.

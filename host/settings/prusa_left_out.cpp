@@ -7,7 +7,7 @@
 
 #include "firmware_link/wire/gcode_words.h"  // commands_in
 #include "host/settings/settings_text.h"     // read_number, unescaped_lines
-#include "host/system/text.h"                // trimmed
+#include "host/system/text.h"                // lower_case, trimmed
 
 namespace host {
 namespace {
@@ -22,6 +22,7 @@ enum class When {
   kUnlikeOn,  // likewise, except 0, which is automatic
   kWith,      // as kOn, where `other` is on, too
   kWord,      // the word `other`
+  kNotSent,   // as kOn, where the G-code `other` does not heat the chamber
   kOffWith,   // 0, where `other` is on
 };
 
@@ -74,7 +75,7 @@ constexpr std::array kLeftOut = {
     LeftOut{"retract_restart_extra", When::kOn, "as much filament comes back as was drawn back"},
     LeftOut{"use_firmware_retraction", When::kOn, "rind draws filament back itself"},
     LeftOut{"use_volumetric_e", When::kOn, "filament is counted by its length"},
-    LeftOut{"chamber_temperature", When::kOn, "the chamber is not heated"},
+    LeftOut{"chamber_temperature", When::kNotSent, "the chamber is not heated", "start_gcode"},
     LeftOut{"start_filament_gcode", When::kGcode, kNotSent},
     LeftOut{"end_filament_gcode", When::kGcode, kNotSent},
     LeftOut{"before_layer_gcode", When::kGcode, kNotSent},
@@ -94,6 +95,14 @@ bool does_something(std::string_view gcode) {
     return true;
   }
   return false;
+}
+
+// By a command, or by a macro that is given the value.
+bool heats_chamber(std::string_view gcode) {
+  const std::string text = lower_case(gcode);
+  return std::ranges::any_of(std::array{"m141", "m191", "chamber"}, [&text](const char* word) {
+    return text.find(word) != std::string::npos;
+  });
 }
 
 bool same_number(std::string_view a, std::string_view b) {
@@ -126,6 +135,8 @@ bool asks(const LeftOut& row, std::string_view value, const ProfileValues& profi
       return unlike && first != "100%";
     case When::kUnlikeOn:
       return !off && unlike;
+    case When::kNotSent:
+      return !off && (other == profile.end() || !heats_chamber(other->second));
     case When::kOffWith:
       return off && other != profile.end() && !is_off(first_value(other->second));
     case When::kWord:

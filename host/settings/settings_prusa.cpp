@@ -10,6 +10,7 @@
 #include "host/output/thumbnail_text.h"  // read_thumbnails
 #include "host/part/pattern_words.h"     // kPatternWords
 #include "host/settings/bed_setting.h"
+#include "host/settings/prusa_texts.h"
 #include "host/settings/settings_text.h"
 #include "host/system/text.h"  // trimmed
 
@@ -46,6 +47,8 @@ enum class Kind {
   kFlavor,
   kThumbnails,  // sizes, each with a format; those of formats that are not written are left out
   kThumbnailFormat,
+  kName,       // text, perhaps in quotes; one that can't stand in a file is left empty
+  kFirstName,  // the first of several, with semicolons between them
 };
 
 struct Alias {
@@ -61,6 +64,12 @@ constexpr std::array kAliases = {
     Alias{"nozzle_diameter", "nozzle_diameter"},
     Alias{"filament_diameter", "filament_diameter"},
     Alias{"filament_type", "filament_type"},
+    Alias{"filament_settings_id", "filament_name", Kind::kFirstName},
+    Alias{"filament_colour", "filament_colour", Kind::kFirstName},
+    Alias{"printer_settings_id", "printer_name", Kind::kName},
+    Alias{"printer_vendor", "printer_vendor", Kind::kName},
+    Alias{"printer_model", "printer_model", Kind::kName},
+    Alias{"printer_variant", "printer_variant", Kind::kName},
     Alias{"remaining_times", "progress_commands"},
     Alias{"filament_density", "filament_density_g_cm3"},
     Alias{"filament_cost", "filament_cost_kg"},
@@ -282,9 +291,9 @@ Translated translate_word(const Names& names, std::string_view ours, std::string
 Translated translate(const Alias& alias, std::string_view text) {
   const std::string ours(alias.ours);
   if (alias.kind == Kind::kBed) return bed_settings(text);
-  if (alias.kind == Kind::kGcode) {
-    return {{ours, std::string(text)}};
-  }
+  if (alias.kind == Kind::kGcode) return {{ours, std::string(text)}};
+  if (alias.kind == Kind::kName) return {{ours, prusa_name_text(text)}};
+  if (alias.kind == Kind::kFirstName) return {{ours, first_prusa_name(text)}};
   if (alias.kind == Kind::kThumbnails) return thumbnail_settings(text);
   const std::string_view first = trimmed(text.substr(0, text.find(',')));
   if (alias.kind == Kind::kThumbnailFormat) return translate_word(kThumbnailFormats, ours, first);

@@ -34,7 +34,10 @@ class Start {
     if (name.empty()) return {};
     const Result<Preset> preset = find_preset(kind, plain_name(kind, name));
     if (!preset.ok()) return preset.error();
-    return lay(preset.value().settings, fmt::format("preset {}", preset.value().name));
+    const std::string& own_name = preset.value().name;
+    if (kind == PresetKind::kPrinter) start_.settings.printer_name = own_name;
+    if (kind == PresetKind::kFilament) start_.settings.filament_name = own_name;
+    return lay(preset.value().settings, fmt::format("preset {}", own_name));
   }
 
   Status lay(std::string_view settings, const std::string& name) {

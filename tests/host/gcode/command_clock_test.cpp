@@ -25,12 +25,12 @@ namespace {
 // What the estimate may be off by.
 constexpr double kShareMax = 0.05;
 
-core::Settings settings_of(const std::string& preset) {
+host::PrintSettings settings_of(const std::string& preset) {
   host::SettingsRequest request;
   request.printer.preset = preset;
   const auto whole = host::whole_settings(request);
   if (!whole.ok()) FAIL(whole.error().message);
-  return static_cast<const core::Settings&>(whole.value().settings);
+  return whole.value().settings;
 }
 
 double controller_seconds(const std::vector<std::string>& lines, const core::Settings& settings) {
@@ -113,7 +113,7 @@ TEST_CASE("plan, ready file and virtual controller tell the same time, for each 
     ++printers;
     const std::string preset(one.name);
     CAPTURE(preset);
-    core::Settings settings = settings_of(preset);
+    core::Settings settings = static_cast<const core::Settings&>(settings_of(preset));
     settings.wall_thickness = core::Length::from_mm(0.8);
     // Klipper draws none unless it is told to.
     if (settings.gcode_flavor == core::GcodeFlavor::kKlipper) settings.arc_fit_tolerance = {};
@@ -127,6 +127,26 @@ TEST_CASE("plan, ready file and virtual controller tell the same time, for each 
     }
   }
   CHECK(printers >= 18);
+}
+
+TEST_CASE("each printer's preset has limits: its machine's, or assumed ones, which plan names") {
+  for (const host::PresetText& one : host::preset_texts()) {
+    if (one.kind != host::PresetKind::kPrinter) continue;
+    const std::string preset(one.name);
+    CAPTURE(preset);
+    const host::PrintSettings settings = settings_of(preset);
+    const bool klipper = settings.gcode_flavor == core::GcodeFlavor::kKlipper;
+    if (klipper) CHECK(settings.square_corner_speed_mm_s > 0);
+    if (!klipper) {
+      CHECK(settings.speed_max_xy_mm_s > 0);
+      CHECK(settings.speed_max_z_mm_s > 0);
+      CHECK(settings.acceleration_max_xy_mm_s2 > 0);
+      // Only Marlin's defaults have a junction deviation.
+      CHECK((settings.jerk_xy_mm_s > 0) == (preset != "marlin"));
+    }
+    const bool assumed = preset == "marlin" || preset == "duet";
+    CHECK(settings.limits_assumed.empty() != assumed);
+  }
 }
 
 TEST_CASE("what lines change about moving counts from the next move on") {

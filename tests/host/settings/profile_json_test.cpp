@@ -92,6 +92,8 @@ TEST_CASE("OrcaSlicer: a printer, what it inherits, its print and its filament")
   const host::WholeSettings all = whole(vendor.machine);
   const host::PrintSettings& settings = all.settings;
   CHECK_EQ(settings.bed_y.mm(), 210);
+  CHECK_EQ(settings.printer_name, "Box 0.4");
+  CHECK_EQ(settings.filament_name, "Box PLA");
   CHECK_EQ(settings.axis_z.mm(), 250);
   CHECK(settings.gcode_flavor == core::GcodeFlavor::kKlipper);
   CHECK_EQ(settings.first_layer_height.mm(), 0.25);

@@ -5,7 +5,8 @@
 #include <string>
 
 #include "host/output/thumbnail_text.h"
-#include "host/settings/foreign_names.h"  // prusa_name, prusa_value
+#include "host/settings/foreign_names.h"   // prusa_name, prusa_value
+#include "host/settings/prusa_left_out.h"  // left_out_of
 #include "host/settings/settings_table.h"
 
 namespace {
@@ -78,4 +79,39 @@ TEST_CASE("objects one after another, by the names of all slicers") {
     host::PrintSettings settings;
     CHECK(host::set_setting(settings, ours->front().key, ours->front().text).ok());
   }
+}
+
+TEST_CASE("names for files are without quotes, the first of several; others are left empty") {
+  struct Name {
+    const char *key, *value, *ours;
+  };
+  for (const Name& name :
+       {Name{"filament_settings_id", "Generic PLA", "Generic PLA"},
+        Name{"filament_settings_id", "\"A;B\";\"C\"", "A;B"},
+        Name{"filament_settings_id", "A;B", "A"}, Name{"filament_settings_id", "\"\"", ""},
+        Name{"filament_settings_id", "\"a \\\"b\\\"\"", "a \"b\""},
+        Name{"filament_settings_id", "Süd", ""},
+        Name{"filament_colour", "#112233;#445566", "#112233"},
+        Name{"printer_settings_id", "Prusa; mine", "Prusa; mine"},
+        Name{"printer_model", "MK3S", "MK3S"}}) {
+    CAPTURE(name.value);
+    const auto ours = host::from_prusa(name.key, name.value);
+    REQUIRE(ours.has_value());
+    REQUIRE_EQ(ours->size(), 1);
+    CHECK_EQ(ours->front().text, name.ours);
+    host::PrintSettings settings;
+    CHECK(host::set_setting(settings, ours->front().key, ours->front().text).ok());
+  }
+  CHECK(host::from_prusa("printer_model", std::string(2'000, 'a'))->front().text.empty());
+}
+
+TEST_CASE("a chamber that start G-code heats is not told as left out") {
+  const auto told = [](const std::string& start) {
+    return host::left_out_of({{"chamber_temperature", "45"}, {"start_gcode", start}}).size();
+  };
+  CHECK_EQ(told("G28\\nM191 S[chamber_temperature]"), 0);
+  CHECK_EQ(told("PRINT_START CHAMBER=[chamber_temperature]"), 0);
+  CHECK_EQ(told("G28"), 1);
+  CHECK_EQ(host::left_out_of({{"chamber_temperature", "45"}}).size(), 1);
+  CHECK_EQ(host::left_out_of({{"chamber_temperature", "0"}}).size(), 0);
 }
