@@ -131,7 +131,10 @@ std::optional<Variable> profile_value(const ProfileValues& profile, std::string_
 PlaceholderValues::PlaceholderValues(const PrintSettings& settings, const ProfileValues& profile,
                                      const PartFacts* part)
     : settings_(settings), profile_(profile), part_(part) {
-  for (const SettingRow& row : describe_settings(settings)) rows_[row.key] = row.plain_value;
+  // A name that nobody has given stands for nothing.
+  for (const SettingRow& row : describe_settings(settings)) {
+    if (row.type != "text" || !row.plain_value.empty()) rows_[row.key] = row.plain_value;
+  }
   // As they are used, where the settings say "auto".
   rows_["first_layer_height"] = write_number(core::first_layer_height(settings).mm());
   rows_["bed_first_layer_celsius"] = write_number(core::bed_first_layer_celsius(settings));
