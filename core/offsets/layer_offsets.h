@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/offsets/offset_contours.h"  // OffsetContours
+#include "core/offsets/slice_step.h"       // SliceStep
 #include "core/regions/corner_index.h"     // CornerIndex
 #include "core/regions/region.h"           // Region
 #include "core/slices/slice.h"             // Slice
@@ -25,8 +26,11 @@ struct SliceOffsets {
   // Equal for equal slices that follow one another, and only for them (slice_offsets.h).
   std::int64_t content = 0;
 
-  // I(S) at the wall's depths, the deepest first: one where the wall is a cylinder, one for each
-  // distance in layers where it is a ball (wall_depths.h).
+  // From the slice whose content number is one less, if the wall is a ball; else nothing is known.
+  SliceStep step{};
+
+  // I(S) at the wall's depths, the deepest first: one where the wall is a cylinder. Where it is a
+  // ball, one for each distance in layers (wall_depths.h) at which the slice is likely to matter.
   std::vector<InnerOffset> wall_inners;
   std::vector<OffsetContours> perimeters;  // centre lines of the perimeters, from the outside in
   Region wide_core;                        // what is deeper than in any narrow place

@@ -6,10 +6,24 @@
 
 #include "core/offsets/offset_contours.h"  // flatten
 #include "core/offsets/polygon_offset.h"   // PolygonOffsetter
+#include "core/offsets/slice_step.h"       // slice_step
 #include "core/offsets/wall_depths.h"      // wall_depths
 #include "core/regions/ring_corners.h"     // kCornerArm
 
 namespace core {
+namespace {
+
+// The wall's depths at which neighbours are likely to need the slice (ball_wall.h): those that are
+// less below the one before than contours move, in the step to this slice, and likely in the next.
+std::vector<Length> likely_depths(const std::vector<Length>& all, Length step) {
+  std::vector<Length> depths(all.begin(), all.begin() + 1);
+  for (std::size_t i = 1; i < all.size() && all[i - 1] - all[i] < step; ++i) {
+    depths.push_back(all[i]);
+  }
+  return depths;
+}
+
+}  // namespace
 
 Length perimeter_spacing(const Settings& settings, Length layer_height) {
   const double void_mm = layer_height.mm() * (1 - std::numbers::pi / 4);
@@ -31,7 +45,8 @@ std::int64_t OffsetCutter::fill(const Slice& slice, SliceOffsets& cut) const {
   thread_local PolygonOffsetter offsetter;
   const Length half_spacing =
       Length::from_units(perimeter_spacing(settings, slice.height).units() / 2);
-  const std::vector<Length> walls = wall_depths(settings, slice.height);
+  const std::vector<Length> walls =
+      likely_depths(wall_depths(settings, slice.height), cut.step.longest());
   // The wall's depths; the perimeters' centre lines; where places are wide; the interior's.
   std::vector<Length> depths = walls;
   // Without perimeters, rows that end kRowEndShare below the interior's edge stay within the part.
@@ -73,6 +88,11 @@ OffsetCutter::Reservation OffsetCutter::reserve(const Slice& slice) {
   }
   auto offsets = std::make_shared<SliceOffsets>();
   offsets->content = last_ ? last_->content + 1 : 0;
+  if (last_ && !wall_counts_layers(settings_)) {
+    const std::vector<Length> walls = wall_depths(settings_, slice.height);
+    const Length small = walls.size() > 2 ? walls[1] - walls[2] : settings_.wall_thickness;
+    offsets->step = slice_step(last_region_, slice.region, small, settings_.wall_thickness);
+  }
   last_region_ = slice.region;
   last_height_ = slice.height;
   last_width_ = width;

@@ -55,7 +55,7 @@ class OffsetCutter {
   explicit OffsetCutter(const Settings& settings)
       : settings_(settings), first_settings_(first_layer_settings(settings)) {}
 
-  // COSTS: a comparison.
+  // COSTS: a comparison; for a ball's wall also as slice_step().
   [[nodiscard]] Reservation reserve(const Slice& slice);
 
   // Returns how many depths needed more than one try. Each thread keeps its scratch memory.

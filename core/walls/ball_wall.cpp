@@ -56,22 +56,34 @@ std::optional<SplitLayer> BallWall::next() {
 std::vector<BallWall::Operand> BallWall::operands() const {
   const Slice& slice = window_[pending_].slice;
   std::vector<Operand> found;
+  // How far around what is outside of the last slice visited upwards, and downwards, all is wall.
+  Length up, down;
   visit_outwards(window_.size(), pending_, [&](std::size_t number) {
     const Layer& other = window_[number];
     if (!reach_.includes(slice, other.slice)) return false;
-    const std::int64_t content = other.offsets->content;
     const Length depth = reach_.depth(slice, other.slice);
-    const auto equal = std::find_if(found.begin(), found.end(), [&](const Operand& operand) {
-      return operand.content == content;
-    });
-    if (equal == found.end()) {
-      found.push_back({content, depth, number});
-    } else if (equal->depth < depth) {
-      *equal = {content, depth, number};
+    if (number == pending_) {
+      up = down = depth;
+    } else {
+      Length& covered = number > pending_ ? up : down;
+      covered -= reach_between(number > pending_ ? number - 1 : number + 1, number);
+      if (covered >= depth) return true;
+      covered = depth;
     }
+    found.push_back({other.offsets->content, depth, number});
     return true;
   });
   return found;
+}
+
+// How deep what is outside of the farther layer's slice reaches into the nearer one's, at most.
+Length BallWall::reach_between(std::size_t nearer, std::size_t farther) const {
+  const std::size_t above = std::max(nearer, farther);
+  const SliceOffsets& from = *window_[above - 1].offsets;
+  const SliceOffsets& to = *window_[above].offsets;
+  if (from.content == to.content) return {};
+  if (from.content + 1 != to.content) return SliceStep::kUnknown;
+  return farther == above ? to.step.inwards : to.step.outwards;
 }
 
 // Nearest first: so the rest soon shrinks to what all of them share, and every further intersection

@@ -9,8 +9,20 @@
 //
 // The cylinder's window (wall_fold.h) shares partial results between layers. A ball's can't, since
 // every layer needs its neighbours at other depths: it takes up to 2T intersections a layer. Two
-// shortcuts save most of them. A slice that equals a nearer one adds nothing, because its offset
-// is not deeper. A layer with the same operands as the layer before has the same result.
+// shortcuts save most of them. A layer with the same operands as the layer before has the same
+// result. And a slice adds nothing if contours move less, on the way to it, than its depth is
+// smaller:
+//
+//     depth ▲                         Let C_j be what is not in S_j. If the result leaves out all
+//     w ────┤─╮  ┆                    within r of C_{j-1}, and C_j reaches no deeper than e into
+//           │ ┆╲ ┆╲  e                S_{j-1} (slice_step.h), then it leaves out all within r − e
+//           │ ┆ ╲┆ ╲───  r            of C_j. If that is at least d(n,j), S_j adds nothing, and
+//           │ ┆  ●   ●  d(n,j)        the next slice is asked with r − e. Otherwise S_j is an
+//           └─┴──┴───┴──▶ j − n       operand, and r is d(n,j).
+//
+// So vertical walls cost nothing, whatever the layers' height; a slope of angle α from the vertical
+// the layers within w · sin α, on one side where it only widens or only narrows; a step one layer.
+// The result is what all operands give, to the arcs' tolerance.
 //
 // Not done: all operands in one sweep with counted winding numbers. Measured with Boost.Polygon,
 // it took ten times as long, because every contour runs along all the others.
@@ -52,7 +64,8 @@ class BallWall {
   [[nodiscard]] std::size_t layers_held_peak() const { return layers_held_peak_; }
   // Region operations of the last next().
   [[nodiscard]] int operations() const { return operations_; }
-  // Inner offsets that were not prepared and had to be made, because neighbours differ in height.
+  // Inner offsets that were not prepared and had to be made, because neighbours differ in height or
+  // move more than the slice itself (slice_offsets.h).
   [[nodiscard]] std::int64_t offsets_cut() const { return offsets_cut_; }
   // Layers that were split as the one before, without an operation.
   [[nodiscard]] std::int64_t layers_reused() const { return layers_reused_; }
@@ -66,6 +79,7 @@ class BallWall {
   };
 
   [[nodiscard]] std::vector<Operand> operands() const;
+  [[nodiscard]] Length reach_between(std::size_t nearer, std::size_t farther) const;
   [[nodiscard]] Region intersection(const std::vector<Operand>& operands);
   void forget();
 

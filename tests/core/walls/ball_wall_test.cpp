@@ -14,6 +14,7 @@
 #include "core/booleans/boolean.h"
 #include "core/limits.h"
 #include "core/offsets/slice_offsets.h"
+#include "core/offsets/voronoi_mountain.h"
 #include "core/offsets/wall_depths.h"
 #include "core/settings.h"
 #include "core/slices/height_plan.h"
@@ -65,7 +66,8 @@ std::vector<Slice> cut(const Section& section, const std::vector<double>& height
 
 std::vector<double> even_heights(std::size_t layers) { return std::vector<double>(layers, 0.2); }
 
-std::vector<SplitLayer> split(const std::vector<Slice>& slices, const Settings& settings) {
+std::vector<SplitLayer> split(const std::vector<Slice>& slices, const Settings& settings,
+                              int* operations = nullptr) {
   WallSplitter splitter(settings);
   core::OffsetCutter cutter(settings);
   std::vector<SplitLayer> layers;
@@ -84,6 +86,7 @@ std::vector<SplitLayer> split(const std::vector<Slice>& slices, const Settings& 
   }
   REQUIRE_EQ(layers.size(), slices.size());
   CHECK_LE(splitter.usage().operations_worst, core::kBallOperationsMax);
+  if (operations != nullptr) *operations += static_cast<int>(splitter.usage().operations);
   return layers;
 }
 
@@ -247,6 +250,50 @@ TEST_CASE("loose is the intersection of all offsets of the window, each at its d
                2);
     }
   }
+}
+
+TEST_CASE("slices that hardly move add nothing: the wall is that of all offsets all the same") {
+  // Slices that drift, widen, narrow, and stand still; now and then one that is quite another.
+  int operations = 0, all_operations = 0;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    CAPTURE(seed);
+    test::Random random(seed);
+    const Settings settings = settings_for(0.5);
+    const Length height = Length::from_mm(0.08);
+    const std::vector<Length> depths = core::wall_depths(settings, height);
+    const Region start = test::random_region(random, 40, 12);
+    std::vector<Slice> slices;
+    for (int n = 0; n < 22; ++n) {
+      Slice slice;
+      slice.index = n;
+      slice.height = height;
+      slice.bottom = height * n;
+      const int kind = random.integer(0, 5);
+      const Region& last = n > 0 ? slices.back().region : start;
+      slice.region = kind == 0   ? core::offset(last, Length::from_units(random.integer(-300, 300)),
+                                                Length::from_units(25))
+                     : kind == 1 ? core::intersect(last, test::random_region(random, 40, 12))
+                                 : last;
+      if (slice.region.empty()) slice.region = start;
+      slices.push_back(std::move(slice));
+    }
+    const std::vector<SplitLayer> layers = split(slices, settings, &operations);
+    for (std::size_t n = depths.size() - 1; n + depths.size() <= slices.size(); ++n) {
+      CAPTURE(n);
+      const Length tolerance = settings.arc_tolerance;
+      Region expected = core::offset(slices[n].region, depths[0], tolerance);
+      for (std::size_t away = 1; away < depths.size(); ++away) {
+        for (const std::size_t other : {n - away, n + away}) {
+          expected = core::intersect(expected,
+                                     core::offset(slices[other].region, depths[away], tolerance));
+          ++all_operations;
+        }
+      }
+      CHECK_LE(test::widest_difference(layers[n].loose, expected), kToleranceUnits);
+    }
+  }
+  MESSAGE(operations << " operations, " << all_operations << " with all slices");
+  CHECK_LT(operations, all_operations / 2);
 }
 
 TEST_CASE("a ball's wall lies within the cylinder's, and grows with the thickness") {
