@@ -1,5 +1,7 @@
 #include "core/booleans/contour_edges.h"
 
+#include <cstdlib>
+
 #include "core/check.h"  // RIND_DCHECK
 
 namespace core {
@@ -8,7 +10,7 @@ void ContourEdges::clear() {
   points_.clear();
   ring_of_.clear();
   rings_.clear();
-  box_ = Box();
+  length_units_ = 0;
 }
 
 void ContourEdges::add(const Ring& ring, std::int32_t weight, std::uint32_t operand) {
@@ -55,9 +57,13 @@ void ContourEdges::add_mended(const Ring& ring, std::int32_t weight, std::uint32
 void ContourEdges::close_ring(EdgeIndex first, std::int32_t weight, std::uint32_t operand) {
   RIND_DCHECK(rings_.empty() || rings_.back().operand <= operand);
   const EdgeIndex end = index_end();
-  for (EdgeIndex i = first; i < end; ++i) box_.add(points_[i]);
   const Point joint = points_[first];
   points_.push_back(joint);
+  for (EdgeIndex i = first; i < end; ++i) {
+    const Point a = points_[i], b = points_[i + 1];
+    length_units_ += static_cast<std::uint32_t>(std::abs(b.x - a.x)) +
+                     static_cast<std::uint32_t>(std::abs(b.y - a.y));
+  }
   ring_of_.resize(points_.size(), static_cast<std::uint32_t>(rings_.size()));
   rings_.push_back({first, end, weight, operand});
 }

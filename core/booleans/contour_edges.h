@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-#include "core/geometry.h"  // Point, Ring, Box
+#include "core/geometry.h"  // Point, Ring
 
 namespace core {
 
@@ -57,7 +57,8 @@ class ContourEdges {
   [[nodiscard]] std::uint32_t ring_index(EdgeIndex edge) const { return ring_of_[edge]; }
   [[nodiscard]] const ContourRing& ring(EdgeIndex edge) const { return rings_[ring_of_[edge]]; }
   [[nodiscard]] const Point* points() const { return points_.data(); }
-  [[nodiscard]] const Box& box() const { return box_; }
+  // |dx| + |dy| of all edges.
+  [[nodiscard]] std::uint64_t length_units() const { return length_units_; }
 
  private:
   void close_ring(EdgeIndex first, std::int32_t weight, std::uint32_t operand);
@@ -65,7 +66,7 @@ class ContourEdges {
   std::vector<Point> points_;
   std::vector<std::uint32_t> ring_of_;
   std::vector<ContourRing> rings_;
-  Box box_;
+  std::uint64_t length_units_ = 0;
 };
 
 }  // namespace core

@@ -53,7 +53,7 @@ Region Overlay::combine(const std::vector<Ring>& rings, const WindingRule& rule)
 
 Region Overlay::run(const WindingRule& rule) {
   if (edges_.rings().empty()) return {};
-  grid_.build(edges_);
+  tree_.build(edges_);
   if (!find_boundary(rule)) {
     ++retries_;
     weights_.clean = false;
@@ -68,10 +68,10 @@ Region Overlay::run(const WindingRule& rule) {
 }
 
 bool Overlay::find_boundary(const WindingRule& rule) {
-  snapped_.run(edges_, grid_, weights_.clean ? Meetings::kAcrossOperands : Meetings::kAll);
+  snapped_.run(edges_, tree_, weights_.clean ? Meetings::kAcrossOperands : Meetings::kAll);
   if (!weights_.clean) snapped_.add_node_to_rings_without(edges_);
   graph_.build(edges_, snapped_);
-  ray_.reset(edges_, grid_, snapped_, weights_);
+  ray_.reset(edges_, tree_, snapped_, weights_);
   return walk_.run(edges_, snapped_, graph_, ray_, rule, weights_.clean);
 }
 

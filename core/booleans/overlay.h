@@ -1,8 +1,8 @@
 // One boolean operation: all rings laid over one another, and the region where their winding
 // numbers say "inside".
 //
-//     rings ──> edges ──> grid ──> nodes ──> chains ──> boundary ──> rings
-//     contour_edges  edge_grid  snap_rounding  chain_graph  boundary_walk  ring_tracer
+//     rings ──> edges ──> tree ──> nodes ──> chains ──> boundary ──> rings
+//     contour_edges  edge_tree  snap_rounding  chain_graph  boundary_walk  ring_tracer
 //
 // Points are rounded once, at the crossings, by at most half a unit in x and in y. Everything that
 // decides topology is exact integer arithmetic. Corners that nothing comes near stay as they are,
@@ -18,7 +18,7 @@
 #include "core/booleans/boundary_walk.h"
 #include "core/booleans/chain_graph.h"
 #include "core/booleans/contour_edges.h"
-#include "core/booleans/edge_grid.h"
+#include "core/booleans/edge_tree.h"
 #include "core/booleans/ring_tracer.h"
 #include "core/booleans/snap_rounding.h"
 #include "core/booleans/winding_ray.h"
@@ -52,7 +52,7 @@ class Overlay {
   void copy_free_rings(const WindingRule& rule, std::vector<Ring>& rings);
 
   ContourEdges edges_;
-  EdgeGrid grid_;
+  EdgeTree tree_;
   SnapRounding snapped_;
   ChainGraph graph_;
   WindingRay ray_;

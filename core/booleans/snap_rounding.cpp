@@ -16,18 +16,26 @@ std::size_t hash(Point p) {
   return static_cast<std::size_t>((both * 0x9E3779B97F4A7C15u) >> 32);
 }
 
-// Both ends on the far side of one of the box's sides. Counted, because branches that nothing
-// predicts cost more than comparisons.
-inline bool apart(const Box& box, Point c, Point d) {
-  const int west = int{c.x < box.min.x} & int{d.x < box.min.x};
-  const int east = int{c.x > box.max.x} & int{d.x > box.max.x};
-  const int south = int{c.y < box.min.y} & int{d.y < box.min.y};
-  const int north = int{c.y > box.max.y} & int{d.y > box.max.y};
-  return (west | east | south | north) != 0;
-}
+// The first boxes of some, with one around them.
+struct Gathered {
+  BoxGroup boxes;
+  Box box;
+  std::size_t size = 0;
+};
 
-Box box_of(Point a, Point b) {
-  return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
+// As many of `count`, at least one, as are better searched for together.
+template <typename BoxAt>
+Gathered gather(const EdgeTree& tree, std::size_t count, BoxAt box_at) {
+  Gathered group;
+  for (; group.size < count && group.size < BoxGroup::kSize; ++group.size) {
+    const Box box = box_at(group.size);
+    Box more = group.box;
+    more.add(box);
+    if (group.size > 0 && !tree.narrow(more)) break;
+    group.box = more;
+    group.boxes.set(static_cast<std::uint32_t>(group.size), box);
+  }
+  return group;
 }
 
 bool same_side(std::int64_t turn, std::int64_t other) {
@@ -48,7 +56,7 @@ std::uint64_t order(const Passage& passage) {
 
 }  // namespace
 
-void SnapRounding::run(const ContourEdges& edges, const EdgeGrid& grid, Meetings meetings) {
+void SnapRounding::run(const ContourEdges& edges, const EdgeTree& tree, Meetings meetings) {
   nodes_.clear();
   table_.assign(kTableMin, 0);
   passages_.clear();
@@ -56,19 +64,17 @@ void SnapRounding::run(const ContourEdges& edges, const EdgeGrid& grid, Meetings
   newly_bent_.clear();
   runs_along_.assign(edges.rings().size(), 0);
   if (meetings == Meetings::kAll) {
-    find_all_meetings(edges, grid);
+    tree.for_all_pairs([&](EdgeIndex e, EdgeIndex f) {
+      if (e != f && !neighbours(edges, e, f)) meet(edges, e, f);
+    });
   } else {
-    find_meetings_across(edges, grid);
+    tree.for_pairs_across([&](EdgeIndex e, EdgeIndex f) { meet(edges, e, f); });
   }
-  NodeIndex settled = 0;
+  std::size_t settled = 0;
   do {
-    for (; settled < nodes_.size(); ++settled) {
-      find_passages(edges, grid, settled);
-      while (!newly_bent_.empty()) {
-        const EdgeIndex edge = newly_bent_.back();
-        newly_bent_.pop_back();
-        bend(edges, grid, edge);
-      }
+    while (settled < nodes_.size()) {
+      settled = find_passages(edges, tree, settled);
+      if (settled == nodes_.size()) bend_edges(edges, tree);
     }
     sort_passages();
     find_spurs(edges);
@@ -102,45 +108,11 @@ void SnapRounding::find_spurs(const ContourEdges& edges) {
   }
 }
 
-void SnapRounding::find_meetings_across(const ContourEdges& edges, const EdgeGrid& grid) {
-  for (std::uint32_t cell = 0; cell < grid.cell_count(); ++cell) {
-    const std::span<const EdgeIndex> here = grid.edges_in(cell);
-    if (here.size() < 2) continue;
-    const std::uint32_t last = edges.ring(here.back()).operand;
-    // One run of edges for each operand; each is tried against all that follow.
-    for (std::size_t begin = 0, end = 0; begin < here.size(); begin = end) {
-      const std::uint32_t operand = edges.ring(here[begin]).operand;
-      if (operand == last) break;
-      while (edges.ring(here[end]).operand == operand) ++end;
-      for (std::size_t i = begin; i < end; ++i) {
-        const Point a = edges.from(here[i]), b = edges.to(here[i]);
-        const Box box = box_of(a, b);
-        for (std::size_t j = end; j < here.size(); ++j) {
-          const Point c = edges.from(here[j]), d = edges.to(here[j]);
-          if (!apart(box, c, d)) meet(edges, here[i], here[j]);
-        }
-      }
-    }
-  }
-}
-
-void SnapRounding::find_all_meetings(const ContourEdges& edges, const EdgeGrid& grid) {
-  for (std::uint32_t cell = 0; cell < grid.cell_count(); ++cell) {
-    const std::span<const EdgeIndex> here = grid.edges_in(cell);
-    for (std::size_t i = 0; i < here.size(); ++i) {
-      const Point a = edges.from(here[i]), b = edges.to(here[i]);
-      const Box box = box_of(a, b);
-      for (std::size_t j = i + 1; j < here.size(); ++j) {
-        const Point c = edges.from(here[j]), d = edges.to(here[j]);
-        if (apart(box, c, d)) continue;
-        // Neighbours meet only in their common end: no ring runs straight back.
-        const ContourRing& ring = edges.ring(here[i]);
-        if (here[j] == here[i] + 1 && here[j] != ring.end) continue;
-        if (here[i] == ring.first && here[j] + 1 == ring.end) continue;
-        meet(edges, here[i], here[j]);
-      }
-    }
-  }
+// Neighbours on a ring meet only in their common end: no ring runs straight back.
+bool SnapRounding::neighbours(const ContourEdges& edges, EdgeIndex e, EdgeIndex f) {
+  const auto [low, high] = std::minmax(e, f);
+  const ContourRing& ring = edges.ring(low);
+  return (high == low + 1 && high != ring.end) || (low == ring.first && high + 1 == ring.end);
 }
 
 // An edge's last point is left to the next edge, which is entered in the same cells about it.
@@ -196,37 +168,70 @@ void SnapRounding::grow_table() {
   }
 }
 
-void SnapRounding::find_passages(const ContourEdges& edges, const EdgeGrid& grid, NodeIndex node) {
-  const Point p = nodes_[node];
-  for (const EdgeIndex e : grid.edges_in(grid.cell_of(p))) {
+// Nodes that were found one after the other are near one another: a group is searched for at once.
+std::size_t SnapRounding::find_passages(const ContourEdges& edges, const EdgeTree& tree,
+                                        std::size_t first) {
+  const auto box_at = [&](std::size_t node) { return Box{nodes_[node], nodes_[node]}; };
+  const Gathered group =
+      gather(tree, nodes_.size() - first, [&](std::size_t i) { return box_at(first + i); });
+  tree.for_edges_in(group.box, kNoOperand, [&](EdgeIndex e) {
     const Point a = edges.from(e), b = edges.to(e);
-    if (p == b || !passes_pixel(a, b, p)) continue;
-    passages_.push_back({e, steps(a, p), node});
-    if (bent_[e] == 0 && cross(a, b, p) != 0) {
-      bent_[e] = 1;
-      newly_bent_.push_back(e);
-    }
-  }
-}
-
-void SnapRounding::bend(const ContourEdges& edges, const EdgeGrid& grid, EdgeIndex edge) {
-  const Point a = edges.from(edge), b = edges.to(edge);
-  const EdgeIndex before = edges.before(edge), after = edges.after(edge);
-  const Box box = box_of(a, b);
-  grid.for_cells(a, b, [&](std::uint32_t cell) {
-    for (const EdgeIndex other : grid.edges_in(cell)) {
-      const Point c = edges.from(other), d = edges.to(other);
-      if (apart(box, c, d) || other == edge) continue;
-      if (other != after && passes_pixel(a, b, c)) add_node(c);
-      if (other != before && passes_pixel(c, d, a)) add_node(a);
-      if (other != after && passes_pixel(c, d, b)) add_node(b);
-    }
+    for_lanes(group.boxes.overlapping(box_of(Segment{a, b})), [&](std::uint32_t lane) {
+      const Point p = nodes_[first + lane];
+      if (p == b || !passes_pixel(a, b, p)) return;
+      passages_.push_back({e, steps(a, p), static_cast<NodeIndex>(first + lane)});
+      if (bent_[e] == 0 && cross(a, b, p) != 0) {
+        bent_[e] = 1;
+        newly_bent_.push_back(e);
+      }
+    });
   });
+  return first + group.size;
 }
 
+// Edges one behind the other are searched around at once.
+void SnapRounding::bend_edges(const ContourEdges& edges, const EdgeTree& tree) {
+  std::sort(newly_bent_.begin(), newly_bent_.end());
+  for (std::size_t first = 0; first < newly_bent_.size();) {
+    const auto line = [&](std::size_t i) {
+      return Segment{edges.from(newly_bent_[first + i]), edges.to(newly_bent_[first + i])};
+    };
+    const Gathered group =
+        gather(tree, newly_bent_.size() - first, [&](std::size_t i) { return box_of(line(i)); });
+    const auto search = [&](const Box& box) {
+      tree.for_edges_in(box, kNoOperand, [&](EdgeIndex other) {
+        const Box other_box = box_of(Segment{edges.from(other), edges.to(other)});
+        for_lanes(group.boxes.overlapping(other_box),
+                  [&](std::uint32_t lane) { bend(edges, newly_bent_[first + lane], other); });
+      });
+    };
+    if (group.size > 1) {
+      search(group.box);
+    } else {
+      tree.for_boxes(line(0).from, line(0).to, search);
+    }
+    first += group.size;
+  }
+  newly_bent_.clear();
+}
+
+void SnapRounding::bend(const ContourEdges& edges, EdgeIndex edge, EdgeIndex other) {
+  if (other == edge) return;
+  const Point a = edges.from(edge), b = edges.to(edge);
+  const Point c = edges.from(other), d = edges.to(other);
+  const bool follows = c == b && other == edges.after(edge);
+  const bool leads = d == a && other == edges.before(edge);
+  if (!follows && passes_pixel(a, b, c)) add_node(c);
+  if (!leads && passes_pixel(c, d, a)) add_node(a);
+  if (!follows && passes_pixel(c, d, b)) add_node(b);
+}
+
+// The tree may find an edge at a node more than once.
 void SnapRounding::sort_passages() {
   std::sort(passages_.begin(), passages_.end(),
             [](const Passage& p, const Passage& q) { return order(p) < order(q); });
+  const auto alike = [](const Passage& p, const Passage& q) { return order(p) == order(q); };
+  passages_.erase(std::unique(passages_.begin(), passages_.end(), alike), passages_.end());
 }
 
 void SnapRounding::add_node_to_rings_without(const ContourEdges& edges) {

@@ -41,7 +41,7 @@
 #include <vector>
 
 #include "core/booleans/contour_edges.h"  // ContourEdges, EdgeIndex
-#include "core/booleans/edge_grid.h"      // EdgeGrid
+#include "core/booleans/edge_tree.h"      // EdgeTree
 
 namespace core {
 
@@ -64,9 +64,9 @@ enum class Meetings {
 
 class SnapRounding {
  public:
-  // COSTS: O(edges + pairs in common cells + (nodes + bent edges) · edges in a cell).
+  // COSTS: O(edges + pairs of near edges + (nodes + bent edges) · (log edges + near edges)).
   // Memory is kept for the next operation.
-  void run(const ContourEdges& edges, const EdgeGrid& grid, Meetings meetings);
+  void run(const ContourEdges& edges, const EdgeTree& tree, Meetings meetings);
 
   // A node at every ring's first point, if the ring has none yet. They touch no other edge.
   void add_node_to_rings_without(const ContourEdges& edges);
@@ -80,14 +80,14 @@ class SnapRounding {
   [[nodiscard]] std::span<const Passage> passages_of(EdgeIndex edge) const;
 
  private:
-  void find_meetings_across(const ContourEdges& edges, const EdgeGrid& grid);
-  void find_all_meetings(const ContourEdges& edges, const EdgeGrid& grid);
+  [[nodiscard]] static bool neighbours(const ContourEdges& edges, EdgeIndex e, EdgeIndex f);
   void meet(const ContourEdges& edges, EdgeIndex e, EdgeIndex f);
   void meet_at_corner(const ContourEdges& edges, EdgeIndex e, EdgeIndex f);
   void add_node(Point p);
   void grow_table();
-  void find_passages(const ContourEdges& edges, const EdgeGrid& grid, NodeIndex node);
-  void bend(const ContourEdges& edges, const EdgeGrid& grid, EdgeIndex edge);
+  std::size_t find_passages(const ContourEdges& edges, const EdgeTree& tree, std::size_t first);
+  void bend_edges(const ContourEdges& edges, const EdgeTree& tree);
+  void bend(const ContourEdges& edges, EdgeIndex edge, EdgeIndex other);
   void sort_passages();
   void find_spurs(const ContourEdges& edges);
   void find_coinciding_ring(const ContourEdges& edges);

@@ -1,6 +1,7 @@
 #include "core/booleans/winding_ray.h"
 
 #include <algorithm>
+#include <cstdint>
 
 #include "core/wide_product.h"
 
@@ -44,10 +45,10 @@ void WindingRay::for_pieces(EdgeIndex edge, Visit visit) const {
   visit(from, edges_->to(edge));
 }
 
-void WindingRay::reset(const ContourEdges& edges, const EdgeGrid& grid, const SnapRounding& snapped,
+void WindingRay::reset(const ContourEdges& edges, const EdgeTree& tree, const SnapRounding& snapped,
                        const OperandWeights& weights) {
   edges_ = &edges;
-  grid_ = &grid;
+  tree_ = &tree;
   snapped_ = &snapped;
   weights_ = &weights;
   seen_.assign(edges.index_end(), 0);
@@ -59,16 +60,12 @@ std::int32_t WindingRay::winding_at(Point p) { return sum_west_of(p, weights_->b
 std::int32_t WindingRay::sum_west_of(Point p, std::span<const std::int32_t> weights) {
   ++ray_;
   std::int32_t winding = 0;
-  const std::uint32_t here = grid_->cell_of(p);
-  const std::uint32_t row = here - here % grid_->columns();
-  for (std::uint32_t cell = row; cell <= here; ++cell) {
-    for (const EdgeIndex e : grid_->edges_in(cell)) {
-      if (seen_[e] == ray_) continue;
-      seen_[e] = ray_;
-      const int count = turns(e, p);
-      if (count != 0) winding += count * weights[edges_->ring(e).operand];
-    }
-  }
+  tree_->for_edges_in({{INT32_MIN, p.y}, p}, kNoOperand, [&](EdgeIndex e) {
+    if (seen_[e] == ray_) return;
+    seen_[e] = ray_;
+    const int count = turns(e, p);
+    if (count != 0) winding += count * weights[edges_->ring(e).operand];
+  });
   return winding;
 }
 
@@ -86,29 +83,25 @@ std::int32_t WindingRay::winding_right_of(std::uint32_t operand, Point corner) {
 // Two clean operands: the nearest edge of the other one tells by its direction. Nothing where two
 // are equally near: rounding may have laid them on one another.
 std::optional<bool> WindingRay::covered_by_other(std::uint32_t operand, Point p) const {
-  const std::uint32_t here = grid_->cell_of(p);
   std::optional<EdgeIndex> nearest;
   Segment nearest_edge;
-  for (std::uint32_t column = here % grid_->columns() + 1, cell = here; column-- > 0; --cell) {
-    for (const EdgeIndex e : grid_->edges_in(cell)) {
-      const Point a = edges_->from(e), b = edges_->to(e);
-      const bool beside = p.y < std::min(a.y, b.y) - 1 || p.y > std::max(a.y, b.y) + 1;
-      if (beside || edges_->ring(e).operand == operand) continue;
-      if (e == nearest) continue;
-      Segment edge;
-      const int count = crossings(e, p, edge);
-      if (count == 0) continue;
-      if (count > 1) return std::nullopt;
-      const int order = nearest.has_value() ? compare_crossings(edge, nearest_edge, p.y) : 1;
-      if (order == 0) return std::nullopt;
-      if (order < 0) continue;
-      nearest = e;
-      nearest_edge = edge;
-    }
-    // Is it within this cell or east of it? Then nothing nearer can come.
-    const Point cell_west{grid_->column_west(column), p.y};
-    if (nearest.has_value() && turn(nearest_edge.from, nearest_edge.to, cell_west) == 0) break;
-  }
+  bool tied = false, folded = false;
+  Box ray{{INT32_MIN, p.y}, p};
+  tree_->for_edges_in(ray, operand, [&](EdgeIndex e) {
+    if (e == nearest) return;
+    Segment edge;
+    const int count = crossings(e, p, edge);
+    if (count == 0) return;
+    const int order = nearest.has_value() ? compare_crossings(edge, nearest_edge, p.y) : 1;
+    folded = folded || count > 1;
+    if (order == 0) tied = true;
+    if (order <= 0) return;
+    tied = false;
+    nearest = e;
+    nearest_edge = edge;
+    ray.min.x = std::min(edge.from.x, edge.to.x);
+  });
+  if (tied || folded) return std::nullopt;
   return nearest.has_value() && nearest_edge.to.y < nearest_edge.from.y;
 }
 

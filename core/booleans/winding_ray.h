@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "core/booleans/contour_edges.h"  // ContourEdges
-#include "core/booleans/edge_grid.h"      // EdgeGrid
+#include "core/booleans/edge_tree.h"      // EdgeTree
 #include "core/booleans/snap_rounding.h"  // SnapRounding
 
 namespace core {
@@ -34,11 +34,11 @@ inline constexpr std::uint32_t kOperandInCommon = 2;
 class WindingRay {
  public:
   // Keeps references to its arguments until the next reset. Memory is kept, too.
-  void reset(const ContourEdges& edges, const EdgeGrid& grid, const SnapRounding& snapped,
+  void reset(const ContourEdges& edges, const EdgeTree& tree, const SnapRounding& snapped,
              const OperandWeights& weights);
 
   // Of the sector at the point that holds the direction a hair north of west.
-  // COSTS: O(cells and edges in the grid's row west of the point).
+  // COSTS: O(edges at this height west of the point).
   [[nodiscard]] std::int32_t winding_at(Point p);
 
   // On the right of a ring at one of its corners.
@@ -55,7 +55,7 @@ class WindingRay {
   [[nodiscard]] int crossings(EdgeIndex edge, Point p, Segment& piece) const;
 
   const ContourEdges* edges_ = nullptr;
-  const EdgeGrid* grid_ = nullptr;
+  const EdgeTree* tree_ = nullptr;
   const SnapRounding* snapped_ = nullptr;
   const OperandWeights* weights_ = nullptr;
   std::vector<std::int32_t> others_;  // the weights without one operand's share

@@ -1,4 +1,4 @@
-// Rings taken through the first steps of a boolean operation, for tests of each step: edges, grid,
+// Rings taken through the first steps of a boolean operation, for tests of each step: edges, tree,
 // nodes, chains, and the edges as snap rounding has bent them.
 #pragma once
 
@@ -7,7 +7,7 @@
 
 #include "core/booleans/chain_graph.h"
 #include "core/booleans/contour_edges.h"
-#include "core/booleans/edge_grid.h"
+#include "core/booleans/edge_tree.h"
 #include "core/booleans/snap_rounding.h"
 #include "core/geometry.h"
 #include "tests/support/random_regions.h"
@@ -16,7 +16,7 @@ namespace test {
 
 struct Arrangement {
   core::ContourEdges edges;
-  core::EdgeGrid grid;
+  core::EdgeTree tree;
   core::SnapRounding snapped;
   core::ChainGraph graph;
   // Nodes where edges meet come first; the others only give a ring without any a point to start at.
@@ -26,8 +26,8 @@ struct Arrangement {
   explicit Arrangement(const std::vector<core::Ring>& rings) {
     for (const core::Ring& ring : rings) edges.add_mended(ring, 1, 0);
     if (edges.rings().empty()) return;
-    grid.build(edges);
-    snapped.run(edges, grid, core::Meetings::kAll);
+    tree.build(edges);
+    snapped.run(edges, tree, core::Meetings::kAll);
     meeting_nodes = snapped.nodes().size();
     snapped.add_node_to_rings_without(edges);
     graph.build(edges, snapped);

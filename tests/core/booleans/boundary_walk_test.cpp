@@ -41,7 +41,7 @@ int winding_beside(const Arrangement& drawn, const Segment& s, int side) {
 void check(const Arrangement& drawn, const WindingRule& rule) {
   const core::OperandWeights weights{{1}, false};
   core::WindingRay ray;
-  ray.reset(drawn.edges, drawn.grid, drawn.snapped, weights);
+  ray.reset(drawn.edges, drawn.tree, drawn.snapped, weights);
   core::BoundaryWalk walk;
   REQUIRE(walk.run(drawn.edges, drawn.snapped, drawn.graph, ray, rule, false));
 

@@ -25,7 +25,7 @@ namespace {
 std::vector<Ring> traced(const Arrangement& drawn, const WindingRule& rule) {
   const core::OperandWeights weights{{1}, false};
   core::WindingRay ray;
-  ray.reset(drawn.edges, drawn.grid, drawn.snapped, weights);
+  ray.reset(drawn.edges, drawn.tree, drawn.snapped, weights);
   core::BoundaryWalk walk;
   REQUIRE(walk.run(drawn.edges, drawn.snapped, drawn.graph, ray, rule, false));
   core::RingTracer tracer;

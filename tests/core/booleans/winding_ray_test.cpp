@@ -23,7 +23,7 @@ TEST_CASE("the winding number a hair north of west of a node is that of all piec
     if (drawn.edges.rings().empty()) continue;
     const core::OperandWeights weights{{1}, false};
     core::WindingRay ray;
-    ray.reset(drawn.edges, drawn.grid, drawn.snapped, weights);
+    ray.reset(drawn.edges, drawn.tree, drawn.snapped, weights);
     for (const Point node : drawn.snapped.nodes()) {
       // No piece that ends at the node lies between: slopes on this grid are 1/14 at least.
       CHECK_EQ(ray.winding_at(node), drawn.winding(node.x - 1e-3, node.y + 1e-6));
@@ -42,13 +42,13 @@ TEST_CASE("what lies on the right of a clean ring is told by the other operand")
     for (const core::Ring& ring : a.rings()) edges.add(ring, 3, 0);
     for (const core::Ring& ring : b.rings()) edges.add(ring, 5, 1);
     if (edges.rings().empty()) continue;
-    core::EdgeGrid grid;
-    grid.build(edges);
+    core::EdgeTree tree;
+    tree.build(edges);
     core::SnapRounding snapped;
-    snapped.run(edges, grid, core::Meetings::kAcrossOperands);
+    snapped.run(edges, tree, core::Meetings::kAcrossOperands);
     const core::OperandWeights weights{{3, 5, 8}, true};
     core::WindingRay ray;
-    ray.reset(edges, grid, snapped, weights);
+    ray.reset(edges, tree, snapped, weights);
     for (const core::ContourRing& ring : edges.rings()) {
       for (core::EdgeIndex edge = ring.first; edge < ring.end; ++edge) {
         const Point corner = edges.from(edge);
