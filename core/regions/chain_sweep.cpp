@@ -161,14 +161,35 @@ class Sweep {
     return 0;
   }
 
+  // The chain's edges that come into the box. They follow one another, as a chain goes one way.
+  struct Stretch {
+    std::uint32_t first, last;
+  };
+  Stretch stretch_in(const Chain& chain, const Box& box) const {
+    const auto comes_in = [&](std::uint32_t i) {
+      return box_of(Segment{corner(chain.ring, i), corner(chain.ring, i + 1)}).overlaps(box);
+    };
+    Stretch stretch{chain.first, chain.last};
+    while (stretch.first < chain.last && !comes_in(stretch.first)) ++stretch.first;
+    for (stretch.last = stretch.first; stretch.last < chain.last && comes_in(stretch.last);) {
+      ++stretch.last;
+    }
+    return stretch;
+  }
+
   bool meet(const Chain& a, const Chain& b) const {
     const Box common{{std::max(a.box.min.x, b.box.min.x), std::max(a.box.min.y, b.box.min.y)},
                      {std::min(a.box.max.x, b.box.max.x), std::min(a.box.max.y, b.box.max.y)}};
+    // Chains that follow one another have nothing in common there but their corner.
+    const bool follow = a.ring == b.ring && (a.last == b.first || b.last == a.first);
+    if (follow && common.min == common.max) return false;
+    const Stretch of_a = stretch_in(a, common);
+    if (of_a.first == of_a.last) return false;
+    const Stretch of_b = stretch_in(b, common);
     const auto size = static_cast<std::uint32_t>(rings_[a.ring].size());
-    for (std::uint32_t i = a.first; i < a.last; ++i) {
+    for (std::uint32_t i = of_a.first; i < of_a.last; ++i) {
       const Segment one{corner(a.ring, i), corner(a.ring, i + 1)};
-      if (!box_of(one).overlaps(common)) continue;
-      for (std::uint32_t j = b.first; j < b.last; ++j) {
+      for (std::uint32_t j = of_b.first; j < of_b.last; ++j) {
         const Segment other{corner(b.ring, j), corner(b.ring, j + 1)};
         if (!box_of(other).overlaps(box_of(one))) continue;
         // Neighbours meet in their corner; that none runs back was seen before.

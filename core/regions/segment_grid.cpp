@@ -35,11 +35,28 @@ double distance2_units(Point point, const Segment& segment) {
   return x * x + y * y;
 }
 
-// Each of the numbers once, in ascending order; those before `first` stay.
+constexpr std::ptrdiff_t kInsertMax = 32;
+
+// Each of the numbers once, in ascending order; those before `first` stay. They come cell by cell,
+// in ascending order in each: few are out of place.
 void sort_from(std::size_t first, std::vector<std::uint32_t>& numbers) {
   const auto added = numbers.begin() + static_cast<std::ptrdiff_t>(first);
-  std::sort(added, numbers.end());
-  numbers.erase(std::unique(added, numbers.end()), numbers.end());
+  if (numbers.end() - added > kInsertMax) {
+    std::sort(added, numbers.end());
+    numbers.erase(std::unique(added, numbers.end()), numbers.end());
+    return;
+  }
+  auto end = added;
+  for (auto next = added; next != numbers.end(); ++next) {
+    const std::uint32_t number = *next;
+    auto place = end;
+    while (place != added && place[-1] > number) --place;
+    if (place != added && place[-1] == number) continue;
+    std::move_backward(place, end, end + 1);
+    *place = number;
+    ++end;
+  }
+  numbers.erase(end, numbers.end());
 }
 
 }  // namespace
@@ -76,21 +93,28 @@ void SegmentGrid::choose_cells() {
 }
 
 void SegmentGrid::enter_segments() {
+  // Kept for the next grid: a line is followed once only.
+  thread_local std::vector<std::uint32_t> cells;
+  thread_local std::vector<std::size_t> ends;  // by segment, in cells
+  cells.clear();
+  ends.clear();
   starts_.assign(static_cast<std::size_t>(columns_ * rows_) + 1, 0);
   for (const Segment& segment : segments_) {
     walk(segment, [&](std::size_t cell) {
-      ++starts_[cell + 1];
+      ++starts_[cell];
+      cells.push_back(static_cast<std::uint32_t>(cell));
       return false;
     });
+    ends.push_back(cells.size());
   }
   std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
-  entries_.resize(starts_.back());
-  std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
-  for (std::size_t i = 0; i < segments_.size(); ++i) {
-    walk(segments_[i], [&](std::size_t cell) {
-      entries_[next[cell]++] = static_cast<std::uint32_t>(i);
-      return false;
-    });
+  entries_.resize(cells.size());
+  // From the last to the first, so that every cell's segments come out in ascending order.
+  std::size_t at = cells.size();
+  for (std::size_t i = segments_.size(); i-- > 0;) {
+    for (const std::size_t first = i > 0 ? ends[i - 1] : 0; at > first;) {
+      entries_[--starts_[cells[--at]]] = static_cast<std::uint32_t>(i);
+    }
   }
 }
 
