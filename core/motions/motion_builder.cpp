@@ -11,7 +11,6 @@
 #include "core/motions/fan_plan.h"         // fan_plan
 #include "core/motions/height_slowdown.h"  // height_share
 #include "core/motions/park_height.h"      // park_height
-#include "core/motions/park_place.h"       // park_place
 #include "core/motions/road_accelerations.h"
 #include "core/motions/road_speeds.h"   // fan_share_least, full_speed_mm_s
 #include "core/motions/wipe_way.h"      // wipe_plan
@@ -55,26 +54,6 @@ void MotionBuilder::resume_from(const MotionState& state) {
   RIND_CHECK(!state_.preheated && !state_.started);
   state_ = state;
   actions_.apply(static_cast<std::size_t>(state_.actions), settings_);
-}
-
-void MotionBuilder::preheat(const Sink& sink) {
-  RIND_CHECK(!state_.preheated && !state_.started);
-  state_.preheated = true;
-  sink(SetBedTemperature{bed_first_layer_celsius(settings_), false});
-  sink(SetNozzleTemperature{settings_.nozzle_first_layer_celsius, false});
-}
-
-void MotionBuilder::preamble(const Sink& sink) {
-  if (!state_.preheated) preheat(sink);
-  state_.started = true;
-  state_.nozzle_celsius = settings_.nozzle_first_layer_celsius;
-  for (const std::string& line : settings_.start_gcode) sink(Verbatim{line});
-  for (const std::string& line : object_lines_) sink(Verbatim{line});
-  if (settings_.pressure_advance_s >= 0) sink(SetPressureAdvance{settings_.pressure_advance_s});
-  state_.bed_celsius = bed_first_layer_celsius(settings_);
-  sink(SetBedTemperature{state_.bed_celsius, true});
-  sink(SetNozzleTemperature{state_.nozzle_celsius, true});
-  sink(SetFan{0});
 }
 
 void MotionBuilder::start_layer(const Slice& slice, const Sink& sink) {
@@ -123,13 +102,7 @@ void MotionBuilder::layer(const Slice& slice, const std::vector<Road>& roads, co
   if (!state_.started) preamble(sink);
   start_layer(slice, sink);
   act(slice.bottom, sink);
-  std::vector<LaidRoad> laid;
-  laid.reserve(roads.size());
-  for (const Road& each : roads) {
-    RIND_CHECK(each.points.size() >= 2);
-    laid.push_back({each.kind, is_small_perimeter(each), each.layers, each.closed, each.spiral,
-                    each.object, width_stretches(as_laid(each), height_ * each.layers)});
-  }
+  const std::vector<LaidRoad> laid = laid_roads(slice, roads);
   const std::vector<double> fan = plan_layer(laid);
   set_up_layer(cooling_.fan_share, sink);
   SliceBoundary boundary(slice.region);
@@ -148,6 +121,21 @@ void MotionBuilder::layer(const Slice& slice, const std::vector<Road>& roads, co
   start_object(kNoObject, sink);
   last_ = nullptr;
   space_ = nullptr;
+}
+
+std::vector<MotionBuilder::LaidRoad> MotionBuilder::laid_roads(const Slice& slice,
+                                                               const std::vector<Road>& roads) {
+  areas_ = LaidAreas(slice.areas, settings_);
+  std::vector<LaidRoad> laid;
+  laid.reserve(roads.size());
+  for (const Road& each : roads) {
+    RIND_CHECK(each.points.size() >= 2);
+    std::vector<WidthStretch> stretches = width_stretches(as_laid(each), height_ * each.layers);
+    if (!each.spiral) stretches = areas_.cut(std::move(stretches));
+    laid.push_back({each.kind, is_small_perimeter(each), each.layers, each.closed, each.spiral,
+                    each.object, std::move(stretches)});
+  }
+  return laid;
 }
 
 // A closed road's end has a bead's blob, which its start's would double: it is opened at its seam.
@@ -374,26 +362,9 @@ void MotionBuilder::unretract(const Sink& sink) {
   state_.retracted = false;
 }
 
-void MotionBuilder::finish(const Sink& sink) {
-  if (!state_.started || ended_) return;
-  ended_ = true;
-  retract(sink);
-  const Length here = state_.nozzle_z.value_or(top_);
-  lift(std::max(park_height(state_.highest, settings_), here), sink);
-  sink(Travel{park_place(settings_), settings_.travel_speed_mm_s});
-  sink(SetNozzleTemperature{0, false});
-  sink(SetBedTemperature{0, false});
-  sink(SetFan{0});
-  if (state_.acceleration_mm_s2 > 0)
-    set_acceleration(std::round(settings_.default_acceleration_mm_s2), sink);
-  if (settings_.pressure_advance_s != pressure_advance_s_ && pressure_advance_s_ >= 0) {
-    sink(SetPressureAdvance{pressure_advance_s_});
-  }
-  for (const std::string& line : settings_.end_gcode) sink(Verbatim{line});
-}
-
 double MotionBuilder::speed_mm_s(const LaidRoad& road, const WidthStretch& stretch) const {
-  return speed_share_ * full_speed_mm_s(settings_, index_,
+  const Settings* own = areas_.settings_of(stretch);
+  return speed_share_ * full_speed_mm_s(own != nullptr ? *own : settings_, index_,
                                         {road.kind, road.small, stretch.hold, stretch.area_mm2});
 }
 

@@ -5,8 +5,9 @@
 //     layer      LayerStart, what is due at its height (height_actions.h), then for each road
 //                (retract) Lift Travel (return) RoadStart Extrude …
 //                (ObjectEnd, ObjectStart), where it belongs to another object than the one before
-//                (RoadChange Extrude …), where its width or what holds it changes; SetAcceleration
-//                where another one is wanted than was told last (road_accelerations.h)
+//                (RoadChange Extrude …), where its width or what holds it changes, and at borders
+//                of other speeds and flows (laid_areas.h); SetAcceleration where another one is
+//                wanted than was told last (road_accelerations.h)
 //     A spiral's turn (roads/vase_roads.h) begins where the one below ended, rises as it is laid,
 //     and has no travel before it.
 //     finish     retract, lift, park, heaters and fan off, end G-code
@@ -26,6 +27,7 @@
 #include "core/motions/arc_fit.h"          // RoadPiece
 #include "core/motions/cooling.h"          // LayerCooling
 #include "core/motions/height_actions.h"   // HeightActions
+#include "core/motions/laid_areas.h"       // LaidAreas
 #include "core/motions/motion.h"           // Motion
 #include "core/motions/road_pieces.h"      // RoadPieces
 #include "core/motions/slice_boundary.h"   // SliceBoundary
@@ -136,6 +138,8 @@ class MotionBuilder {
     std::vector<WidthStretch> stretches;
   };
 
+  [[nodiscard]] std::vector<LaidRoad> laid_roads(const Slice& slice,
+                                                 const std::vector<Road>& roads);
   [[nodiscard]] Road as_laid(const Road& road) const;
   [[nodiscard]] bool joins_turn(const LaidRoad& road) const;
   [[nodiscard]] std::vector<double> plan_layer(const std::vector<LaidRoad>& roads);
@@ -168,8 +172,9 @@ class MotionBuilder {
   RoadPieces pieces_;
   double pressure_advance_s_;           // that the printer is left with; negative: as it is
   const TravelSpace* space_ = nullptr;  // of the layer at hand
-  const LaidRoad* last_ = nullptr;      // of the layer at hand
-  int object_ = kNoObject;              // likewise, of the road at hand
+  LaidAreas areas_;                     // likewise
+  const LaidRoad* last_ = nullptr;      // likewise
+  int object_ = kNoObject;              // of the road at hand
   std::vector<std::string> object_lines_;
   MotionTotals totals_;
   MotionState state_;

@@ -16,12 +16,15 @@
 namespace core {
 
 struct WidthStretch {
+  static constexpr int kNoArea = -1;
+
   RoadKind kind = RoadKind::kSolid;  // kOverhangPerimeter where a perimeter is in the air
   Hold hold = Hold::kWhole;
   Length width;
   double area_mm2 = 0;        // cross-section, in the mean
   bool closed = false;        // the whole of a closed road
   std::vector<Point> points;  // the first is the last of the stretch before
+  int area{kNoArea};          // of those where roads are laid otherwise (laid_areas.h)
 };
 
 // Widths within a stretch differ by at most this share of the narrowest, but where it would be

@@ -24,10 +24,27 @@ Sorted sorted(Region region, Length road, Length arc_tolerance) {
   return {std::move(wide), std::move(narrow)};
 }
 
-Settings changed(Settings settings, const InsideChange& change) {
+Settings changed(Settings settings, const AreaChange& change) {
   settings.loose_density = change.density.value_or(settings.loose_density);
   settings.loose_pattern = change.pattern.value_or(settings.loose_pattern);
   return settings;
+}
+
+// Where the inside is filled otherwise than the settings say. Areas in which it is not the inside
+// that differs don't part it.
+ChangedAreas filling(const Slice& slice, const Settings& settings) {
+  ChangedAreas some;
+  if (!slice.areas) return some;
+  for (const ChangedArea& area : *slice.areas) {
+    if (!area.change.fills_otherwise()) continue;
+    some.push_back({{area.change.density, area.change.pattern}, area.region});
+  }
+  some = parted(some);
+  std::erase_if(some, [&](const ChangedArea& area) {
+    return area.change.density.value_or(settings.loose_density) == settings.loose_density &&
+           area.change.pattern.value_or(settings.loose_pattern) == settings.loose_pattern;
+  });
+  return some;
 }
 
 }  // namespace
@@ -37,8 +54,9 @@ std::vector<InsidePiece> inside_pieces(const Region& inside, const Slice& slice,
   const Length road = perimeter_spacing(settings, slice.height);
   std::vector<InsidePiece> pieces;
   Region rest = inside;
-  for (std::size_t i = slice.areas ? slice.areas->size() : 0; i-- > 0 && !rest.empty();) {
-    const InsideArea& area = (*slice.areas)[i];
+  const ChangedAreas areas = filling(slice, settings);
+  for (std::size_t i = areas.size(); i-- > 0 && !rest.empty();) {
+    const ChangedArea& area = areas[i];
     if (!area.region.box().overlaps(rest.box())) continue;
     // Strips along the area's border that are too narrow stay with the rest.
     Region own = sorted(intersect(rest, area.region), road, settings.arc_tolerance).wide;

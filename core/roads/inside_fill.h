@@ -1,6 +1,6 @@
 // Fills the inside where some of it is to be filled otherwise (Slice::areas):
 //
-//     ┌────────────┬──────┐     each area takes what of the inside is within it, but for later ones
+//     ┌────────────┬──────┐     each area takes what of the inside is within it (changed_areas.h)
 //     │ ╱   ╱   ╱  │╱╱╱╱╱╱│     roads end at the border between two areas, half a road before it
 //     │╱   ╱   ╱   │╱╱╱╱╱╱│     strips of either side that are narrower than a road go to the other
 //     └────────────┴──────┘

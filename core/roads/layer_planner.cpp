@@ -24,8 +24,8 @@ bool alike(const LooseBlock& a, const LooseBlock& b) {
   return alike(a.region, b.region) && a.layers == b.layers;
 }
 
-bool alike(const std::shared_ptr<const InsideAreas>& a,
-           const std::shared_ptr<const InsideAreas>& b) {
+bool alike(const std::shared_ptr<const ChangedAreas>& a,
+           const std::shared_ptr<const ChangedAreas>& b) {
   return a == b || (a && b && *a == *b);
 }
 
@@ -46,9 +46,9 @@ bool alike_in_vase(const SplitLayer& a, const SplitLayer& b, const Settings& set
          starts_vase(a, settings) == starts_vase(b, settings);
 }
 
-bool some_change_with_height(const std::shared_ptr<const InsideAreas>& areas) {
+bool some_change_with_height(const std::shared_ptr<const ChangedAreas>& areas) {
   if (!areas) return false;
-  return std::any_of(areas->begin(), areas->end(), [](const InsideArea& area) {
+  return std::any_of(areas->begin(), areas->end(), [](const ChangedArea& area) {
     return area.change.pattern && changes_with_height(*area.change.pattern);
   });
 }

@@ -6,10 +6,10 @@
 #include <optional>
 #include <vector>
 
-#include "core/geometry.h"        // Point
-#include "core/regions/region.h"  // Region
-#include "core/settings.h"        // LoosePattern
-#include "core/units.h"           // LayerIndex, Length
+#include "core/geometry.h"              // Point
+#include "core/regions/region.h"        // Region
+#include "core/slices/changed_areas.h"  // ChangedAreas
+#include "core/units.h"                 // LayerIndex, Length
 
 namespace core {
 
@@ -38,21 +38,6 @@ struct SupportMarks {
   Region blocked;
 };
 
-// What is asked for within some volume instead of the settings' own.
-struct InsideChange {
-  std::optional<double> density;        // Settings::loose_density
-  std::optional<LoosePattern> pattern;  // Settings::loose_pattern, but for lightning
-  bool operator==(const InsideChange&) const = default;
-};
-
-// Where the inside is filled otherwise. Of areas that overlap, the later ones hold.
-struct InsideArea {
-  InsideChange change;
-  Region region;
-  bool operator==(const InsideArea&) const = default;
-};
-using InsideAreas = std::vector<InsideArea>;
-
 // The part cut halfway between `bottom` and `bottom + height`.
 struct Slice {
   LayerIndex index = 0;
@@ -61,7 +46,7 @@ struct Slice {
   Region region;
   SliceDefects defects;
   std::shared_ptr<const SupportMarks> marks{};  // null: none
-  std::shared_ptr<const InsideAreas> areas{};   // null: none
+  std::shared_ptr<const ChangedAreas> areas{};  // null: none
 
   [[nodiscard]] Length top() const { return bottom + height; }
 };

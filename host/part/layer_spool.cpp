@@ -123,29 +123,43 @@ void put_note(const std::optional<std::string>& note, std::string& into) {
   if (note) into += *note;
 }
 
-void put_areas(const std::shared_ptr<const core::InsideAreas>& areas, std::string& into) {
+void put_value(const std::optional<double>& value, std::string& into) {
+  put(value ? 1 : 0, into);
+  if (value) put(std::bit_cast<std::uint64_t>(*value), into);
+}
+
+std::optional<double> value_in(Bytes& bytes) {
+  if (bytes.number() == 0) return std::nullopt;
+  return std::bit_cast<double>(bytes.number());
+}
+
+void put_areas(const std::shared_ptr<const core::ChangedAreas>& areas, std::string& into) {
   put(areas ? areas->size() : 0, into);
   if (!areas) return;
-  for (const core::InsideArea& area : *areas) {
-    put(area.change.density ? 1 : 0, into);
-    if (area.change.density) put(std::bit_cast<std::uint64_t>(*area.change.density), into);
+  for (const core::ChangedArea& area : *areas) {
+    put_value(area.change.density, into);
     const std::optional<core::LoosePattern> pattern = area.change.pattern;
     put(pattern ? static_cast<std::uint64_t>(*pattern) + 1 : 0, into);
+    put(static_cast<std::uint64_t>(area.change.perimeters.value_or(0)), into);
+    for (const std::optional<double>& value : area.change.laid) put_value(value, into);
     put_region(area.region, into);
   }
 }
 
-std::shared_ptr<const core::InsideAreas> areas_in(Bytes& bytes) {
+std::shared_ptr<const core::ChangedAreas> areas_in(Bytes& bytes) {
   const std::uint64_t count = bytes.number();
   if (count == 0) return nullptr;
-  core::InsideAreas areas(count);
-  for (core::InsideArea& area : areas) {
-    if (bytes.number() == 1) area.change.density = std::bit_cast<double>(bytes.number());
+  core::ChangedAreas areas(count);
+  for (core::ChangedArea& area : areas) {
+    area.change.density = value_in(bytes);
     const std::uint64_t pattern = bytes.number();
     if (pattern > 0) area.change.pattern = static_cast<core::LoosePattern>(pattern - 1);
+    const std::uint64_t perimeters = bytes.number();
+    if (perimeters > 0) area.change.perimeters = static_cast<int>(perimeters);
+    for (std::optional<double>& value : area.change.laid) value = value_in(bytes);
     area.region = region_in(bytes);
   }
-  return std::make_shared<const core::InsideAreas>(std::move(areas));
+  return std::make_shared<const core::ChangedAreas>(std::move(areas));
 }
 
 SpooledLayer head_in(Bytes& bytes) {

@@ -30,7 +30,7 @@ struct SpooledLayer {
   core::SliceDefects defects;
   std::optional<std::string> note;
   std::array<std::shared_ptr<const core::Region>, kRegions> regions;  // null is empty, too
-  std::shared_ptr<const core::InsideAreas> areas;  // written whole with each layer
+  std::shared_ptr<const core::ChangedAreas> areas;  // written whole with each layer
 };
 
 class LayerSpool {

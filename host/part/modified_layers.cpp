@@ -7,7 +7,7 @@
 
 #include "core/limits.h"               // kCoordinateMax
 #include "core/slices/plane_sweep.h"   // PlaneSweep
-#include "core/slices/slice.h"         // InsideAreas
+#include "core/slices/slice.h"         // ChangedAreas
 #include "host/part/bed_placing.h"     // mm_text, shifted
 #include "host/part/mesh_sorter.h"     // MeshSorter
 #include "host/part/mesh_survey.h"     // can_be_cut
@@ -27,7 +27,7 @@ using core::Triangle;
 // A body from the file's order to regions.
 class SweptBody {
  public:
-  SweptBody(ModifierBody body, core::InsideChange change, std::size_t sort_bytes)
+  SweptBody(ModifierBody body, const core::AreaChange& change, std::size_t sort_bytes)
       : body_(std::move(body)), change_(change), sorter_({sort_bytes, ""}) {}
 
   [[nodiscard]] Status start(const PartPlacing& placing, const core::Settings& settings,
@@ -58,7 +58,7 @@ class SweptBody {
   }
 
   // Adds what it covers of the next layer.
-  [[nodiscard]] Status next(core::InsideAreas& areas) {
+  [[nodiscard]] Status next(core::ChangedAreas& areas) {
     if (ended_) return {};
     Result<std::optional<Slice>> slice = sweep_->next();
     if (!slice.ok()) return slice.error();
@@ -76,7 +76,7 @@ class SweptBody {
   }
 
   ModifierBody body_;
-  core::InsideChange change_;
+  core::AreaChange change_;
   MeshSorter sorter_;
   std::optional<core::PlaneSweep> sweep_;
   bool ended_ = false;
@@ -100,12 +100,12 @@ class ModifiedLayers : public LayerSource {
     Result<std::optional<Slice>> slice = part_->next();
     if (!slice.ok() || !slice.value()) return slice;
     const CpuTimer timer(seconds_);
-    core::InsideAreas areas;
+    core::ChangedAreas areas;
     for (const auto& body : bodies_) {
       if (Status read = body->next(areas); !read.ok()) return read.error();
     }
     if (areas.empty()) return slice;
-    slice.value()->areas = std::make_shared<const core::InsideAreas>(std::move(areas));
+    slice.value()->areas = std::make_shared<const core::ChangedAreas>(std::move(areas));
     return slice;
   }
 
@@ -128,16 +128,22 @@ Result<OpenedPart> with_modifiers(OpenedPart part, std::vector<ModifierBody> bod
   std::vector<std::unique_ptr<SweptBody>> swept;
   const std::size_t share =
       std::max(kSortBytesMin, sort_bytes / std::max<std::size_t>(1, bodies.size()));
-  for (ModifierBody& body : bodies) {
-    const ModifierWords words = read_modifier(body.settings, settings);
+  std::vector<ModifierWords> all;
+  for (const ModifierBody& body : bodies) {
+    ModifierWords words = read_modifier(body.settings, settings);
     if (!words.used.empty()) part.modifiers.push_back(body.name + ": " + words.used);
     if (!words.unused.empty()) {
       part.modifiers_unused.push_back(
           name + ": " + body.name + ": not used: " + words.unused +
-          "; within a part, only the inside's density and pattern can differ");
+          "; within a part, the inside's density and pattern, speeds and flows can "
+          "differ");
     }
-    if (words.changes_nothing()) continue;
-    swept.push_back(std::make_unique<SweptBody>(std::move(body), words.change, share));
+    all.push_back(std::move(words));
+  }
+  leave_out_own(settings, all);
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (all[i].changes_nothing()) continue;
+    swept.push_back(std::make_unique<SweptBody>(std::move(bodies[i]), all[i].change, share));
   }
   if (swept.empty()) return part;
   auto layers = std::make_unique<ModifiedLayers>(std::move(part.layers), std::move(swept));

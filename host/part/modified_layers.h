@@ -1,4 +1,4 @@
-// Adds to a part's slices where its inside is filled otherwise (core::InsideArea): the bodies of
+// Adds to a part's slices where its inside is filled otherwise (core::ChangedArea): the bodies of
 // modifiers are cut by the same planes as the part.
 //
 //     part ─────────────────────────────────────> slice ──┬─> slice with areas

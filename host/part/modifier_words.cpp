@@ -6,8 +6,10 @@
 #include <charconv>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "host/formats/text_scanner.h"  // shown
+#include "host/part/modifier_values.h"  // read_laid_value
 #include "host/part/pattern_words.h"    // kPatternWords
 #include "host/system/text.h"           // trimmed
 
@@ -43,29 +45,89 @@ bool has_loose_roads(const core::Settings& settings) {
          settings.style != core::BuildStyle::kRegular;
 }
 
+class Reading {
+ public:
+  Reading(const ModifierSettings& modifier, const core::Settings& settings)
+      : modifier_(modifier), settings_(settings), inside_(has_loose_roads(settings)) {}
+
+  [[nodiscard]] ModifierWords read() {
+    for (const auto& [key, value] : modifier_) {
+      if (!use(key, value)) add(shown(key) + " = " + shown(value), words_.unused);
+    }
+    complete_laid_values(settings_, words_.change);
+    return std::move(words_);
+  }
+
+ private:
+  // False where it can't be used.
+  bool use(const std::string& key, const std::string& value) {
+    if (key == "fill_density" || key == "sparse_infill_density") return use_density(value);
+    if (key == "fill_pattern" || key == "sparse_infill_pattern") return use_pattern(value);
+    if (settings_.spiral_vase) return false;
+    std::string words;
+    const ValueUse used = read_laid_value(key, modifier_, settings_, words_.change, words);
+    if (used == ValueUse::kUsed) add(words, words_.used);
+    return used != ValueUse::kNone;
+  }
+
+  bool use_density(const std::string& value) {
+    const std::optional<double> density = inside_ ? density_in(value) : std::nullopt;
+    if (!density) return false;
+    words_.change.density = density;
+    add(fmt::format("density {:g} %", *density * 100), words_.used);
+    return true;
+  }
+
+  bool use_pattern(const std::string& value) {
+    const PatternWord* pattern = inside_ ? pattern_in(value) : nullptr;
+    if (pattern == nullptr) return false;
+    words_.change.pattern = pattern->pattern;
+    add(fmt::format("pattern {}", pattern->ours), words_.used);
+    return true;
+  }
+
+  const ModifierSettings& modifier_;
+  const core::Settings& settings_;
+  bool inside_;
+  ModifierWords words_;
+};
+
+template <typename Value>
+bool is_own(const std::vector<ModifierWords>& all, const Value& value_of) {
+  return std::all_of(all.begin(), all.end(), [&](const ModifierWords& words) {
+    const auto [said, own] = value_of(words.change);
+    return !said || *said == own;
+  });
+}
+
 }  // namespace
 
 ModifierWords read_modifier(const ModifierSettings& modifier, const core::Settings& settings) {
-  ModifierWords words;
-  const bool possible = has_loose_roads(settings);
-  for (const auto& [key, value] : modifier) {
-    if (possible && (key == "fill_density" || key == "sparse_infill_density")) {
-      words.change.density = density_in(value);
-      if (words.change.density) {
-        add(fmt::format("density {:g} %", *words.change.density * 100), words.used);
-        continue;
-      }
-    } else if (possible && (key == "fill_pattern" || key == "sparse_infill_pattern")) {
-      const PatternWord* pattern = pattern_in(value);
-      if (pattern != nullptr) {
-        words.change.pattern = pattern->pattern;
-        add(fmt::format("pattern {}", pattern->ours), words.used);
-        continue;
-      }
-    }
-    add(shown(key) + " = " + shown(value), words.unused);
+  return Reading(modifier, settings).read();
+}
+
+void leave_out_own(const core::Settings& settings, std::vector<ModifierWords>& all) {
+  const core::LaidValues own = own_laid_values(settings);
+  const bool density = is_own(all, [&](const core::AreaChange& change) {
+    return std::pair(change.density, settings.loose_density);
+  });
+  const bool pattern = is_own(all, [&](const core::AreaChange& change) {
+    return std::pair(change.pattern, settings.loose_pattern);
+  });
+  const bool perimeters = is_own(all, [&](const core::AreaChange& change) {
+    return std::pair(change.perimeters, settings.perimeters);
+  });
+  for (ModifierWords& words : all) {
+    if (density) words.change.density.reset();
+    if (pattern) words.change.pattern.reset();
+    if (perimeters) words.change.perimeters.reset();
   }
-  return words;
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    const bool same = is_own(
+        all, [&](const core::AreaChange& change) { return std::pair(change.laid[i], *own[i]); });
+    if (!same) continue;
+    for (ModifierWords& words : all) words.change.laid[i].reset();
+  }
 }
 
 }  // namespace host

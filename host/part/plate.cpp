@@ -62,7 +62,7 @@ void append(const core::Region& region, const Shift& shift, std::vector<core::Ri
 // not into others.
 struct MergedRings {
   std::vector<core::Ring> slice, enforced, blocked;
-  core::InsideAreas areas;
+  core::ChangedAreas areas;
 
   // `room` is the part's own, before it is moved to its places.
   void add(const Slice& part, const core::Box& room, const std::vector<Shift>& places) {
@@ -70,14 +70,14 @@ struct MergedRings {
     if (part.marks) {
       marks = {clipped(part.marks->enforced, room), clipped(part.marks->blocked, room)};
     }
-    core::InsideAreas changes;
+    core::ChangedAreas changes;
     if (part.areas) changes = *part.areas;
-    for (core::InsideArea& area : changes) area.region = clipped(area.region, room);
+    for (core::ChangedArea& area : changes) area.region = clipped(area.region, room);
     for (const Shift& shift : places) {
       append(part.region, shift, slice);
       append(marks.enforced, shift, enforced);
       append(marks.blocked, shift, blocked);
-      for (const core::InsideArea& area : changes) {
+      for (const core::ChangedArea& area : changes) {
         if (!area.region.empty()) areas.push_back({area.change, moved(area.region, shift)});
       }
     }
@@ -86,7 +86,7 @@ struct MergedRings {
   void put_into(Slice& merged) {
     merged.region = core::Region::from_clean_rings(std::move(slice));
     merged.areas =
-        areas.empty() ? nullptr : std::make_shared<const core::InsideAreas>(std::move(areas));
+        areas.empty() ? nullptr : std::make_shared<const core::ChangedAreas>(std::move(areas));
     merged.marks = nullptr;
     if (enforced.empty() && blocked.empty()) return;
     merged.marks = std::make_shared<const core::SupportMarks>(

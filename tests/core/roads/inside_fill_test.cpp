@@ -15,7 +15,7 @@
 #include "core/regions/polyline.h"
 #include "core/roads/loose_fill.h"
 
-using core::InsideAreas;
+using core::ChangedAreas;
 using core::Length;
 using core::LoosePattern;
 using core::Point;
@@ -34,12 +34,12 @@ Region square(double x0, double y0, double x1, double y1) {
   return core::clean({{at(x0, y0), at(x1, y0), at(x1, y1), at(x0, y1)}}, core::FillRule::kPositive);
 }
 
-Slice slice_with(InsideAreas areas, core::LayerIndex index = 4) {
+Slice slice_with(ChangedAreas areas, core::LayerIndex index = 4) {
   Slice slice;
   slice.index = index;
   slice.height = Length::from_mm(0.2);
   slice.bottom = slice.height * index;
-  slice.areas = std::make_shared<const InsideAreas>(std::move(areas));
+  slice.areas = std::make_shared<const ChangedAreas>(std::move(areas));
   return slice;
 }
 
@@ -120,7 +120,7 @@ TEST_CASE("random boxes: pieces are the inside together, once, and lay what is a
       return std::uniform_real_distribution<double>(low, high)(random);
     };
     const Region inside = square(0, 0, between(8, 60), between(8, 60));
-    InsideAreas areas;
+    ChangedAreas areas;
     for (std::size_t i = 0, count = 1 + random() % 3; i < count; ++i) {
       const double x = between(-10, 50), y = between(-10, 50);
       areas.push_back({{between(0.05, 1), std::nullopt},
@@ -176,6 +176,21 @@ TEST_CASE("an area that covers all, and one that covers nothing") {
   const Slice none = slice_with({{{0.7, {}}, square(50, 50, 99, 99)}});
   CHECK(same(core::inside_fill(inside, inside, none, settings),
              core::loose_roads(inside, inside, none, settings)));
+  core::AreaChange slow;
+  slow.value(core::LaidValue::kLooseSpeed) = 20;
+  for (const core::AreaChange& change : {core::AreaChange{settings.loose_density, {}}, slow}) {
+    const Slice alike = slice_with({{change, square(10, 5, 20, 15)}});
+    CHECK(same(core::inside_fill(inside, inside, alike, settings),
+               core::loose_roads(inside, inside, alike, settings)));
+  }
+  // A later area that leaves the density as it is does not end the one below it.
+  core::AreaChange gyroid;
+  gyroid.pattern = LoosePattern::kGyroid;
+  dense.loose_pattern = LoosePattern::kGyroid;
+  const Slice both =
+      slice_with({{{0.7, {}}, square(-9, -9, 99, 99)}, {gyroid, square(-9, -9, 99, 99)}});
+  CHECK(same(core::inside_fill(inside, inside, both, settings),
+             core::loose_roads(inside, inside, both, dense)));
   const Slice empty = slice_with({{{0.0, {}}, square(-9, -9, 99, 99)}});
   CHECK(core::inside_fill(inside, inside, empty, settings).empty());
 }

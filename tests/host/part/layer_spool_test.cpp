@@ -37,13 +37,17 @@ std::vector<host::SpooledLayer> random_layers(std::uint64_t seed, int count) {
       }
     }
     if (random.unit() < 0.3) {
-      core::InsideAreas areas(static_cast<std::size_t>(random.integer(1, 3)));
-      for (core::InsideArea& area : areas) {
+      core::ChangedAreas areas(static_cast<std::size_t>(random.integer(1, 3)));
+      for (core::ChangedArea& area : areas) {
         if (random.unit() < 0.7) area.change.density = random.unit();
         if (random.unit() < 0.5) area.change.pattern = core::LoosePattern::kGyroid;
+        if (random.unit() < 0.5) area.change.perimeters = random.integer(1, 50);
+        for (auto& value : area.change.laid) {
+          if (random.unit() < 0.1) value = random.between(0, 300);
+        }
         area.region = test::random_region(random, random.integer(6, 40), random.between(2, 400));
       }
-      layer.areas = std::make_shared<const core::InsideAreas>(std::move(areas));
+      layer.areas = std::make_shared<const core::ChangedAreas>(std::move(areas));
     }
     if (random.unit() < 0.2) layer.note = random.unit() < 0.3 ? "" : "open at 3.2 mm; äöü";
     if (random.unit() < 0.2) {

@@ -121,6 +121,114 @@ TEST_CASE("modifiers go with a part that is scaled, turned, cut, and has negativ
   CHECK_FALSE(slices[30].areas);
 }
 
+TEST_CASE("speeds and flows are read in both slicers' words") {
+  const PartFolder folder;
+  const std::string prusa =
+      folder.add_text("prusa.3mf", test::prusa_threemf(half("ModelPart", "ParameterModifier",
+                                                            {{"name", "Slow"},
+                                                             {"perimeter_speed", "40"},
+                                                             {"external_perimeter_speed", "50%"},
+                                                             {"solid_infill_speed", "80"},
+                                                             {"top_solid_infill_speed", "25%"},
+                                                             {"gap_fill_speed", "0"},
+                                                             {"bridge_speed", "15"},
+                                                             {"bridge_flow_ratio", "0.9"}})));
+  const std::string orca =
+      folder.add_text("orca.3mf", test::orca_threemf(half("normal_part", "modifier_part",
+                                                          {{"name", "Slow"},
+                                                           {"inner_wall_speed", "40"},
+                                                           {"outer_wall_speed", "20"},
+                                                           {"internal_solid_infill_speed", "80"},
+                                                           {"top_surface_speed", "20"},
+                                                           {"gap_infill_speed", "0"},
+                                                           {"bridge_speed", "15"},
+                                                           {"bridge_flow", "0.9"}})));
+  Settings settings;
+  settings.bridge_flow = 1.8;
+  settings.internal_bridge_flow = 1.2;
+  for (const std::string& path : {prusa, orca}) {
+    CAPTURE(path);
+    host::OpenedPart part = opened(path, settings);
+    CHECK_EQ(part.modifiers,
+             std::vector<std::string>{
+                 "modifier 'Slow': perimeters at 40 mm/s, outer perimeters at 20 mm/s, solid at 80 "
+                 "mm/s, tops at 20 mm/s, bridges at 15 mm/s, flow of bridges 0.9"});
+    CHECK(says(part.summary.warnings, path == prusa ? "not used: gap_fill_speed = 0;"
+                                                    : "not used: gap_infill_speed = 0;"));
+    const std::vector<core::Slice> slices = test::all_slices(part);
+    REQUIRE(slices[20].areas);
+    const core::AreaChange& change = slices[20].areas->front().change;
+    core::AreaChange expected;
+    expected.value(core::LaidValue::kPerimeterSpeed) = 40;
+    expected.value(core::LaidValue::kOuterPerimeterSpeed) = 20;
+    expected.value(core::LaidValue::kSolidSpeed) = 80;
+    expected.value(core::LaidValue::kTopSpeed) = 20;
+    for (const auto which : {core::LaidValue::kBridgeSpeed, core::LaidValue::kInternalBridgeSpeed,
+                             core::LaidValue::kOverhangSpeed3, core::LaidValue::kOverhangSpeed4}) {
+      expected.value(which) = 15;
+    }
+    expected.value(core::LaidValue::kBridgeFlow) = 0.9 / 1.8;
+    expected.value(core::LaidValue::kInternalBridgeFlow) = 0.9 / 1.2;
+    for (std::size_t i = 0; i < core::kLaidValueCount; ++i) {
+      CAPTURE(i);
+      REQUIRE_EQ(change.laid[i].has_value(), expected.laid[i].has_value());
+      if (change.laid[i]) CHECK_EQ(*change.laid[i], doctest::Approx(*expected.laid[i]));
+    }
+  }
+}
+
+TEST_CASE("OrcaSlicer's switches: what they turn off changes nothing, and is not named") {
+  const PartFolder folder;
+  const auto file = [&](const char* on) {
+    return folder.add_text(std::string(on) + ".3mf",
+                           test::orca_threemf(half("normal_part", "modifier_part",
+                                                   {{"print_flow_ratio", "1.1"},
+                                                    {"outer_wall_flow_ratio", "0.95"},
+                                                    {"set_other_flow_ratios", on},
+                                                    {"overhang_3_4_speed", "50%"},
+                                                    {"outer_wall_speed", "30"},
+                                                    {"enable_overhang_speed", on}})));
+  };
+  for (const char* on : {"0", "1"}) {
+    CAPTURE(on);
+    host::OpenedPart part = opened(file(on), Settings());
+    CHECK(part.summary.warnings.empty());
+    const std::vector<core::Slice> slices = test::all_slices(part);
+    REQUIRE(slices[20].areas);
+    const core::AreaChange& change = slices[20].areas->front().change;
+    CHECK_EQ(change.value(core::LaidValue::kFlow), 1.1);
+    CHECK_EQ(change.value(core::LaidValue::kOuterPerimeterFlow).has_value(), *on == '1');
+    CHECK_EQ(change.value(core::LaidValue::kOverhangSpeed3).value_or(0), *on == '1' ? 15 : 0);
+  }
+}
+
+TEST_CASE("a modifier that asks for what the part has is told, and leaves no trace") {
+  const PartFolder folder;
+  Settings settings;
+  settings.outer_perimeter_speed_mm_s = 30;
+  const test::BodySettings same{{"name", "Same"},
+                                {"fill_density", "20%"},
+                                {"fill_pattern", "rectilinear"},
+                                {"external_perimeter_speed", "50%"},
+                                {"infill_speed", "60"},
+                                {"bridge_flow_ratio", "1"}};
+  const std::string path = folder.add_text(
+      "same.3mf", test::prusa_threemf(half("ModelPart", "ParameterModifier", same)));
+  host::OpenedPart part = opened(path, settings);
+  CHECK(says(part.modifiers, "density 20 %"));
+  for (const core::Slice& slice : test::all_slices(part)) CHECK_FALSE(slice.areas);
+  // Within an object with another density it does count.
+  const std::string within = folder.add_text(
+      "within.3mf", test::prusa_threemf(half("ModelPart", "ParameterModifier", same), {""},
+                                        {{"name", "Block"}, {"fill_density", "5%"}}));
+  host::OpenedPart block = opened(within, settings);
+  const std::vector<core::Slice> slices = test::all_slices(block);
+  REQUIRE(slices[20].areas);
+  REQUIRE_EQ(slices[20].areas->size(), 2);
+  CHECK_EQ(slices[20].areas->back().change.density, 0.2);
+  CHECK_FALSE(slices[20].areas->back().change.lays_otherwise());
+}
+
 TEST_CASE("what can't be changed within a part is named, never lost") {
   const PartFolder folder;
   const auto file = [&](const char* name, test::BodySettings settings) {

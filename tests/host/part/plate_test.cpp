@@ -138,9 +138,9 @@ TEST_CASE("each copy has its modifiers and marks, and none of another's") {
       }
       if (!one.areas) continue;
       REQUIRE(slices[layer].areas);
-      for (const core::InsideArea& own : *one.areas) {
+      for (const core::ChangedArea& own : *one.areas) {
         REQUIRE_LT(areas, slices[layer].areas->size());
-        const core::InsideArea& found = (*slices[layer].areas)[areas++];
+        const core::ChangedArea& found = (*slices[layer].areas)[areas++];
         CHECK(found.change == own.change);
         for (std::size_t other = 0; other < objects.size(); ++other) {
           const double wanted = other == i ? area_on(own.region, objects[i]) : 0;

@@ -292,7 +292,10 @@ TEST_CASE("modifiers hold from any layer on, through the spools, and for any num
            {block(-5, 8, 3, 30, 30, 2),
             "ParameterModifier",
             {},
-            {{"fill_pattern", "gyroid"}, {"fill_density", "35%"}}}}));
+            {{"fill_pattern", "gyroid"},
+             {"fill_density", "35%"},
+             {"perimeters", "4"},
+             {"external_perimeter_speed", "24"}}}}));
   core::Settings plain = settings_of(core::WallShape::kBall, core::BuildStyle::kThinWall);
   core::Settings supported = plain, coned = plain, thick = plain;
   supported.supports = core::SupportPlace::kEverywhere;
