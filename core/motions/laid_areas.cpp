@@ -1,15 +1,9 @@
 #include "core/motions/laid_areas.h"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
-
-#include "core/regions/polyline.h"  // between, distance_mm
 
 namespace core {
 namespace {
-
-constexpr Length kCell = Length::from_units(10'000);
 
 ChangedAreas laying(const ChangedAreas& areas) {
   ChangedAreas some;
@@ -111,78 +105,12 @@ double flow_share(const AreaChange& change, RoadKind kind) {
 
 LaidAreas::LaidAreas(const std::shared_ptr<const ChangedAreas>& areas, const Settings& settings) {
   if (!areas) return;
+  std::vector<Region> regions;
   for (ChangedArea& area : laying(*areas)) {
-    const std::vector<Segment> edges = edges_of(area.region.rings());
-    edges_.insert(edges_.end(), edges.begin(), edges.end());
-    parts_.push_back(
-        {area.change, laid_settings(settings, area.change), PointLocation(area.region)});
+    parts_.push_back({area.change, laid_settings(settings, area.change)});
+    regions.push_back(std::move(area.region));
   }
-  if (!parts_.empty()) grid_.emplace(kCell, edges_);
-}
-
-int LaidAreas::area_at(Point point) const {
-  for (std::size_t i = 0; i < parts_.size(); ++i) {
-    if (parts_[i].region.contains(point)) return static_cast<int>(i);
-  }
-  return WidthStretch::kNoArea;
-}
-
-// Shares of the way at which it meets a border, in their order.
-std::vector<double> LaidAreas::crossings(const Segment& way) const {
-  std::vector<std::uint32_t> near;
-  grid_->collect_along(way, near);
-  std::vector<double> shares;
-  for (const std::uint32_t number : near) {
-    const Segment& edge = edges_[number];
-    const auto from = static_cast<double>(cross(edge.from, edge.to, way.from));
-    const auto to = static_cast<double>(cross(edge.from, edge.to, way.to));
-    if (from == to) continue;  // along the border, whose next edges cross the way
-    shares.push_back(std::clamp(from / (from - to), 0.0, 1.0));
-  }
-  std::sort(shares.begin(), shares.end());
-  return shares;
-}
-
-std::vector<LaidAreas::Piece> LaidAreas::pieces(const std::vector<Point>& points) const {
-  std::vector<Piece> pieces;
-  const auto add = [&](int area, Point from, Point to) {
-    if (from == to) return;
-    if (pieces.empty() || pieces.back().area != area) pieces.push_back({area, 0, {from}});
-    pieces.back().points.push_back(to);
-    pieces.back().length_mm += distance_mm(from, to);
-  };
-  bool asked = false;  // whether the piece at hand is known to go on
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    const Segment way{points[i - 1], points[i]};
-    const std::vector<double> shares = crossings(way);
-    if (shares.empty() && asked) {
-      add(pieces.back().area, way.from, way.to);
-      continue;
-    }
-    asked = shares.empty() && way.from != way.to;
-    Point last = way.from;
-    for (std::size_t k = 0; k <= shares.size(); ++k) {
-      const Point next = k < shares.size() ? between(way.from, way.to, shares[k]) : way.to;
-      if (next != last) add(area_at(between(last, next, 0.5)), last, next);
-      last = next;
-    }
-  }
-  // What is too short goes with what is beside it.
-  std::vector<Piece> kept;
-  for (Piece& piece : pieces) {
-    const bool joins = !kept.empty() && (piece.length_mm < kAreaPieceMin.mm() ||
-                                         kept.back().length_mm < kAreaPieceMin.mm() ||
-                                         kept.back().area == piece.area);
-    if (!joins) {
-      kept.push_back(std::move(piece));
-      continue;
-    }
-    Piece& before = kept.back();
-    if (before.length_mm < kAreaPieceMin.mm()) before.area = piece.area;
-    before.points.insert(before.points.end(), piece.points.begin() + 1, piece.points.end());
-    before.length_mm += piece.length_mm;
-  }
-  return kept;
+  if (!regions.empty()) pieces_ = AreaPieces(regions);
 }
 
 std::vector<WidthStretch> LaidAreas::cut(std::vector<WidthStretch> stretches) const {
@@ -195,8 +123,8 @@ std::vector<WidthStretch> LaidAreas::cut(std::vector<WidthStretch> stretches) co
     }
     std::vector<Point> way = stretch.points;
     if (stretch.closed) way.push_back(way.front());
-    std::vector<Piece> found = pieces(way);
-    for (Piece& piece : found) {
+    std::vector<AreaPiece> found = pieces_.cut(way);
+    for (AreaPiece& piece : found) {
       WidthStretch own = stretch;
       if (found.size() > 1) {
         own.closed = false;

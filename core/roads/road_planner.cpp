@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include "core/booleans/boolean.h"          // intersect, subtract, unite
@@ -9,6 +10,7 @@
 #include "core/offsets/offset_contours.h"   // flatten
 #include "core/offsets/slice_offsets.h"     // perimeter_spacing
 #include "core/offsets/voronoi_mountain.h"  // offset
+#include "core/roads/area_perimeters.h"     // area_perimeters, perimeter_areas
 #include "core/roads/branch_roads.h"        // branch_roads
 #include "core/roads/bridges.h"             // bridges
 #include "core/roads/brim.h"                // brim_roads
@@ -77,10 +79,9 @@ std::vector<Road> solid_roads(const SolidAreas& areas, const Region& rim, const 
 }
 
 // Returns what bridges leave of the wall. REQUIRES: layer.below.
-Region lay_bridges(const SplitLayer& layer, Region wall, const Settings& settings,
-                   std::vector<Road>& roads) {
+Region lay_bridges(const SplitLayer& layer, const Region& room, Region wall,
+                   const Settings& settings, std::vector<Road>& roads) {
   const Slice& slice = layer.slice;
-  const Region room = bridge_room(*layer.offsets, settings);
   const Region none;
   const Region& below_loose = layer.below_loose ? *layer.below_loose : none;
   const Region held = layer.below_branches ? branch_beads(*layer.below_branches, settings) : none;
@@ -126,18 +127,35 @@ std::vector<IslandPlan> start_plans(const IslandSplit& split, const SplitLayer& 
   return plans;
 }
 
-// Each island's perimeters. Returns what they leave of all islands.
-Region plan_perimeters(std::vector<IslandPlan>& plans, Length height, const Settings& settings,
-                       std::vector<Road>& roads) {
-  std::vector<Ring> interior;
+// What the perimeters of all islands leave.
+struct Left {
+  Region interior;
+  std::optional<Region> bridge_room;  // where it does not follow from the slice's offsets alone
+};
+
+// Each island's perimeters.
+Left plan_perimeters(std::vector<IslandPlan>& plans, const Slice& slice, const Settings& settings,
+                     std::vector<Road>& roads) {
+  const ChangedAreas areas = perimeter_areas(slice, settings);
+  std::vector<Ring> interior, room;
+  const auto add = [](const Region& region, std::vector<Ring>& rings) {
+    rings.insert(rings.end(), region.rings().begin(), region.rings().end());
+  };
   for (IslandPlan& plan : plans) {
     if (!plan.offsets.perimeters.empty()) plan.room = plan.offsets.perimeters.front();
-    Perimeters around = perimeters(std::move(plan.offsets), height, settings);
-    append(std::move(around.roads), roads);
-    const std::vector<Ring>& rings = around.interior.rings();
-    interior.insert(interior.end(), rings.begin(), rings.end());
+    AreaPerimeters laid;
+    if (areas.empty()) {
+      laid.around = perimeters(std::move(plan.offsets), slice.height, settings);
+    } else {
+      laid = area_perimeters(std::move(plan.offsets), areas, slice.height, settings);
+    }
+    append(std::move(laid.around.roads), roads);
+    add(laid.around.interior, interior);
+    add(laid.innermost, room);
   }
-  return Region::from_clean_rings(std::move(interior));
+  Left left{Region::from_clean_rings(std::move(interior)), {}};
+  if (!areas.empty()) left.bridge_room = Region::from_clean_rings(std::move(room));
+  return left;
 }
 
 // What is loose of an island. Of a block of layers, what is common to them is laid in the highest.
@@ -209,11 +227,16 @@ LayerRoads RoadPlanner::plan(const SplitLayer& layer) const {
   const IslandSplit split(slice.region);
   std::vector<IslandPlan> plans = start_plans(split, layer, settings);
   std::vector<Road> roads;
-  const Region interior = plan_perimeters(plans, slice.height, settings, roads);
+  const Left left = plan_perimeters(plans, slice, settings, roads);
+  const Region& interior = left.interior;
   if (layer.below) mark_holds(slice.region, *layer.below, settings, roads);
   const Region loose = simplified(layer.loose, settings.simplify_tolerance);
   Region wall = wall_to_fill(interior, loose, settings);
-  if (layer.below) wall = lay_bridges(layer, std::move(wall), settings, roads);
+  if (layer.below) {
+    const Region room =
+        left.bridge_room ? *left.bridge_room : bridge_room(*layer.offsets, settings);
+    wall = lay_bridges(layer, room, std::move(wall), settings, roads);
+  }
   for (Road& road : roads) {
     plans[split.island_of(road.points.front())].roads.push_back(std::move(road));
   }

@@ -135,7 +135,7 @@ Result<OpenedPart> with_modifiers(OpenedPart part, std::vector<ModifierBody> bod
     if (!words.unused.empty()) {
       part.modifiers_unused.push_back(
           name + ": " + body.name + ": not used: " + words.unused +
-          "; within a part, the inside's density and pattern, speeds and flows can "
+          "; within a part, the inside's density and pattern, perimeters, speeds and flows can "
           "differ");
     }
     all.push_back(std::move(words));

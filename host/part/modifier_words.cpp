@@ -45,6 +45,23 @@ bool has_loose_roads(const core::Settings& settings) {
          settings.style != core::BuildStyle::kRegular;
 }
 
+// Branches, the insides that are laid for several layers at once and the fast style are planned by
+// the part's own number; with none at all, the wall is filled up to the contour.
+bool may_count_perimeters(const core::Settings& settings) {
+  return settings.perimeters > 0 && !settings.spiral_vase &&
+         settings.style != core::BuildStyle::kFast && settings.loose_every_layers == 1 &&
+         settings.loose_pattern != core::LoosePattern::kLightning;
+}
+
+std::optional<int> perimeters_in(std::string_view text) {
+  text = trimmed(text);
+  int count = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  if (count < 1 || count > kAreaPerimetersMax) return std::nullopt;
+  return count;
+}
+
 class Reading {
  public:
   Reading(const ModifierSettings& modifier, const core::Settings& settings)
@@ -63,6 +80,7 @@ class Reading {
   bool use(const std::string& key, const std::string& value) {
     if (key == "fill_density" || key == "sparse_infill_density") return use_density(value);
     if (key == "fill_pattern" || key == "sparse_infill_pattern") return use_pattern(value);
+    if (key == "perimeters" || key == "wall_loops") return use_perimeters(value);
     if (settings_.spiral_vase) return false;
     std::string words;
     const ValueUse used = read_laid_value(key, modifier_, settings_, words_.change, words);
@@ -83,6 +101,15 @@ class Reading {
     if (pattern == nullptr) return false;
     words_.change.pattern = pattern->pattern;
     add(fmt::format("pattern {}", pattern->ours), words_.used);
+    return true;
+  }
+
+  bool use_perimeters(const std::string& value) {
+    const std::optional<int> count =
+        may_count_perimeters(settings_) ? perimeters_in(value) : std::nullopt;
+    if (!count) return false;
+    words_.change.perimeters = count;
+    add(fmt::format("{} perimeter{}", *count, *count == 1 ? "" : "s"), words_.used);
     return true;
   }
 

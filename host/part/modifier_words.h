@@ -11,6 +11,9 @@
 
 namespace host {
 
+// As many perimeters as the settings allow.
+inline constexpr int kAreaPerimetersMax = 50;
+
 struct ModifierWords {
   core::AreaChange change;
   std::string used;    // "density 50 %, pattern gyroid"

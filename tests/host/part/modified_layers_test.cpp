@@ -48,21 +48,24 @@ TEST_CASE("a modifier lies where the file places it, in both slicers' words") {
                                                              {"source_volume_id", "1"},
                                                              {"fill_density", "50%"},
                                                              {"fill_pattern", "gyroid"},
-                                                             {"perimeters", "5"}})));
+                                                             {"perimeters", "5"},
+                                                             {"top_solid_layers", "7"}})));
   const std::string orca =
       folder.add_text("orca.3mf", test::orca_threemf(half("normal_part", "modifier_part",
                                                           {{"name", "Right half"},
                                                            {"extruder", "1"},
                                                            {"sparse_infill_density", "50%"},
                                                            {"sparse_infill_pattern", "gyroid"},
-                                                           {"wall_loops", "5"}})));
+                                                           {"wall_loops", "5"},
+                                                           {"top_shell_layers", "7"}})));
   for (const std::string& path : {prusa, orca}) {
     CAPTURE(path);
     host::OpenedPart part = opened(path, Settings());
     CHECK_EQ(part.modifiers,
-             std::vector<std::string>{"modifier 'Right half': density 50 %, pattern gyroid"});
-    CHECK(says(part.summary.warnings, path == prusa ? "not used: perimeters = 5; within"
-                                                    : "not used: wall_loops = 5; within"));
+             std::vector<std::string>{
+                 "modifier 'Right half': density 50 %, pattern gyroid, 5 perimeters"});
+    CHECK(says(part.summary.warnings, path == prusa ? "not used: top_solid_layers = 7; within"
+                                                    : "not used: top_shell_layers = 7; within"));
     CHECK_EQ(part.summary.warnings.size(), 1);
     CHECK_EQ(part.summary.height.mm(), doctest::Approx(8));
     const std::vector<core::Slice> slices = test::all_slices(part);
@@ -75,6 +78,7 @@ TEST_CASE("a modifier lies where the file places it, in both slicers' words") {
       if (!within) continue;
       REQUIRE_EQ(slice.areas->size(), 1);
       CHECK_EQ(slice.areas->front().change.density, 0.5);
+      CHECK_EQ(slice.areas->front().change.perimeters, 5);
       CHECK(slice.areas->front().change.pattern == core::LoosePattern::kGyroid);
       const core::Box box = slice.areas->front().region.box(), all = slice.region.box();
       CHECK_EQ(box.min.x - all.min.x, 200'000);
@@ -249,6 +253,21 @@ TEST_CASE("what can't be changed within a part is named, never lost") {
   CHECK(says(opened(dense, lightning).summary.warnings, "not used: fill_density = 90%"));
   const std::string branches = file("branches.3mf", {{"fill_pattern", "lightning"}});
   CHECK(says(opened(branches, Settings()).summary.warnings, "not used: fill_pattern = lightning"));
+  // Where the number of perimeters can't differ.
+  const std::string thick = file("thick.3mf", {{"perimeters", "6"}});
+  Settings vase, every_two, bare;
+  vase.spiral_vase = true;
+  every_two.loose_every_layers = 2;
+  bare.perimeters = 0;
+  for (const Settings& settings : {lightning, vase, every_two, bare}) {
+    CHECK(says(opened(thick, settings).summary.warnings, "not used: perimeters = 6"));
+  }
+  for (const char* wrong : {"0", "-1", "2.5", "51", "many"}) {
+    CAPTURE(wrong);
+    const std::string path = file("wrong.3mf", {{"perimeters", wrong}});
+    CHECK(says(opened(path, Settings()).summary.warnings, "not used: perimeters = "));
+  }
+  CHECK(opened(thick, Settings()).summary.warnings.empty());
   const std::string none = file("none.3mf", {{"name", "Nothing"}});
   CHECK(says(opened(none, Settings()).summary.warnings, "1 modifier left out"));
 }

@@ -62,7 +62,7 @@ Print print(const Settings& settings, const std::string& path, int threads = 2) 
   return done;
 }
 
-// The modifier's right half, from 2 to 6 mm up.
+// A block, and a modifier over its right half, from 2 to 6 mm up.
 std::vector<MarkedBody> half(const char* plastic, const char* modifier,
                              test::BodySettings settings) {
   return {{parts::box({0, 0, 0}, 40, 20, 8), plastic},
@@ -151,6 +151,50 @@ TEST_CASE("speeds and flow: each move within a modifier has its own, and no othe
   CHECK_EQ(slow_mm, doctest::Approx(plain_mm).epsilon(1e-5));
 }
 
+TEST_CASE("perimeters: as many as asked for within a modifier, the part's own number outside") {
+  const PartFolder folder;
+  const std::string prusa = folder.add_text(
+      "prusa.3mf", test::prusa_threemf(half("ModelPart", "ParameterModifier",
+                                            {{"perimeters", "5"}, {"perimeter_speed", "25"}})));
+  const std::string orca = folder.add_text(
+      "orca.3mf", test::orca_threemf(half("normal_part", "modifier_part",
+                                          {{"wall_loops", "5"}, {"inner_wall_speed", "25"}})));
+  const Print done = print(unslowed(), prusa);
+  CHECK(done.commands == print(unslowed(), orca).commands);
+  CHECK(done.commands == print(unslowed(), prusa, 1).commands);
+  CHECK(done.commands == print(unslowed(), prusa, 3).commands);
+  // Perimeters under a way from the front to the middle of the block, in each layer.
+  const auto passed = [&](core::LayerIndex layer, std::int32_t x) {
+    return std::count_if(done.moves.begin(), done.moves.end(), [&](const LaidMove& move) {
+      const bool perimeter =
+          move.kind == RoadKind::kPerimeter || move.kind == RoadKind::kOuterPerimeter;
+      const bool under =
+          std::min(move.from.x, move.to.x) < x && std::max(move.from.x, move.to.x) > x;
+      return move.layer == layer && perimeter && under && move.to.y < 600'000;
+    });
+  };
+  for (core::LayerIndex layer = 1; layer < 40; ++layer) {
+    CAPTURE(layer);
+    CHECK_EQ(passed(layer, 600'000), 2);
+    CHECK_EQ(passed(layer, 800'000), layer >= 10 && layer < 30 ? 5 : 2);
+  }
+  // Where five perimeters are deeper than the wall, they are dense instead of the inside.
+  const Print plain = print(unslowed(), folder.add("block.stl", parts::box({0, 0, 0}, 40, 20, 8)));
+  const auto filament_mm = [](const Print& one, core::LayerIndex layer) {
+    double sum = 0;
+    for (const LaidMove& move : one.moves) {
+      if (move.layer == layer) sum += move.filament_mm;
+    }
+    return sum;
+  };
+  const double mm2 = 3.14159265 * 1.75 * 1.75 / 4;
+  // The wall is 0.8 mm; five perimeters are 5 spacings.
+  const double spacing = 0.45 - 0.2 * (1 - 3.14159265 / 4), deep = 5 * spacing - 0.8;
+  const double further_mm2 = deep * (2 * 20 + 20 - 2 * (0.8 + deep / 2));
+  const double more = (filament_mm(done, 20) - filament_mm(plain, 20)) * mm2 / 0.2;
+  CHECK_EQ(more, doctest::Approx(0.8 * further_mm2).epsilon(0.08));
+}
+
 TEST_CASE("a modifier that is empty, or asks for what the part has, changes no byte") {
   const PartFolder folder;
   const Settings settings = unslowed();
@@ -168,5 +212,6 @@ TEST_CASE("a modifier that is empty, or asks for what the part has, changes no b
                           {"perimeter_speed", "60"},
                           {"external_perimeter_speed", "100%"},
                           {"bridge_flow_ratio", "1"}}));
+  CHECK_FALSE(same("three.3mf", {{"perimeters", "3"}}));
   CHECK_FALSE(same("slow.3mf", {{"perimeter_speed", "59"}}));
 }
