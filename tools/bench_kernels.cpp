@@ -1,5 +1,5 @@
-// Measures rind's kernels, Clipper 6.4.2 and Boost.Polygon on the same slices: offsets at one depth
-// and at three, intersection and difference of the inner offsets of neighbouring slices.
+// Measures rind's kernels, Clipper 6.4.2, Clipper2 and Boost.Polygon on the same slices: offsets at
+// one depth and at three, intersection and difference of the inner offsets of neighbouring slices.
 //
 //     bench_kernels                        synthetic contours; slices of vase, lattice and screw
 //     bench_kernels benchy.3mf other.stl   slices of files, too; --only-files: only these
@@ -10,7 +10,8 @@
 // Times are processor times of this thread, medians of --benchmark_repetitions (9). The repetitions
 // of all libraries alternate, so that all run under the same conditions. Ratios say how many times
 // faster rind is. `arcs` keeps arcs, as the program's perimeters do; `chords` makes polygons of
-// them with Clipper's tolerance, as Clipper does. Other options of Google Benchmark work, too.
+// them with Clipper's tolerance, as Clipper does. Clipper2 is measured where CMake has found it
+// (tools/CMakeLists.txt says how). Other options of Google Benchmark work, too.
 #include <benchmark/benchmark.h>
 #include <fmt/core.h>
 
@@ -29,6 +30,7 @@
 #include "core/offsets/polygon_offset.h"
 #include "core/offsets/voronoi_mountain.h"
 #include "core/units.h"
+#include "tools/oracles/clipper2_calls.h"
 #include "tools/oracles/reference_boolean.h"
 #include "tools/samples/slice_samples.h"
 
@@ -85,6 +87,10 @@ void add(const std::string& name, std::function<void()> call) {
   });
 }
 
+void add_clipper2(const std::string& name, clipper2::Call call) {
+  add(name + "Clipper2", [call = std::move(call)] { benchmark::DoNotOptimize(call()); });
+}
+
 Paths paths_of(const Region& region) {
   Paths paths;
   for (const core::Ring& ring : region.rings()) {
@@ -111,6 +117,11 @@ void add_offsets(const std::string& name, const Sample& sample, double depth_mm,
       benchmark::DoNotOptimize(out.data());
     }
   });
+  if (clipper2::found()) {
+    std::vector<Region> slices;
+    for (const SlicePair& pair : sample.pairs) slices.push_back(pair.lower);
+    add_clipper2(name, clipper2::offsets(slices, depth, kTolerance));
+  }
   // One for all calls, as in a thread of the program.
   static core::PolygonOffsetter offsetter;
   const auto ours = [&sample](const std::vector<Length>& depths, bool chords) {
@@ -153,6 +164,12 @@ void add_boolean(const std::string& name, const Sample& inner, ClipperLib::ClipT
       benchmark::DoNotOptimize(out.data());
     }
   });
+  if (clipper2::found()) {
+    std::vector<std::pair<Region, Region>> pairs;
+    for (const SlicePair& pair : inner.pairs) pairs.emplace_back(pair.lower, pair.upper);
+    const bool both = type == ClipperLib::ctIntersection;
+    add_clipper2(name, both ? clipper2::intersections(pairs) : clipper2::differences(pairs));
+  }
   const auto each = [&inner](Operation operation) {
     for (const SlicePair& pair : inner.pairs) {
       benchmark::DoNotOptimize(operation(pair.lower, pair.upper).rings().data());
@@ -225,8 +242,9 @@ void print_offsets(const std::vector<Row>& rows, const Medians& medians, bool bo
   Bound arcs{"offset, arcs, Clipper / ours", kOffsetRatioMin};
   Bound chords{"offset, chords, Clipper / ours", kOffsetRatioMin};
   Bound depths{"offset, three depths / one", kThreeDepthsMax, true};
-  fmt::print("{:<28}{:>8}{:>7}{:>12}{:>10}{:>8}{:>8}{:>8}{}\n", "offset", "edges", "mm",
-             "Clipper ms", "ours ms", "arcs x", "chords x", "3 / 1", boost ? "  diagram x" : "");
+  fmt::print("{:<28}{:>8}{:>7}{:>12}{:>10}{:>8}{:>8}{:>8}{}{}\n", "offset", "edges", "mm",
+             "Clipper ms", "ours ms", "arcs x", "chords x", "3 / 1", boost ? "  diagram x" : "",
+             clipper2::found() ? "  Clipper2: arcs x  chords x" : "");
   for (const Row& row : rows) {
     const std::string key = row.key("offset");
     const double clipper = medians[key + "Clipper"], ours = medians[key + "arcs"];
@@ -239,6 +257,10 @@ void print_offsets(const std::vector<Row>& rows, const Medians& medians, bool bo
                row.sample->edge_count(), row.depth_mm, clipper * 1e3, ours * 1e3, clipper / ours,
                clipper / medians[key + "chords"], three);
     if (boost) fmt::print("{:>11.0f}", medians[key + "diagram"] / ours);
+    if (clipper2::found()) {
+      const double clipper2 = medians[key + "Clipper2"];
+      fmt::print("{:>18.1f}{:>10.1f}", clipper2 / ours, clipper2 / medians[key + "chords"]);
+    }
     fmt::print("\n");
   }
   for (const Bound& bound : {arcs, chords, depths}) bound.print();
@@ -247,8 +269,9 @@ void print_offsets(const std::vector<Row>& rows, const Medians& medians, bool bo
 void print_booleans(const std::vector<Row>& rows, const Medians& medians, bool boost,
                     const std::string& kernel) {
   Bound bound{kernel + ", Clipper / ours", kBooleanRatioMin};
-  fmt::print("\n{:<28}{:>8}{:>7}{:>12}{:>10}{:>8}{}\n", kernel, "edges", "mm", "Clipper ms",
-             "ours ms", "x", boost ? "  Boost x" : "");
+  Bound bound2{kernel + ", Clipper2 / ours", kBooleanRatioMin};
+  fmt::print("\n{:<28}{:>8}{:>7}{:>12}{:>10}{:>8}{}{}\n", kernel, "edges", "mm", "Clipper ms",
+             "ours ms", "x", boost ? "  Boost x" : "", clipper2::found() ? "  Clipper2 x" : "");
   for (const Row& row : rows) {
     if (row.inner.pairs.empty()) continue;
     const std::string key = row.key(kernel);
@@ -258,9 +281,15 @@ void print_booleans(const std::vector<Row>& rows, const Medians& medians, bool b
     fmt::print("{:<28}{:>8}{:>7.2f}{:>12.3f}{:>10.4f}{:>8.1f}", row.sample->name,
                row.inner.edge_count(), row.depth_mm, clipper * 1e3, ours * 1e3, clipper / ours);
     if (boost) fmt::print("{:>9.0f}", medians[key + "Boost"] / ours);
+    if (clipper2::found()) {
+      const double clipper2 = medians[key + "Clipper2"];
+      bound2.see(clipper2 / ours, row);
+      fmt::print("{:>12.1f}", clipper2 / ours);
+    }
     fmt::print("\n");
   }
   bound.print();
+  bound2.print();
 }
 
 std::vector<Sample> chosen_samples(const Choices& choices) {
@@ -308,7 +337,7 @@ void start_benchmark(int& argc, char** argv) {
 
 int main(int argc, char** argv) {
   start_benchmark(argc, argv);
-  CLI::App app("The kernels beside Clipper 6.4.2 and Boost.Polygon");
+  CLI::App app("The kernels beside Clipper 6.4.2, Clipper2 and Boost.Polygon");
   Choices choices;
   app.add_option("files", choices.files, "parts to take slices of");
   app.add_flag("--only-files", choices.only_files, "nothing but the parts in these files");

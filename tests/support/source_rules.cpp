@@ -55,6 +55,7 @@ constexpr std::array kLibraries = {
     Library{"benchmark/", {"tools/"}},
     Library{"doctest/", {"tests/"}},
     Library{"polyclipping/", {"tests/", "tools/bench_"}},
+    Library{"clipper2/", {"tools/oracles/clipper2_calls.cpp"}},
 };
 
 // Headers that core and firmware_link must not include: only host knows threads, clocks and files.
