@@ -14,6 +14,9 @@
 namespace core {
 
 class BoxGroup {
+  using Lanes [[gnu::vector_size(16)]] = std::int32_t;
+  static Lanes all(std::int32_t value) { return Lanes{value, value, value, value}; }
+
  public:
   static constexpr std::uint32_t kSize = 8;
 
@@ -57,17 +60,33 @@ class BoxGroup {
     return greatest(shorter);
   }
 
+  // A box that many groups are compared with.
+  class Query {
+   public:
+    explicit Query(const Box& box)
+        : left_(all(box.min.x)),
+          bottom_(all(box.min.y)),
+          right_(all(box.max.x)),
+          top_(all(box.max.y)) {}
+
+   private:
+    friend class BoxGroup;
+    Lanes left_, bottom_, right_, top_;
+  };
+
   // Bit i is set when box i overlaps this one.
-  [[nodiscard]] std::uint32_t overlapping(const Box& box) const {
+  [[nodiscard]] std::uint32_t overlapping(const Query& box) const {
     const Lanes low = half(box, 0, Lanes{1, 2, 4, 8});
     const Lanes high = half(box, 4, Lanes{16, 32, 64, 128});
+    std::array<std::uint64_t, 2> pairs;
     const Lanes both = low | high;
-    return static_cast<std::uint32_t>(both[0] | both[1] | both[2] | both[3]);
+    std::memcpy(pairs.data(), &both, sizeof both);
+    const std::uint64_t pair = pairs[0] | pairs[1];
+    return static_cast<std::uint32_t>(pair | pair >> 32);
   }
+  [[nodiscard]] std::uint32_t overlapping(const Box& box) const { return overlapping(Query(box)); }
 
  private:
-  using Lanes [[gnu::vector_size(16)]] = std::int32_t;
-
   static Lanes load(const std::int32_t* from) {
     Lanes lanes;
     std::memcpy(&lanes, from, sizeof lanes);
@@ -98,12 +117,9 @@ class BoxGroup {
     store(greater(y[0], y[1]), &top_[first]);
   }
 
-  static Lanes all(std::int32_t value) { return Lanes{value, value, value, value}; }
-
-  [[nodiscard]] Lanes half(const Box& box, std::size_t first, Lanes bits) const {
-    const Lanes apart =
-        (load(&left_[first]) > all(box.max.x)) | (load(&bottom_[first]) > all(box.max.y)) |
-        (all(box.min.x) > load(&right_[first])) | (all(box.min.y) > load(&top_[first]));
+  [[nodiscard]] Lanes half(const Query& box, std::size_t first, Lanes bits) const {
+    const Lanes apart = (load(&left_[first]) > box.right_) | (load(&bottom_[first]) > box.top_) |
+                        (box.left_ > load(&right_[first])) | (box.bottom_ > load(&top_[first]));
     return ~apart & bits;
   }
 

@@ -8,15 +8,24 @@ namespace {
 // The shorter side of a part's box in mean edges. Wider ones are found too often, narrower ones are
 // more.
 constexpr std::int32_t kPartInEdges = 2;
-// The groups of more rings are put in order.
+// More rings of an operand are put in order.
 constexpr std::size_t kRingsInOrder = 8;
 
-// The bits of a number of 16 bits, each with a 0 before it.
+// The bits of a number of 32 bits, each with a 0 before it.
 std::uint64_t spread(std::uint64_t bits) {
-  bits = (bits | bits << 8) & 0x00FF00FF;
-  bits = (bits | bits << 4) & 0x0F0F0F0F;
-  bits = (bits | bits << 2) & 0x33333333;
-  return (bits | bits << 1) & 0x55555555;
+  bits = (bits | bits << 16) & 0x0000FFFF0000FFFF;
+  bits = (bits | bits << 8) & 0x00FF00FF00FF00FF;
+  bits = (bits | bits << 4) & 0x0F0F0F0F0F0F0F0F;
+  bits = (bits | bits << 2) & 0x3333333333333333;
+  return (bits | bits << 1) & 0x5555555555555555;
+}
+
+// Where a point lies on a curve that fills the plane, so that neighbours on it are near.
+std::uint64_t place_of(Point p) {
+  const auto from_corner = [](std::int32_t value) {
+    return static_cast<std::uint64_t>(std::int64_t{value} - INT32_MIN);
+  };
+  return spread(from_corner(p.x)) | spread(from_corner(p.y)) << 1;
 }
 
 inline Box around(const Box& a, const Box& b) {
@@ -38,10 +47,17 @@ void EdgeTree::build(const ContourEdges& edges) {
     Tree tree;
     tree.operand = rings[i].operand;
     tree.levels[0] = static_cast<std::uint32_t>(groups_.size());
+    order_.clear();
     for (; end < rings.size() && rings[end].operand == tree.operand; ++end) {
-      tree.box = around(tree.box, add_edges(edges, rings[end]));
+      order_.emplace_back(0, static_cast<std::uint32_t>(end));
     }
-    if (end - i > kRingsInOrder) put_in_order(tree.levels[0], tree.box);
+    if (order_.size() > kRingsInOrder) {
+      for (auto& [place, ring] : order_) place = place_of(edges.from(rings[ring].first));
+      std::sort(order_.begin(), order_.end());
+    }
+    for (const auto& [place, ring] : order_) {
+      tree.box = around(tree.box, add_edges(edges, rings[ring]));
+    }
     trees_.push_back(tree);
   }
   const auto group_end = static_cast<std::uint32_t>(groups_.size());
@@ -72,18 +88,17 @@ Box EdgeTree::add_edges(const ContourEdges& edges, const ContourRing& ring) {
     box = around(box, part);
   };
   for (EdgeIndex e = ring.first; e < ring.end; ++e) {
-    if (size % BoxGroup::kSize == 0 && e + BoxGroup::kSize <= ring.end) {
-      BoxGroup eight;
-      eight.set_edges(points + e);
-      if (eight.widest() <= part_max_) {
-        if (size > 0) close_group();
-        std::iota(lanes.begin(), lanes.end(), e);
-        group = eight;
-        box = eight.around();
-        close_group();
+    if (size == BoxGroup::kSize) close_group();
+    if (size == 0 && e + BoxGroup::kSize <= ring.end) {
+      groups_.emplace_back().set_edges(points + e);
+      if (groups_.back().widest() <= part_max_) {
+        Lanes& eight = edges_.emplace_back();
+        std::iota(eight.begin(), eight.end(), e);
+        all = around(all, boxes_.emplace_back(groups_.back().around()));
         e += BoxGroup::kSize - 1;
         continue;
       }
+      groups_.pop_back();
     }
     const Segment line{points[e], points[e + 1]};
     const Box whole = box_of(line);
@@ -100,56 +115,24 @@ Box EdgeTree::add_edges(const ContourEdges& edges, const ContourRing& ring) {
   return all;
 }
 
-// Along a curve that fills the plane, so that neighbours are near one another.
-void EdgeTree::put_in_order(std::uint32_t first, const Box& box) {
-  const auto extent =
-      std::max(std::int64_t{box.max.x} - box.min.x, std::int64_t{box.max.y} - box.min.y);
-  // Middles, doubled; parts' boxes reach a little further.
-  const auto place = [](std::int32_t low, std::int32_t high, std::int32_t least) {
-    return static_cast<std::uint64_t>(
-        std::max(std::int64_t{0}, std::int64_t{low} + high - 2 * std::int64_t{least}));
-  };
-  int shift = 0;
-  while ((2 * extent + 8) >> shift > 0xFFFF) ++shift;
-  places_.clear();
-  for (std::uint32_t i = first; i < groups_.size(); ++i) {
-    const Box& at = boxes_[i];
-    const std::uint64_t x = place(at.min.x, at.max.x, box.min.x) >> shift;
-    const std::uint64_t y = place(at.min.y, at.max.y, box.min.y) >> shift;
-    places_.emplace_back(spread(x) | spread(y) << 1, i);
-  }
-  std::sort(places_.begin(), places_.end());
-  sorted_groups_.clear();
-  sorted_boxes_.clear();
-  sorted_edges_.clear();
-  for (const auto& [at, i] : places_) {
-    sorted_groups_.push_back(groups_[i]);
-    sorted_boxes_.push_back(boxes_[i]);
-    sorted_edges_.push_back(edges_[i]);
-  }
-  std::copy(sorted_groups_.begin(), sorted_groups_.end(), groups_.begin() + first);
-  std::copy(sorted_boxes_.begin(), sorted_boxes_.end(), boxes_.begin() + first);
-  std::copy(sorted_edges_.begin(), sorted_edges_.end(), edges_.begin() + first);
-}
-
 void EdgeTree::add_levels(Tree& tree, std::uint32_t group_count) {
   const auto begin = boxes_.begin() + static_cast<std::ptrdiff_t>(tree.levels[0]);
-  sorted_boxes_.assign(begin, begin + group_count);
+  level_.assign(begin, begin + group_count);
   tree.level_count = 1;
-  while (sorted_boxes_.size() > 1) {
+  while (level_.size() > 1) {
     tree.levels[tree.level_count++] = static_cast<std::uint32_t>(groups_.size());
     std::size_t above = 0;
-    for (std::size_t i = 0; i < sorted_boxes_.size(); ++above) {
+    for (std::size_t i = 0; i < level_.size(); ++above) {
       BoxGroup group;
       Box all;
-      for (std::uint32_t lane = 0; lane < BoxGroup::kSize && i < sorted_boxes_.size(); ++lane) {
-        group.set(lane, sorted_boxes_[i]);
-        all = around(all, sorted_boxes_[i++]);
+      for (std::uint32_t lane = 0; lane < BoxGroup::kSize && i < level_.size(); ++lane) {
+        group.set(lane, level_[i]);
+        all = around(all, level_[i++]);
       }
       groups_.push_back(group);
-      sorted_boxes_[above] = all;
+      level_[above] = all;
     }
-    sorted_boxes_.resize(above);
+    level_.resize(above);
   }
 }
 

@@ -3,7 +3,7 @@
 //     ┌───────────────┐     The lowest boxes hold an edge each, or a part of a long slanting edge.
 //     │┌──┐ ┌────┐    │     A group's edges follow one another on a ring, as neighbours there are
 //     ││╭─┼┐│   ╱│┌──┐│     near. Groups that follow one another are grouped again; where there are
-//     │└┼─┘│└──╱─┘└──┘│     many rings, they are first put in order by their places.
+//     │└┼─┘│└──╱─┘└──┘│     many rings, these are put in order by their places first.
 //     └─┴──┴──────────┘
 //
 // Each operand has a tree of its own. So what meets across operands is found by comparing two trees
@@ -28,7 +28,7 @@ inline constexpr std::uint32_t kNoOperand = UINT32_MAX;
 
 class EdgeTree {
  public:
-  // COSTS: O(edges), with many rings O(edges + groups · log(groups)). Memory is kept for the next
+  // COSTS: O(edges + rings · log(rings)). Memory is kept for the next
   // operation.
   void build(const ContourEdges& edges);
 
@@ -37,7 +37,11 @@ class EdgeTree {
   // visit(EdgeIndex) for all edges whose boxes overlap this one, without those of operand `but`.
   // The visitor may make the box smaller.
   template <typename Visit>
-  void for_edges_in(const Box& box, std::uint32_t but, Visit visit) const;
+  void for_edges_in(const BoxGroup::Query& box, std::uint32_t but, Visit visit) const;
+  template <typename Visit>
+  void for_edges_in(const Box& box, std::uint32_t but, Visit visit) const {
+    for_edges_in(BoxGroup::Query(box), but, visit);
+  }
 
   // Whether a box around several edges or points finds little more than their own boxes do.
   [[nodiscard]] bool narrow(const Box& box) const {
@@ -73,7 +77,6 @@ class EdgeTree {
   };
 
   Box add_edges(const ContourEdges& edges, const ContourRing& ring);
-  void put_in_order(std::uint32_t first, const Box& box);
   void add_levels(Tree& tree, std::uint32_t group_count);
 
   [[nodiscard]] const BoxGroup& group(const Tree& tree, Node node) const {
@@ -103,10 +106,8 @@ class EdgeTree {
   std::vector<Tree> trees_;
   std::int32_t part_max_ = 0;  // of the shorter side of a box
   // Room to work.
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> places_;
-  std::vector<BoxGroup> sorted_groups_;
-  std::vector<Box> sorted_boxes_;
-  std::vector<Lanes> sorted_edges_;
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> order_;  // place, ring
+  std::vector<Box> level_;
 };
 
 // Implementation details follow.
@@ -139,7 +140,7 @@ void EdgeTree::for_parts(Point a, Point b, std::int32_t parts, Visit visit) {
 }
 
 template <typename Visit>
-void EdgeTree::for_edges_in(const Box& box, std::uint32_t but, Visit visit) const {
+void EdgeTree::for_edges_in(const BoxGroup::Query& box, std::uint32_t but, Visit visit) const {
   std::array<Node, kLevelsMax * BoxGroup::kSize> stack;
   for (const Tree& tree : trees_) {
     if (tree.operand == but) continue;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <iterator>
 
 #include "core/booleans/hot_pixel.h"  // passes_pixel, crossing_pixel
 
@@ -226,12 +227,24 @@ void SnapRounding::bend(const ContourEdges& edges, EdgeIndex edge, EdgeIndex oth
   if (!follows && passes_pixel(c, d, b)) add_node(b);
 }
 
-// The tree may find an edge at a node more than once.
+// By edge first, as edges are numbered; few passages are left to be put in order on each. The tree
+// may find an edge at a node more than once.
 void SnapRounding::sort_passages() {
-  std::sort(passages_.begin(), passages_.end(),
-            [](const Passage& p, const Passage& q) { return order(p) < order(q); });
-  const auto alike = [](const Passage& p, const Passage& q) { return order(p) == order(q); };
-  passages_.erase(std::unique(passages_.begin(), passages_.end(), alike), passages_.end());
+  if (passages_.empty()) return;
+  next_passage_.assign(bent_.size() + 1, 0);
+  for (const Passage& passage : passages_) ++next_passage_[passage.edge + 1];
+  for (std::size_t i = 1; i < next_passage_.size(); ++i) next_passage_[i] += next_passage_[i - 1];
+  by_edge_.resize(passages_.size());
+  for (const Passage& passage : passages_) by_edge_[next_passage_[passage.edge]++] = passage;
+  passages_.clear();
+  for (std::size_t i = 0, end = 0; i < by_edge_.size(); i = end) {
+    end = next_passage_[by_edge_[i].edge];
+    const auto first = by_edge_.begin() + static_cast<std::ptrdiff_t>(i);
+    const auto last = by_edge_.begin() + static_cast<std::ptrdiff_t>(end);
+    std::sort(first, last, [](const Passage& p, const Passage& q) { return p.along < q.along; });
+    std::unique_copy(first, last, std::back_inserter(passages_),
+                     [](const Passage& p, const Passage& q) { return p.along == q.along; });
+  }
 }
 
 void SnapRounding::add_node_to_rings_without(const ContourEdges& edges) {

@@ -95,7 +95,9 @@ class SnapRounding {
   std::vector<Point> nodes_;
   std::vector<NodeIndex> table_;  // by hash of the point: node + 1, or 0
   std::vector<Passage> passages_;
-  std::vector<std::uint8_t> bent_;  // by edge
+  std::vector<Passage> by_edge_;             // room to sort them
+  std::vector<std::uint32_t> next_passage_;  // by edge
+  std::vector<std::uint8_t> bent_;           // by edge
   std::vector<EdgeIndex> newly_bent_;
   std::vector<std::uint8_t> runs_along_;  // by ring: has a corner on a run that another shares
 };

@@ -60,7 +60,7 @@ std::int32_t WindingRay::winding_at(Point p) { return sum_west_of(p, weights_->b
 std::int32_t WindingRay::sum_west_of(Point p, std::span<const std::int32_t> weights) {
   ++ray_;
   std::int32_t winding = 0;
-  tree_->for_edges_in({{INT32_MIN, p.y}, p}, kNoOperand, [&](EdgeIndex e) {
+  tree_->for_edges_in(Box{{INT32_MIN, p.y}, p}, kNoOperand, [&](EdgeIndex e) {
     if (seen_[e] == ray_) return;
     seen_[e] = ray_;
     const int count = turns(e, p);
@@ -86,7 +86,7 @@ std::optional<bool> WindingRay::covered_by_other(std::uint32_t operand, Point p)
   std::optional<EdgeIndex> nearest;
   Segment nearest_edge;
   bool tied = false, folded = false;
-  Box ray{{INT32_MIN, p.y}, p};
+  BoxGroup::Query ray(Box{{INT32_MIN, p.y}, p});
   tree_->for_edges_in(ray, operand, [&](EdgeIndex e) {
     if (e == nearest) return;
     Segment edge;
@@ -99,7 +99,7 @@ std::optional<bool> WindingRay::covered_by_other(std::uint32_t operand, Point p)
     tied = false;
     nearest = e;
     nearest_edge = edge;
-    ray.min.x = std::min(edge.from.x, edge.to.x);
+    ray = BoxGroup::Query(Box{{std::min(edge.from.x, edge.to.x), p.y}, p});
   });
   if (tied || folded) return std::nullopt;
   return nearest.has_value() && nearest_edge.to.y < nearest_edge.from.y;

@@ -1,15 +1,17 @@
 #include "core/regions/chain_sweep.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 namespace core {
 namespace {
 
 constexpr std::size_t kChainEdgesMax = 16;
-constexpr std::size_t kColumnsMax = 32;
+constexpr std::size_t kColumnsMax = 4096;
+// Above this many columns, chains stand in no more than two each, on the mean.
+constexpr std::size_t kColumnsAlways = 32;
 
 int sign(std::int64_t value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
 
@@ -94,16 +96,21 @@ class Sweep {
   // As many as pay for themselves, equally wide.
   void choose_columns() {
     Box box;
+    std::uint64_t chains_width = 0;
     for (const Chain& chain : chains_) {
       box.add(chain.box.min);
       box.add(chain.box.max);
+      chains_width += static_cast<std::uint64_t>(std::int64_t{chain.box.max.x} - chain.box.min.x);
     }
     const std::size_t wanted = std::clamp<std::size_t>(chains_.size() / 8, 1, kColumnsMax);
     west_ = box.min.x;
     const std::int64_t width = chains_.empty() ? 0 : std::int64_t{box.max.x} - box.min.x;
+    const auto columns = [&] { return static_cast<std::size_t>(width >> shift_) + 1; };
     shift_ = 0;
-    while (static_cast<std::size_t>(width >> shift_) >= wanted) ++shift_;
-    for (std::vector<Reach>& column : reaching_) column.clear();
+    while (columns() > wanted) ++shift_;
+    while (columns() > kColumnsAlways && (chains_width >> shift_) > chains_.size()) ++shift_;
+    if (reaching_.size() < columns()) reaching_.resize(columns());
+    for (std::size_t i = 0; i < columns(); ++i) reaching_[i].clear();
   }
 
   [[nodiscard]] std::size_t column_of(std::int32_t x) const {
@@ -216,7 +223,7 @@ class Sweep {
   std::vector<Chain> chains_;
   std::vector<LowestCorner> lowest_corners_;
   // Chains that reach up to the sweep, or did, in every column of x that they pass.
-  std::array<std::vector<Reach>, kColumnsMax> reaching_;
+  std::vector<std::vector<Reach>> reaching_;
   std::int32_t west_ = 0;
   int shift_ = 0;
 };
