@@ -11,7 +11,7 @@ ChangedAreas laying(const ChangedAreas& areas) {
     if (!area.change.lays_otherwise()) continue;
     AreaChange change;
     change.laid = area.change.laid;
-    some.push_back({std::move(change), area.region});
+    some.push_back({change, area.region});
   }
   return parted(some);
 }

@@ -79,7 +79,8 @@ void keep(Road road, int number, const AreaPieces& borders, const std::vector<in
   if (road.closed) line.push_back(line.front());
   std::vector<AreaPiece> pieces = borders.cut(line);
   const auto holds = [&](const AreaPiece& piece) {
-    return numbers[static_cast<std::size_t>(piece.area + 1)] == number;
+    const std::size_t at = piece.area < 0 ? 0 : static_cast<std::size_t>(piece.area) + 1;
+    return numbers[at] == number;
   };
   if (std::all_of(pieces.begin(), pieces.end(), holds)) return whole.push_back(std::move(road));
   for (AreaPiece& piece : pieces) {
@@ -171,7 +172,7 @@ ChangedAreas perimeter_areas(const Slice& slice, const Settings& settings) {
     if (!area.change.perimeters) continue;
     AreaChange change;
     change.perimeters = area.change.perimeters;
-    some.push_back({std::move(change), area.region});
+    some.push_back({change, area.region});
   }
   some = parted(some);
   std::erase_if(some, [&](const ChangedArea& area) {

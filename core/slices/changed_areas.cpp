@@ -32,10 +32,10 @@ ChangedAreas parted(const ChangedAreas& areas) {
       Region common = intersect(parts[i].region, rest);
       if (common.empty()) continue;
       rest = subtract(rest, common);
-      AreaChange both = merged(parts[i].change, area.change);
+      const AreaChange both = merged(parts[i].change, area.change);
       if (both == parts[i].change) continue;
       parts[i].region = subtract(parts[i].region, common);
-      parts.push_back({std::move(both), std::move(common)});
+      parts.push_back({both, std::move(common)});
     }
     if (!rest.empty()) parts.push_back({area.change, std::move(rest)});
   }
