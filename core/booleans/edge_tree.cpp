@@ -56,8 +56,9 @@ void EdgeTree::build(const ContourEdges& edges) {
       std::sort(order_.begin(), order_.end());
     }
     for (const auto& [place, ring] : order_) {
-      tree.box = around(tree.box, add_edges(edges, rings[ring]));
+      add_edges(edges, rings[ring], tree);
     }
+    close_group(tree);
     trees_.push_back(tree);
   }
   const auto group_end = static_cast<std::uint32_t>(groups_.size());
@@ -67,34 +68,35 @@ void EdgeTree::build(const ContourEdges& edges) {
   }
 }
 
-Box EdgeTree::add_edges(const ContourEdges& edges, const ContourRing& ring) {
+void EdgeTree::close_group(Tree& tree) {
+  if (open_.size == 0) return;
+  while (open_.size < BoxGroup::kSize) open_.boxes.set(open_.size++, Box());
+  groups_.push_back(open_.boxes);
+  edges_.push_back(open_.edges);
+  boxes_.push_back(open_.box);
+  tree.box = around(tree.box, open_.box);
+  open_.box = Box();
+  open_.size = 0;
+}
+
+// Rings of few edges share groups, as neighbours in the order are near.
+void EdgeTree::add_edges(const ContourEdges& edges, const ContourRing& ring, Tree& tree) {
+  if (open_.size + ring.size() > BoxGroup::kSize) close_group(tree);
   const Point* points = edges.points();
-  BoxGroup group;
-  Lanes lanes{};
-  Box box, all;
-  std::uint32_t size = 0;
-  const auto close_group = [&] {
-    groups_.push_back(group);
-    edges_.push_back(lanes);
-    boxes_.push_back(box);
-    all = around(all, box);
-    box = Box();
-    size = 0;
-  };
   const auto add = [&](EdgeIndex edge, const Box& part) {
-    if (size == BoxGroup::kSize) close_group();
-    group.set(size, part);
-    lanes[size++] = edge;
-    box = around(box, part);
+    if (open_.size == BoxGroup::kSize) close_group(tree);
+    open_.boxes.set(open_.size, part);
+    open_.edges[open_.size++] = edge;
+    open_.box = around(open_.box, part);
   };
   for (EdgeIndex e = ring.first; e < ring.end; ++e) {
-    if (size == BoxGroup::kSize) close_group();
-    if (size == 0 && e + BoxGroup::kSize <= ring.end) {
+    if (open_.size == BoxGroup::kSize) close_group(tree);
+    if (open_.size == 0 && e + BoxGroup::kSize <= ring.end) {
       groups_.emplace_back().set_edges(points + e);
       if (groups_.back().widest() <= part_max_) {
         Lanes& eight = edges_.emplace_back();
         std::iota(eight.begin(), eight.end(), e);
-        all = around(all, boxes_.emplace_back(groups_.back().around()));
+        tree.box = around(tree.box, boxes_.emplace_back(groups_.back().around()));
         e += BoxGroup::kSize - 1;
         continue;
       }
@@ -108,11 +110,7 @@ Box EdgeTree::add_edges(const ContourEdges& edges, const ContourRing& ring) {
       for_parts(line.from, line.to, part_count(whole), [&](const Box& part) { add(e, part); });
     }
   }
-  if (size > 0) {
-    while (size < BoxGroup::kSize) group.set(size++, Box());
-    close_group();
-  }
-  return all;
+  if (ring.size() > BoxGroup::kSize) close_group(tree);
 }
 
 void EdgeTree::add_levels(Tree& tree, std::uint32_t group_count) {

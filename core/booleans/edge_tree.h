@@ -76,7 +76,8 @@ class EdgeTree {
     std::uint32_t group;
   };
 
-  Box add_edges(const ContourEdges& edges, const ContourRing& ring);
+  void add_edges(const ContourEdges& edges, const ContourRing& ring, Tree& tree);
+  void close_group(Tree& tree);
   void add_levels(Tree& tree, std::uint32_t group_count);
 
   [[nodiscard]] const BoxGroup& group(const Tree& tree, Node node) const {
@@ -105,6 +106,14 @@ class EdgeTree {
   std::vector<Lanes> edges_;  // by group of level 0
   std::vector<Tree> trees_;
   std::int32_t part_max_ = 0;  // of the shorter side of a box
+  // The group of level 0 that is being filled.
+  struct OpenGroup {
+    BoxGroup boxes;
+    Lanes edges{};
+    Box box;
+    std::uint32_t size = 0;
+  };
+  OpenGroup open_;
   // Room to work.
   std::vector<std::pair<std::uint64_t, std::uint32_t>> order_;  // place, ring
   std::vector<Box> level_;
