@@ -11,6 +11,7 @@
 #include "core/slices/inside_out.h"      // turn_inside_out
 #include "core/slices/plane_crossing.h"  // is_above, plane_crossing
 #include "core/slices/segment_chains.h"  // rings_of, OnOneLine
+#include "core/slices/sound_rings.h"     // sound_rings
 
 namespace core {
 namespace {
@@ -36,6 +37,12 @@ bool on_one_wall(const Triangle& a, const Triangle& b) {
   const Point start = flat(p), end = flat(q) == start ? flat(r) : flat(q);
   return std::all_of(b.corners.begin(), b.corners.end(),
                      [&](const Vertex& corner) { return cross(start, end, flat(corner)) == 0; });
+}
+
+// By lowest z, then by corners.
+bool is_before(const Triangle& a, const Triangle& b) {
+  const std::int64_t za = a.lowest_z(), zb = b.lowest_z();
+  return za != zb ? za < zb : a.corners < b.corners;
 }
 
 // A mesh that is inside out gives the same part, and the same rings. Returns whether it is.
@@ -98,10 +105,14 @@ Result<bool> PlaneSweep::advance() {
 }
 
 SliceRings PlaneSweep::rings(SliceDefects& defects) {
-  cut();
   const OnOneLine on_one_line = [this](SegmentIndex a, SegmentIndex b) {
     return on_one_wall(held_[a], held_[b]);
   };
+  cut();
+  if (auto sound = sound_rings(segments_, on_one_line)) return {*std::move(sound), {}};
+  // Of what is there twice, one is taken: which one must not depend on the source's order.
+  std::sort(held_.begin(), held_.end(), is_before);
+  cut();
   return rings_of(segments_, options_.chain_gap_max, on_one_line, defects);
 }
 

@@ -8,10 +8,9 @@
 #include <tuple>
 #include <utility>
 
-#include "core/check.h"               // RIND_DCHECK
-#include "core/regions/polyline.h"    // distance_units
-#include "core/regions/region.h"      // doubled_area_units
-#include "core/slices/sound_rings.h"  // sound_rings
+#include "core/check.h"             // RIND_DCHECK
+#include "core/regions/polyline.h"  // distance_units
+#include "core/regions/region.h"    // doubled_area_units
 
 namespace core {
 namespace {
@@ -277,7 +276,6 @@ Chains chain_segments(const std::vector<Segment>& segments) {
 
 SliceRings rings_of(const std::vector<Segment>& segments, Length gap_max,
                     const OnOneLine& on_one_line, SliceDefects& defects) {
-  if (auto rings = sound_rings(segments, on_one_line)) return {*std::move(rings), {}};
   Chains chains = chain_segments(segments);
   defects.doubled_facets += chains.doubled_facets;
   if (!chains.open.empty()) {

@@ -25,7 +25,8 @@ std::size_t buffer_bytes(std::size_t memory_bytes) {
 }
 
 std::size_t triangles_in_run(std::size_t memory_bytes) {
-  return (memory_bytes - buffer_bytes(memory_bytes)) / sizeof(core::Triangle);
+  return (memory_bytes - buffer_bytes(memory_bytes)) /
+         (sizeof(core::Triangle) + HeightOrder::kBytesEach);
 }
 
 // Runs that can be merged at once: one buffer is for writing.
@@ -57,7 +58,7 @@ core::Status MeshSorter::add(const core::Triangle& triangle) {
 }
 
 core::Status MeshSorter::spill() {
-  std::sort(run_.begin(), run_.end(), lower);
+  order_.sort(run_);
   if (!runs_) {
     core::Result<SpillFile> file = SpillFile::create(options_.folder, kForSorting);
     if (!file.ok()) return file.error();
@@ -65,8 +66,8 @@ core::Status MeshSorter::spill() {
                                            buffer_bytes(options_.memory_bytes));
     spill_passes_ = 1;
   }
-  for (const core::Triangle& triangle : run_) {
-    if (core::Status added = runs_->add(triangle); !added.ok()) return added;
+  for (std::size_t i = 0; i < run_.size(); ++i) {
+    if (core::Status added = runs_->add(run_[order_[i]]); !added.ok()) return added;
   }
   run_.clear();
   return runs_->end_run();
@@ -76,11 +77,12 @@ core::Status MeshSorter::finish() {
   RIND_CHECK(!finished_);
   finished_ = true;
   if (!runs_) {
-    std::sort(run_.begin(), run_.end(), lower);
+    order_.sort(run_);
     return {};
   }
   if (core::Status spilled = spill(); !spilled.ok()) return spilled;
   run_ = {};
+  order_.clear();
   spilled_bytes_ = runs_->file().size();
   if (core::Status merged = merge_until_few(); !merged.ok()) return merged;
   return rewind();
@@ -125,7 +127,7 @@ core::Result<std::optional<core::Triangle>> MeshSorter::next() {
   RIND_CHECK(finished_);
   if (merge_) return merge_->next();
   if (next_in_run_ == run_.size()) return std::optional<core::Triangle>();
-  return std::optional<core::Triangle>(run_[next_in_run_++]);
+  return std::optional<core::Triangle>(run_[order_[next_in_run_++]]);
 }
 
 }  // namespace host

@@ -7,8 +7,8 @@
 //
 // Nothing is written while all triangles fit the budget. If there are more runs than buffers, runs
 // are first merged into longer ones, in as many passes as needed; each pass writes a new file and
-// deletes the old one. Triangles with the same lowest z are ordered by their corners, so the result
-// depends neither on the input's order nor on the budget.
+// deletes the old one. Triangles with the same lowest z keep their order, so the result does not
+// depend on the budget.
 #pragma once
 
 #include <cstddef>
@@ -18,8 +18,9 @@
 #include <string>
 #include <vector>
 
-#include "core/geometry.h"  // Triangle
-#include "core/result.h"    // Result, Status
+#include "core/geometry.h"           // Triangle
+#include "core/result.h"             // Result, Status
+#include "host/part/height_order.h"  // HeightOrder
 
 namespace host {
 
@@ -40,7 +41,7 @@ class MeshSorter {
   MeshSorter& operator=(MeshSorter&&) noexcept;
 
   // Error if the temporary file can't be made or written.
-  // REQUIRES: finish() was not called. COSTS: amortised O(log of a run).
+  // REQUIRES: finish() was not called. COSTS: amortised O(1).
   [[nodiscard]] core::Status add(const core::Triangle& triangle);
 
   // No triangle follows. COSTS: spill_passes() passes over the file.
@@ -66,6 +67,7 @@ class MeshSorter {
 
   Options options_;
   std::vector<core::Triangle> run_;  // being filled; in the end all of them, if none was written
+  HeightOrder order_;                // of run_
   std::size_t next_in_run_ = 0;
   std::unique_ptr<TriangleRuns> runs_;    // null: no run was written
   std::unique_ptr<TriangleMerge> merge_;  // of the last pass

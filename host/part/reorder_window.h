@@ -14,21 +14,38 @@
 
 namespace host {
 
+// Triangles that come in order are held in a ring; one that is a little late moves up past a few.
+// Where this takes too long, all go into a heap, for good.
 class ReorderWindow {
  public:
   ReorderWindow() = default;
   // Starts with these.
   explicit ReorderWindow(std::vector<core::Triangle> triangles);
 
+  // COSTS: O(1) for triangles in order, amortised O(log size()) at worst.
   void push(const core::Triangle& triangle);
-  // REQUIRES: not empty. COSTS: O(log size()).
+  // Of equally low ones, any. REQUIRES: not empty. COSTS: O(1); in a heap, O(log size()).
   [[nodiscard]] core::Triangle pop();
 
-  [[nodiscard]] bool empty() const { return heap_.empty(); }
-  [[nodiscard]] std::size_t size() const { return heap_.size(); }
+  [[nodiscard]] bool empty() const { return count_ == 0; }
+  [[nodiscard]] std::size_t size() const { return count_; }
 
  private:
-  std::vector<core::Triangle> heap_;  // the lowest in front
+  // Places that triangles may move up in all, for each that is pushed.
+  static constexpr std::size_t kMovesEach = 16;
+
+  [[nodiscard]] core::Triangle& at(std::size_t i) {
+    const std::size_t place = first_ + i;
+    return held_[place < held_.size() ? place : place - held_.size()];
+  }
+  void make_room();
+  void make_heap();
+
+  std::vector<core::Triangle> held_;  // a ring of its size; or a heap, the lowest in front
+  std::size_t first_ = 0;             // of the ring
+  std::size_t count_ = 0;
+  std::size_t moves_left_ = 0;
+  bool is_heap_ = false;
 };
 
 // Decides whether a sequence of triangles is nearly in order, in one pass and in constant memory.

@@ -1,19 +1,21 @@
 #include "host/part/triangle_record.h"
 
+#include <array>
 #include <cstdint>
 
 namespace host {
 namespace {
 
 // Differences are modulo 2^64, so that every pair of heights has one.
-void put(std::int64_t from, std::int64_t to, std::string& into) {
+char* put(std::int64_t from, std::int64_t to, char* into) {
   const std::uint64_t way = static_cast<std::uint64_t>(to) - static_cast<std::uint64_t>(from);
   std::uint64_t left = way << 1 ^ (way >> 63 != 0 ? UINT64_MAX : 0);
   while (left >= 0x80) {
-    into += static_cast<char>(left | 0x80);
+    *into++ = static_cast<char>(left | 0x80);
     left >>= 7;
   }
-  into += static_cast<char>(left);
+  *into++ = static_cast<char>(left);
+  return into;
 }
 
 std::int64_t get(std::int64_t from, const char*& bytes) {
@@ -30,13 +32,16 @@ std::int64_t get(std::int64_t from, const char*& bytes) {
 }  // namespace
 
 void write_triangle(const core::Triangle& triangle, const core::Vertex& before, std::string& into) {
+  std::array<char, kTriangleRecordBytesMax> record;
+  char* end = record.data();
   const core::Vertex* base = &before;
   for (const core::Vertex& corner : triangle.corners) {
-    put(base->x, corner.x, into);
-    put(base->y, corner.y, into);
-    put(base->z, corner.z, into);
+    end = put(base->x, corner.x, end);
+    end = put(base->y, corner.y, end);
+    end = put(base->z, corner.z, end);
     base = triangle.corners.data();
   }
+  into.append(record.data(), end);
 }
 
 const char* read_triangle(const char* bytes, const core::Vertex& before, core::Triangle& triangle) {

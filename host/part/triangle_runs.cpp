@@ -1,15 +1,11 @@
 #include "host/part/triangle_runs.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/check.h"  // RIND_CHECK
 
 namespace host {
-
-bool lower(const core::Triangle& a, const core::Triangle& b) {
-  const std::int64_t za = a.lowest_z(), zb = b.lowest_z();
-  return za != zb ? za < zb : a.corners < b.corners;
-}
 
 TriangleRuns::TriangleRuns(SpillFile file, std::size_t buffer_bytes)
     : file_(std::move(file)), buffer_bytes_(buffer_bytes) {
@@ -52,9 +48,8 @@ core::Status TriangleMerge::start() {
     if (!more.ok()) return more.error();
     if (more.value()) heap_.push_back(i);
   }
-  std::make_heap(heap_.begin(), heap_.end(), [this](std::size_t a, std::size_t b) {
-    return lower(readers_[b].triangle, readers_[a].triangle);
-  });
+  std::make_heap(heap_.begin(), heap_.end(),
+                 [this](std::size_t a, std::size_t b) { return later(a, b); });
   return {};
 }
 
@@ -76,26 +71,36 @@ core::Result<bool> TriangleMerge::advance(Reader& reader) const {
   if (reader.used == reader.filled) return false;
   const core::Vertex before = reader.triangle.corners[0];
   const char* end = read_triangle(reader.buffer.data() + reader.used, before, reader.triangle);
+  reader.lowest_z = reader.triangle.lowest_z();
   reader.used = static_cast<std::size_t>(end - reader.buffer.data());
   return true;
 }
 
+// As a rule, the first run stays the first.
+void TriangleMerge::sink_first() {
+  std::size_t place = 0;
+  while (true) {
+    std::size_t child = 2 * place + 1;
+    if (child >= heap_.size()) return;
+    if (child + 1 < heap_.size() && later(heap_[child], heap_[child + 1])) ++child;
+    if (!later(heap_[place], heap_[child])) return;
+    std::swap(heap_[place], heap_[child]);
+    place = child;
+  }
+}
+
 core::Result<std::optional<core::Triangle>> TriangleMerge::next() {
   if (heap_.empty()) return std::optional<core::Triangle>();
-  const auto later = [this](std::size_t a, std::size_t b) {
-    return lower(readers_[b].triangle, readers_[a].triangle);
-  };
-  std::pop_heap(heap_.begin(), heap_.end(), later);
-  Reader& reader = readers_[heap_.back()];
+  Reader& reader = readers_[heap_.front()];
   const core::Triangle triangle = reader.triangle;
   const core::Result<bool> more = advance(reader);
   if (!more.ok()) return more.error();
-  if (more.value()) {
-    std::push_heap(heap_.begin(), heap_.end(), later);
-  } else {
+  if (!more.value()) {
     reader.buffer = {};
+    heap_.front() = heap_.back();
     heap_.pop_back();
   }
+  sink_first();
   return std::optional<core::Triangle>(triangle);
 }
 

@@ -15,9 +15,6 @@
 
 namespace host {
 
-// The order: by lowest z, then by corners.
-[[nodiscard]] bool lower(const core::Triangle& a, const core::Triangle& b);
-
 // Writes runs one after the other into one file.
 class TriangleRuns {
  public:
@@ -44,7 +41,8 @@ class TriangleRuns {
   std::vector<Run> runs_;
 };
 
-// Merges some of the runs: gives their triangles, the lowest first.
+// Merges some of the runs: gives their triangles, the lowest first, of equally low ones those of
+// the run that was written first.
 class TriangleMerge {
  public:
   // Runs `first` … `last` - 1. REQUIRES: the runs outlive this; buffer_bytes holds a record.
@@ -63,8 +61,16 @@ class TriangleMerge {
     std::size_t used = 0;
     std::size_t filled = 0;
     core::Triangle triangle;
+    std::int64_t lowest_z = 0;
   };
 
+  [[nodiscard]] bool later(std::size_t a, std::size_t b) const {
+    return readers_[a].lowest_z != readers_[b].lowest_z
+               ? readers_[a].lowest_z > readers_[b].lowest_z
+               : a > b;
+  }
+  // Puts the first of the heap where it belongs.
+  void sink_first();
   // False at the run's end.
   [[nodiscard]] core::Result<bool> advance(Reader& reader) const;
 

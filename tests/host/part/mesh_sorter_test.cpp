@@ -60,8 +60,8 @@ bool same(const std::vector<Triangle>& a, const std::vector<Triangle>& b) {
 
 // The order by its definition.
 std::vector<Triangle> in_order(std::vector<Triangle> triangles) {
-  std::sort(triangles.begin(), triangles.end(), [](const Triangle& a, const Triangle& b) {
-    return std::pair(a.lowest_z(), a.corners) < std::pair(b.lowest_z(), b.corners);
+  std::stable_sort(triangles.begin(), triangles.end(), [](const Triangle& a, const Triangle& b) {
+    return a.lowest_z() < b.lowest_z();
   });
   return triangles;
 }
@@ -69,11 +69,11 @@ std::vector<Triangle> in_order(std::vector<Triangle> triangles) {
 }  // namespace
 
 TEST_CASE("all triangles come out in order, in memory, in one pass, in several") {
-  // 64 KiB hold 1,280 triangles, and 15 runs are merged at once.
+  // 64 KiB hold 960 triangles with their keys, and 15 runs are merged at once.
   struct Case {
     int count, passes;
   };
-  for (const Case& each : {Case{0, 0}, {1, 0}, {1'280, 0}, {1'281, 1}, {15'000, 1}, {25'000, 2}}) {
+  for (const Case& each : {Case{0, 0}, {1, 0}, {960, 0}, {961, 1}, {14'000, 1}, {25'000, 2}}) {
     CAPTURE(each.count);
     for (const int reach : {1, 9, 400'000'000}) {
       test::Random random(static_cast<std::uint64_t>(each.count + reach));
@@ -84,15 +84,12 @@ TEST_CASE("all triangles come out in order, in memory, in one pass, in several")
   }
 }
 
-TEST_CASE("what comes out does not depend on the order of what goes in") {
+TEST_CASE("equally low ones keep their order, whatever the budget") {
   test::Random random(3);
-  std::vector<Triangle> triangles = random_triangles(random, 4'000, 1);
+  std::vector<Triangle> triangles = random_triangles(random, 25'000, 1);
   for (Triangle& t : triangles) t.corners[0].z = -100;  // all with the same lowest z
-  const std::vector<Triangle> expected = sorted(triangles, kAmple, 0);
-  for (int i = 0; i < 3; ++i) {
-    test::shuffle(triangles, random);
-    CHECK(same(sorted(triangles, kTight, 1), expected));
-  }
+  CHECK(same(sorted(triangles, kAmple, 0), triangles));
+  CHECK(same(sorted(triangles, kTight, 2), triangles));
 }
 
 TEST_CASE("it can be read again, and at the end it stays at the end") {

@@ -129,6 +129,35 @@ TEST_CASE("what the gauge calls in order, a window of that size puts in order") 
   CHECK_GT(no_although_it_fits, 0);
 }
 
+TEST_CASE("the window gives the lowest of those it holds, whatever comes") {
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    CAPTURE(seed);
+    test::Random random(seed);
+    const int count = random.integer(0, 200), jumble = seed % 3 == 0 ? 2 : 400;
+    const auto triangle = [&](int i) {
+      const std::int64_t z = i + random.integer(0, jumble);
+      return Triangle{{core::Vertex{i, 0, z}, {1, 0, z + 3}, {0, 1, z + 2}}};
+    };
+    std::vector<Triangle> start;
+    std::multiset<std::int64_t> held;
+    for (int i = random.integer(0, 40); i > 0; --i) start.push_back(triangle(0));
+    for (const Triangle& t : start) held.insert(t.lowest_z());
+    host::ReorderWindow window(start);
+    for (int i = 0; i < count || !held.empty(); ++i) {
+      if (i < count && (held.empty() || random.integer(0, 9) < 6)) {
+        const Triangle pushed = triangle(i);
+        window.push(pushed);
+        held.insert(pushed.lowest_z());
+      } else {
+        REQUIRE_EQ(window.pop().lowest_z(), *held.begin());
+        held.erase(held.begin());
+      }
+      REQUIRE_EQ(window.size(), held.size());
+      REQUIRE_EQ(window.empty(), held.empty());
+    }
+  }
+}
+
 TEST_CASE("layers that hold nothing are found, whatever the order of the facets") {
   test::Random random(2);
   const Length layer = Length::from_mm(0.2);
