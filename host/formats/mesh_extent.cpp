@@ -1,11 +1,35 @@
 #include "host/formats/mesh_extent.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace host {
 
+namespace {
+
+constexpr std::size_t kDirections = kReachDirections.size();
+using Alongs = std::array<std::int64_t, kDirections>;
+
+template <std::size_t i>
+std::int64_t along(core::Point point) {
+  return std::int64_t{kReachDirections[i].x} * point.x +
+         std::int64_t{kReachDirections[i].y} * point.y;
+}
+
+// Without branches: hardly any point is.
+template <std::size_t... i>
+bool any_beyond(core::Point point, const Alongs& lowest, const Alongs& highest,
+                std::index_sequence<i...>) {
+  return (((along<i>(point) > highest[i]) | (along<i>(point) < lowest[i])) | ...);
+}
+
+}  // namespace
+
 void Reach::add(core::Point point) {
   const bool first = points_.empty();
+  if (!first && !any_beyond(point, lowest_, highest_, std::make_index_sequence<kDirections>())) {
+    return;
+  }
   if (first) points_.assign(2 * kReachDirections.size(), point);
   for (std::size_t i = 0; i < kReachDirections.size(); ++i) {
     const core::Point direction = kReachDirections[i];

@@ -7,7 +7,6 @@
 #include "core/units.h"                  // kUnitsPerMm
 #include "host/formats/format_limits.h"  // kPlaneMaxMm
 #include "host/formats/stl_kinds.h"      // open_binary_stl, open_text_stl
-#include "host/formats/vertex_snap.h"    // snapped_vertex
 
 namespace host {
 namespace {
@@ -57,17 +56,6 @@ Result<std::unique_ptr<StlReader>> StlReader::open(InputFile file) {
 
 Error StlReader::bad_part(const std::string& place, const std::string& cause) const {
   return {ErrorCode::kBadPart, file_.name() + ": " + place + ": " + cause};
-}
-
-std::optional<core::Triangle> StlReader::snapped(const Corners& corners) const {
-  core::Triangle triangle;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::optional<core::Vertex> vertex = snapped_vertex(
-        {corners[i][0] * unit_mm_, corners[i][1] * unit_mm_, corners[i][2] * unit_mm_});
-    if (!vertex) return std::nullopt;
-    triangle.corners[i] = *vertex;
-  }
-  return triangle;
 }
 
 Error StlReader::not_snapped(const Corners& corners, const std::string& place) const {

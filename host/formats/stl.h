@@ -12,6 +12,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -21,6 +22,7 @@
 #include "core/result.h"                   // Result
 #include "host/files/input_file.h"         // InputFile
 #include "host/formats/triangle_source.h"  // TriangleSource
+#include "host/formats/vertex_snap.h"      // snapped_vertex
 
 namespace host {
 
@@ -44,7 +46,16 @@ class StlReader : public TriangleSource {
   using Corners = std::array<std::array<double, 3>, 3>;  // as in the file
 
   // Nullopt if a corner is no number or out of range.
-  [[nodiscard]] std::optional<core::Triangle> snapped(const Corners& corners) const;
+  [[nodiscard]] std::optional<core::Triangle> snapped(const Corners& corners) const {
+    core::Triangle triangle;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::optional<core::Vertex> vertex = snapped_vertex(
+          {corners[i][0] * unit_mm_, corners[i][1] * unit_mm_, corners[i][2] * unit_mm_});
+      if (!vertex) return std::nullopt;
+      triangle.corners[i] = *vertex;
+    }
+    return triangle;
+  }
   // The error for that. `place`: the position in the file.
   [[nodiscard]] core::Error not_snapped(const Corners& corners, const std::string& place) const;
   [[nodiscard]] core::Error bad_part(const std::string& place, const std::string& cause) const;

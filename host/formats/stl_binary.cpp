@@ -1,10 +1,11 @@
-#include <bit>
+#include <algorithm>
 #include <cstdint>
-#include <cstring>
 #include <optional>
 #include <string_view>
 #include <utility>
+#include <vector>
 
+#include "host/formats/little_endian.h"  // float_at, u32_at
 #include "host/formats/stl_kinds.h"
 
 namespace host {
@@ -17,14 +18,6 @@ constexpr std::size_t kFacetBytes = 50;
 constexpr std::size_t kNormalBytes = 12;
 // A larger number is no count: writers that never fill it in leave -1 or the like.
 constexpr std::uint32_t kCountMax = 0x7FFFFFFE;
-
-std::uint32_t u32_at(const char* bytes) {
-  std::uint32_t value = 0;
-  for (int i = 3; i >= 0; --i) value = value << 8 | static_cast<unsigned char>(bytes[i]);
-  return value;
-}
-
-double float_at(const char* bytes) { return std::bit_cast<float>(u32_at(bytes)); }
 
 class BinaryStlReader : public StlReader {
  public:
@@ -46,10 +39,7 @@ class BinaryStlReader : public StlReader {
                                    " of the facet's 50 bytes: it is cut short; copy or export it "
                                    "again");
     }
-    Corners corners{};
-    for (std::size_t i = 0; i < 9; ++i) {
-      corners[i / 3][i % 3] = float_at(bytes.data() + kNormalBytes + 4 * i);
-    }
+    const Corners corners = corners_at(bytes.data());
     const std::optional<core::Triangle> triangle = snapped(corners);
     if (!triangle) return not_snapped(corners, place());
     file_.skip(kFacetBytes);
@@ -57,7 +47,48 @@ class BinaryStlReader : public StlReader {
     return triangle;
   }
 
+  // Whole facets at once, out of what has been read already.
+  [[nodiscard]] core::Status next_some(std::size_t most,
+                                       std::vector<core::Triangle>& into) override {
+    while (most > 0) {
+      std::size_t whole = 0;
+      if (!ended_ && (to_the_end_ || facets_ < count_)) {
+        const Result<std::string_view> window = file_.window(kFacetBytes);
+        if (!window.ok()) return window.error();
+        whole = std::min(most, window.value().size() / kFacetBytes);
+        if (!to_the_end_) whole = std::min(whole, static_cast<std::size_t>(count_ - facets_));
+        whole = take(window.value().data(), whole, into);
+      }
+      // What is no whole facet, the end, and errors.
+      if (whole == 0) return StlReader::next_some(1, into);
+      most -= whole;
+    }
+    return {};
+  }
+
  private:
+  static Corners corners_at(const char* facet) {
+    Corners corners{};
+    for (std::size_t i = 0; i < 9; ++i) {
+      corners[i / 3][i % 3] = float_at(facet + kNormalBytes + 4 * i);
+    }
+    return corners;
+  }
+
+  // Returns how many there are before one that is no triangle.
+  std::size_t take(const char* facets, std::size_t count, std::vector<core::Triangle>& into) {
+    std::size_t taken = 0;
+    for (; taken < count; ++taken) {
+      const std::optional<core::Triangle> triangle =
+          snapped(corners_at(facets + taken * kFacetBytes));
+      if (!triangle) break;
+      into.push_back(*triangle);
+    }
+    file_.skip(taken * kFacetBytes);
+    facets_ += static_cast<std::int64_t>(taken);
+    return taken;
+  }
+
   [[nodiscard]] std::string place() const {
     return "facet " + std::to_string(facets_ + 1) + " (byte " + std::to_string(file_.position()) +
            ")";

@@ -2,6 +2,7 @@
 // format.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -9,7 +10,7 @@
 #include <vector>
 
 #include "core/geometry.h"               // Triangle
-#include "core/result.h"                 // Result
+#include "core/result.h"                 // Result, Status
 #include "host/formats/modifier_body.h"  // ModifierBody
 #include "host/formats/support_marks.h"  // MarkCounts, MarkedFacets
 
@@ -25,6 +26,19 @@ class TriangleSource {
   // The next triangle, snapped to the grid, x and y within ±kCoordinateMax; nullopt at the end.
   // Errors name the file and the position in it, and are final.
   [[nodiscard]] virtual core::Result<std::optional<core::Triangle>> next() = 0;
+
+  // Appends the next ones, at most `most`; fewer only at the end. Errors: as next(); those before
+  // the error are appended.
+  [[nodiscard]] virtual core::Status next_some(std::size_t most,
+                                               std::vector<core::Triangle>& into) {
+    for (; most > 0; --most) {
+      core::Result<std::optional<core::Triangle>> triangle = next();
+      if (!triangle.ok()) return triangle.error();
+      if (!triangle.value()) break;
+      into.push_back(*triangle.value());
+    }
+    return {};
+  }
 
   // From now on a number of the file is so many mm. False: the file tells its own unit, and nothing
   // has changed. REQUIRES: before the first next()

@@ -36,34 +36,6 @@ constexpr double kShortest = 0.5;
 // Of a pixel's side, in cells.
 constexpr double kLeastPixel = 1.0 / 1'024;
 
-struct Face {
-  std::uint8_t shade = 0;  // 1 … 255; 0 for a facet without an area
-  // Of its doubled area, and of its longest side; in units.
-  double area_squared = 0, longest_squared = 0;
-
-  // Whether its least height is less than this.
-  [[nodiscard]] bool narrower_than(double width) const {
-    return area_squared < width * width * longest_squared;
-  }
-};
-
-Face face_of(const core::Triangle& triangle) {
-  const core::FacetSides sides(triangle);
-  const core::Direction normal = sides.normal();
-  Face face;
-  face.area_squared = normal.length_squared();
-  if (face.area_squared <= 0) return face;
-  const double side = -normal.x - normal.y + normal.z < 0 ? -1 : 1;  // the side that is seen
-  const double lit = side * (normal.x * kLightX + normal.y * kLightY + normal.z * kLightZ);
-  const double bright =
-      kAmbient + (1 - kAmbient) * std::max(0.0, lit / std::sqrt(face.area_squared));
-  face.shade = static_cast<std::uint8_t>(std::clamp(kShadeMax * bright + 0.5, 1.0, kShadeMax));
-  const core::Direction &u = sides.to_second, &v = sides.to_third;
-  const core::Direction third{v.x - u.x, v.y - u.y, v.z - u.z};
-  face.longest_squared = std::max({u.length_squared(), v.length_squared(), third.length_squared()});
-  return face;
-}
-
 // One of a facet's edges between two rows, or columns: where it is, and how near.
 struct Edge {
   double from_row, from, from_near, step, step_near;
@@ -106,6 +78,52 @@ struct Span {
 
 }  // namespace
 
+// What a facet shows, computed when it is asked for: most facets are hidden.
+class PartView::Face {
+ public:
+  explicit Face(const core::Triangle& triangle) : triangle_(triangle) {}
+
+  [[nodiscard]] bool has_area() {
+    look();
+    return area_squared_ > 0;
+  }
+
+  // 1 … 255. REQUIRES: it has an area
+  [[nodiscard]] std::uint8_t shade() {
+    if (shade_ != 0) return shade_;
+    look();
+    const core::Direction& n = normal_;
+    const double side = -n.x - n.y + n.z < 0 ? -1 : 1;  // the side that is seen
+    const double lit = side * (n.x * kLightX + n.y * kLightY + n.z * kLightZ);
+    const double bright = kAmbient + (1 - kAmbient) * std::max(0.0, lit / std::sqrt(area_squared_));
+    shade_ = static_cast<std::uint8_t>(std::clamp(kShadeMax * bright + 0.5, 1.0, kShadeMax));
+    return shade_;
+  }
+
+  // Whether its least height is less than this, in units.
+  [[nodiscard]] bool narrower_than(double width) {
+    look();
+    const core::FacetSides sides(triangle_);
+    const core::Direction &u = sides.to_second, &v = sides.to_third;
+    const core::Direction third{v.x - u.x, v.y - u.y, v.z - u.z};
+    const double longest_squared =
+        std::max({u.length_squared(), v.length_squared(), third.length_squared()});
+    return area_squared_ < width * width * longest_squared;
+  }
+
+ private:
+  void look() {
+    if (area_squared_ >= 0) return;
+    normal_ = core::FacetSides(triangle_).normal();
+    area_squared_ = normal_.length_squared();
+  }
+
+  const core::Triangle& triangle_;
+  core::Direction normal_;
+  double area_squared_ = -1;  // of its doubled area, in units; -1: not looked at
+  std::uint8_t shade_ = 0;
+};
+
 PartView::PartView()
     : near_(std::make_unique_for_overwrite<float[]>(kSide * kSide)),
       shade_(std::make_unique<std::uint8_t[]>(kSide * kSide)),
@@ -120,42 +138,62 @@ PartView::Corner PartView::seen(const core::Vertex& vertex) {
   return {(x - y) * kAcross, (x + y) * kBack + z * kUp, (z - x - y) * kNear};
 }
 
-PartView::Cells PartView::cells_of(const std::array<Corner, 3>& corners) const {
-  const auto& [a, b, c] = corners;
-  const auto [left, right] = std::minmax({a.across, b.across, c.across});
-  const auto [low, high] = std::minmax({a.up, b.up, c.up});
+PartView::Cells PartView::cells_of(const Extent& extent) const {
   const double per_unit = 1 / cell_;  // exact: a power of two
-  return {floor_of(left * per_unit), floor_of(right * per_unit), floor_of(low * per_unit),
-          floor_of(high * per_unit)};
+  return {floor_of(extent.left * per_unit), floor_of(extent.right * per_unit),
+          floor_of(extent.low * per_unit), floor_of(extent.high * per_unit)};
 }
 
 void PartView::add(const core::Triangle& triangle) {
-  const Face face = face_of(triangle);
-  if (face.shade == 0) return;
+  Face face(triangle);
   std::array<Corner, 3> corners = {seen(triangle.corners[0]), seen(triangle.corners[1]),
                                    seen(triangle.corners[2])};
-  make_room(corners);
+  const auto& [a, b, c] = corners;
+  Extent extent{std::min({a.across, b.across, c.across}), std::max({a.across, b.across, c.across}),
+                std::min({a.up, b.up, c.up}), std::max({a.up, b.up, c.up})};
+  if (!whole_.holds(extent)) {
+    if (!face.has_area()) return;
+    make_room(extent);
+  }
   const double per_unit = 1 / cell_;
   const auto first_left = static_cast<double>(first_left_);
   const auto first_low = static_cast<double>(first_low_);
-  for (Corner& corner : corners) {
-    corner.across = corner.across * per_unit - first_left;
-    corner.up = corner.up * per_unit - first_low;
+  extent = {extent.left * per_unit - first_left, extent.right * per_unit - first_left,
+            extent.low * per_unit - first_low, extent.high * per_unit - first_low};
+  const bool by_columns = extent.right - extent.left > extent.high - extent.low;
+  const double start = by_columns ? extent.left : extent.low;
+  const double end = by_columns ? extent.right : extent.high;
+  const std::int64_t first = floor_of(start + 0.5), last = floor_of(end - 0.5);
+  // At most as large as a cell.
+  if (first > last && !face.narrower_than(kNarrow * cell_)) return;
+  // Row, place in it, nearness.
+  std::array<Place, 3> places;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double across = corners[i].across * per_unit - first_left;
+    const double up = corners[i].up * per_unit - first_low;
+    places[i] =
+        by_columns ? Place{across, up, corners[i].near} : Place{up, across, corners[i].near};
   }
-  draw(corners, face.shade, face.narrower_than(kNarrow * cell_));
+  if (places[1][0] < places[0][0]) std::swap(places[0], places[1]);
+  if (places[2][0] < places[1][0]) std::swap(places[1], places[2]);
+  if (places[1][0] < places[0][0]) std::swap(places[0], places[1]);
+  if (first > last) {
+    const auto middle = [&](std::size_t i) {
+      return (places[0][i] + places[1][i] + places[2][i]) / 3;
+    };
+    if (!face.has_area()) return;
+    return mark(cell_at(floor_of(middle(0)), floor_of(middle(1)), by_columns), middle(2), face);
+  }
+  draw(places, first, last, by_columns, face);
 }
 
-void PartView::make_room(const std::array<Corner, 3>& corners) {
+void PartView::make_room(const Extent& extent) {
   const bool first = empty();
-  for (const Corner& corner : corners) {
-    const bool none = left_ > right_;
-    left_ = none ? corner.across : std::min(left_, corner.across);
-    right_ = none ? corner.across : std::max(right_, corner.across);
-    low_ = none ? corner.up : std::min(low_, corner.up);
-    high_ = none ? corner.up : std::max(high_, corner.up);
-  }
+  whole_ = first ? extent
+                 : Extent{std::min(whole_.left, extent.left), std::max(whole_.right, extent.right),
+                          std::min(whole_.low, extent.low), std::max(whole_.high, extent.high)};
   while (true) {
-    Cells all = cells_of(corners);
+    Cells all = cells_of(extent);
     if (!first) {
       all = {std::min(all.left, used_.left), std::max(all.right, used_.right),
              std::min(all.low, used_.low), std::max(all.high, used_.high)};
@@ -182,14 +220,16 @@ void PartView::double_cells() {
   const std::int64_t last_row = used_.high - first_low_, last_column = used_.right - first_left_;
   for (std::int64_t row = (used_.low - first_low_) / 2; row <= last_row; ++row) {
     const std::int64_t below = 2 * row - odd_low;
+    const std::int64_t low = std::max<std::int64_t>(below, 0), high = std::min(below + 2, kSide);
     for (std::int64_t column = (used_.left - first_left_) / 2; column <= last_column; ++column) {
       const std::int64_t beside = 2 * column - odd_left;
+      const std::int64_t left = std::max<std::int64_t>(beside, 0);
+      const std::int64_t right = std::min(beside + 2, kSide);
       float near = 0;
       std::uint8_t shade = 0;
-      for (std::int64_t r = std::max<std::int64_t>(below, 0); r < std::min(below + 2, kSide); ++r) {
-        for (std::int64_t c = std::max<std::int64_t>(beside, 0); c < std::min(beside + 2, kSide);
-             ++c) {
-          const auto old = static_cast<std::size_t>(r * kSide + c);
+      for (std::int64_t r = low; r < high; ++r) {
+        for (auto old = static_cast<std::size_t>(r * kSide + left);
+             old < static_cast<std::size_t>(r * kSide + right); ++old) {
           if (shade_[old] == 0 || (shade != 0 && near_[old] <= near)) continue;
           near = near_[old];
           shade = shade_[old];
@@ -234,41 +274,23 @@ void PartView::move_to(std::int64_t left, std::int64_t low) {
   }
 }
 
-void PartView::mark(std::size_t cell, double near, std::uint8_t shade) {
+void PartView::mark(std::size_t cell, double near, Face& face) {
   const auto distance = static_cast<float>(near);
   if (shade_[cell] != 0 && near_[cell] >= distance) return;
-  shade_[cell] = shade;
+  if (!face.has_area()) return;
+  shade_[cell] = face.shade();
   near_[cell] = distance;
 }
 
+std::size_t PartView::cell_at(std::int64_t row, std::int64_t place, bool by_columns) {
+  return static_cast<std::size_t>(by_columns ? within(place) * kSide + within(row)
+                                             : within(row) * kSide + within(place));
+}
+
 // Row by row; column by column if the facet is wider than high.
-void PartView::draw(const std::array<Corner, 3>& corners, std::uint8_t shade, bool narrow) {
-  const auto& [a, b, c] = corners;
-  const auto [left, right] = std::minmax({a.across, b.across, c.across});
-  const auto [low, high] = std::minmax({a.up, b.up, c.up});
-  const bool by_columns = right - left > high - low;
-  const std::int64_t row_step = by_columns ? 1 : kSide, cell_step = by_columns ? kSide : 1;
-  // Row, place in it, nearness.
-  std::array<std::array<double, 3>, 3> points;
-  for (std::size_t i = 0; i < 3; ++i) {
-    points[i] = {corners[i].up, corners[i].across, corners[i].near};
-    if (by_columns) std::swap(points[i][0], points[i][1]);
-  }
-  const auto cell_at = [&](std::int64_t row, std::int64_t place) {
-    return static_cast<std::size_t>(within(row) * row_step + within(place) * cell_step);
-  };
-  if (points[1][0] < points[0][0]) std::swap(points[0], points[1]);
-  if (points[2][0] < points[1][0]) std::swap(points[1], points[2]);
-  if (points[1][0] < points[0][0]) std::swap(points[0], points[1]);
-  const std::int64_t first = floor_of(points[0][0] + 0.5), last = floor_of(points[2][0] - 0.5);
-  if (first > last) {  // at most as large as a cell
-    if (!narrow) return;
-    const auto middle = [&](std::size_t i) {
-      return (points[0][i] + points[1][i] + points[2][i]) / 3;
-    };
-    mark(cell_at(floor_of(middle(0)), floor_of(middle(1))), middle(2), shade);
-    return;
-  }
+void PartView::draw(const std::array<Place, 3>& points, std::int64_t first, std::int64_t last,
+                    bool by_columns, Face& face) {
+  const std::size_t cell_step = by_columns ? kSide : 1;
   const Edge whole(points[0], points[2]), lower(points[0], points[1]), upper(points[1], points[2]);
   for (std::int64_t row = first; row <= last; ++row) {
     const double centre = static_cast<double>(row) + 0.5;
@@ -281,17 +303,17 @@ void PartView::draw(const std::array<Corner, 3>& corners, std::uint8_t shade, bo
     }
     const std::int64_t begin = within(floor_of(from + 0.5)), end = within(floor_of(to - 0.5));
     if (begin > end || to - from < kShortest) {
-      if (begin > end && !narrow) continue;
-      mark(cell_at(row, floor_of((from + to) / 2)), (near + near_to) / 2, shade);
+      if (begin > end && !face.narrower_than(kNarrow * cell_)) continue;
+      mark(cell_at(row, floor_of((from + to) / 2), by_columns), (near + near_to) / 2, face);
       continue;
     }
     const double step = (near_to - near) / (to - from);
     near += (static_cast<double>(begin) + 0.5 - from) * step;
-    std::size_t cell = cell_at(row, begin);
+    std::size_t cell = cell_at(row, begin, by_columns);
     for (std::int64_t place = begin; place <= end; ++place) {
-      mark(cell, near, shade);
+      mark(cell, near, face);
       near += step;
-      cell += static_cast<std::size_t>(cell_step);
+      cell += cell_step;
     }
   }
 }
@@ -304,12 +326,13 @@ RgbaPicture PartView::picture(int width, int height) const {
   if (empty()) return picture;
   // Cells a pixel, and the cells of the picture's lower left corner.
   const double margin = std::min(width, height) / 32.0;
-  const double cells = std::max({(right_ - left_) / (width - 2 * margin) / cell_,
-                                 (high_ - low_) / (height - 2 * margin) / cell_, kLeastPixel});
-  const double start_across =
-      (left_ + right_) / (2 * cell_) - static_cast<double>(first_left_) - cells * width / 2;
-  const double start_up =
-      (low_ + high_) / (2 * cell_) - static_cast<double>(first_low_) - cells * height / 2;
+  const double cells =
+      std::max({(whole_.right - whole_.left) / (width - 2 * margin) / cell_,
+                (whole_.high - whole_.low) / (height - 2 * margin) / cell_, kLeastPixel});
+  const double start_across = (whole_.left + whole_.right) / (2 * cell_) -
+                              static_cast<double>(first_left_) - cells * width / 2;
+  const double start_up = (whole_.low + whole_.high) / (2 * cell_) -
+                          static_cast<double>(first_low_) - cells * height / 2;
   std::uint8_t* pixel = picture.bytes.data();
   for (int y = height - 1; y >= 0; --y) {
     const Span rows(start_up + y * cells, start_up + (y + 1) * cells);

@@ -39,7 +39,7 @@ class PartView {
   void add(const core::Triangle& triangle);
 
   // No facet had an area.
-  [[nodiscard]] bool empty() const { return left_ > right_; }
+  [[nodiscard]] bool empty() const { return whole_.left > whole_.right; }
 
   // The part in the picture's middle, as large as fits with a margin of 1/32 of the picture's
   // shorter side; each pixel is the mean of the cells under it. The background is transparent.
@@ -58,21 +58,35 @@ class PartView {
     std::int64_t left, right, low, high;
   };
 
+  // In units, or in cells from the buffer's corner. Empty by default.
+  struct Extent {
+    double left = 1, right = 0, low = 1, high = 0;
+
+    [[nodiscard]] bool holds(const Extent& other) const {
+      return other.left >= left && other.right <= right && other.low >= low && other.high <= high;
+    }
+  };
+  // The row, or column; where in it; how near.
+  using Place = std::array<double, 3>;
+  class Face;
+
   [[nodiscard]] static Corner seen(const core::Vertex& vertex);
-  [[nodiscard]] Cells cells_of(const std::array<Corner, 3>& corners) const;
-  void make_room(const std::array<Corner, 3>& corners);
+  [[nodiscard]] Cells cells_of(const Extent& extent) const;
+  [[nodiscard]] static std::size_t cell_at(std::int64_t row, std::int64_t place, bool by_columns);
+  void make_room(const Extent& extent);
   void double_cells();
   void move_to(std::int64_t left, std::int64_t low);
-  // `narrow`: the facet may be narrower than cells.
-  void draw(const std::array<Corner, 3>& corners, std::uint8_t shade, bool narrow);
-  void mark(std::size_t cell, double near, std::uint8_t shade);
+  // The places in ascending order of rows.
+  void draw(const std::array<Place, 3>& points, std::int64_t first, std::int64_t last,
+            bool by_columns, Face& face);
+  void mark(std::size_t cell, double near, Face& face);
 
-  std::unique_ptr<float[]> near_;                     // of cells with a shade; rows from below
-  std::unique_ptr<std::uint8_t[]> shade_;             // 0: nothing is there
-  double cell_;                                       // a cell's side, in units
-  Cells used_{};                                      // what was drawn lies within
-  std::int64_t first_left_ = 0, first_low_ = 0;       // the buffer's first cell, on the lattice
-  double left_ = 1, right_ = 0, low_ = 0, high_ = 0;  // the part's extent, in units
+  std::unique_ptr<float[]> near_;                // of cells with a shade; rows from below
+  std::unique_ptr<std::uint8_t[]> shade_;        // 0: nothing is there
+  double cell_;                                  // a cell's side, in units
+  Cells used_{};                                 // what was drawn lies within
+  std::int64_t first_left_ = 0, first_low_ = 0;  // the buffer's first cell, on the lattice
+  Extent whole_;                                 // of the part, in units
 };
 
 }  // namespace host

@@ -13,8 +13,9 @@ namespace host {
 class HeightOrder {
  public:
   // REQUIRES: fewer than 2^32.
-  // COSTS: kBytesEach bytes a triangle, afterwards half of it. O(n) where heights are within 2^32 units (429 m): a radix
-  // sort, with no pass over digits that are all alike. Otherwise O(n log n).
+  // COSTS: kBytesEach bytes a triangle, afterwards half of it. O(n) where heights are within 2^32
+  // units (429 m): a radix sort, with no pass over digits that are all alike. Otherwise
+  // O(n log n).
   void sort(const std::vector<core::Triangle>& triangles);
 
   // Frees the memory.

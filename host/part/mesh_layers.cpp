@@ -32,6 +32,7 @@ using core::Triangle;
 
 // Triangles read and sorted between two readings of the clock.
 constexpr std::size_t kBatchTriangles = 1024;
+constexpr std::size_t kReadTriangles = 128;  // read at once, then looked at
 
 // A pipe is taken to be in order if its first triangles are out of order by at most this fraction
 // (1/8) of the look-ahead.
@@ -84,8 +85,8 @@ class MeshLayers : public LayerSource {
     const double start_s = thread_cpu_seconds();
     const double before_s = counters_.sort_cpu_s + counters_.read_cpu_s;
     Result<std::optional<core::Slice>> slice = sweep_->next();
-    const double other_s = counters_.sort_cpu_s + counters_.read_cpu_s - before_s;
-    counters_.slice_cpu_s += thread_cpu_seconds() - start_s - other_s;
+    counters_.slice_cpu_s +=
+        thread_cpu_seconds() - start_s - (counters_.sort_cpu_s + counters_.read_cpu_s - before_s);
     counters_.peak_triangles_held = sweep_->peak_triangles_held();
     ++slices_;
     return slice;
@@ -102,20 +103,19 @@ class MeshLayers : public LayerSource {
     batch_.clear();
     next_in_batch_ = 0;
     while (!ended_ && batch_.size() < kBatchTriangles) {
-      Result<std::optional<Triangle>> triangle = mesh_.triangles->next();
-      if (!triangle.ok()) return triangle.error();
-      ended_ = !triangle.value().has_value();
-      if (ended_) {
-        if (Status whole = check_whole(); !whole.ok()) return whole;
-        break;
+      const std::size_t wanted = std::min(kReadTriangles, kBatchTriangles - batch_.size());
+      read_.clear();
+      Status read = mesh_.triangles->next_some(wanted, read_);
+      for (const Triangle& taken : read_) {
+        if (surveyed_ && !survey_.extent().holds(taken)) {
+          return refused(ErrorCode::kUnreadable, "the file was changed while it was being read");
+        }
+        const bool can_cut = surveyed_ ? can_be_cut(taken) : survey_.add(taken);
+        if (can_cut && piece_.keeps(taken)) batch_.push_back(taken);
       }
-      const Triangle& taken = *triangle.value();
-      if (surveyed_ && !survey_.extent().holds(taken)) {
-        return refused(ErrorCode::kUnreadable, "the file was changed while it was being read");
-      }
-      if (surveyed_ ? can_be_cut(taken) : survey_.add(taken)) {
-        if (piece_.keeps(taken)) batch_.push_back(taken);
-      }
+      if (!read.ok()) return read;
+      ended_ = read_.size() < wanted;
+      if (Status whole = ended_ ? check_whole() : Status(); !whole.ok()) return whole;
     }
     return streaming_ ? check_tall() : Status();
   }
@@ -369,12 +369,12 @@ class MeshLayers : public LayerSource {
   PartCounters counters_;
   Shift shift_;
   std::vector<Triangle> ahead_;  // the look-ahead, until it is decided how the mesh is read
+  std::vector<Triangle> read_;
   std::vector<Triangle> batch_;
   std::size_t next_in_batch_ = 0;
-  bool ended_ = false;      // all has been read
-  bool surveyed_ = false;   // it is read for the second time
-  bool streaming_ = false;  // it is sliced as it arrives
-  bool sorted_ = false;     // the sorter has all, and is finished
+  bool ended_ = false, surveyed_ = false;  // all has been read; it is read for the second time
+  bool streaming_ = false;                 // it is sliced as it arrives
+  bool sorted_ = false;                    // the sorter has all, and is finished
   std::optional<MeshSorter> sorter_;
   ReorderWindow window_held_;
   std::optional<core::PlaneSweep> sweep_;

@@ -8,6 +8,7 @@
 #include "host/part/object_sequence.h"
 #include "host/pipeline/command_stage.h"
 #include "host/pipeline/part_pipeline.h"
+#include "host/system/stage_clock.h"  // process_cpu_seconds
 
 namespace host {
 namespace {
@@ -102,7 +103,13 @@ class PrintRun {
 
 core::Result<PipelineEnd> run_pipeline(PrintPlan& print_plan, const PipelineOutputs& outputs,
                                        PipelineSignals& signals, GeometryStatistics& statistics) {
-  return PrintRun(print_plan, outputs, signals, statistics).run();
+  // What was read and sorted until now is told by the part, in its end.
+  const PartCounters used = print_plan.part.counters ? print_plan.part.counters() : PartCounters();
+  statistics.clock.set_seconds(Stage::kOpen,
+                               process_cpu_seconds() - used.read_cpu_s - used.sort_cpu_s);
+  core::Result<PipelineEnd> end = PrintRun(print_plan, outputs, signals, statistics).run();
+  statistics.ended_cpu_s = process_cpu_seconds();
+  return end;
 }
 
 }  // namespace host

@@ -287,7 +287,11 @@ std::int64_t peak_rss_bytes() {
 
 std::string statistics_json(const GeometryStatistics& geometry, const LinkStatistics* link) {
   StageClock clock = geometry.clock;
-  if (link != nullptr) clock.merge(link->clock);
+  if (link != nullptr) {
+    clock.merge(link->clock);
+  } else if (geometry.ended_cpu_s) {
+    clock.set_seconds(Stage::kFinish, process_cpu_seconds() - *geometry.ended_cpu_s);
+  }
   Json json = {
       {"layers", geometry.layers},
       {"roads", geometry.roads},

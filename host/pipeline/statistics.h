@@ -134,6 +134,7 @@ struct GeometryStatistics {
   // When the first road was written to the file. LinkStatistics has those of a print.
   std::optional<double> first_road_s;      // since the program started
   std::optional<double> first_road_cpu_s;  // of the whole program
+  std::optional<double> ended_cpu_s;       // the same, when the last layer was done
 
   void add_volume(const core::SplitLayer& layer, double moved_mm3);
   // Of a part that has ended: the most that its window held, what it did, and what was reused.

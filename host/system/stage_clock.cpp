@@ -41,6 +41,10 @@ std::string_view stage_name(Stage stage) {
       return "encode";
     case Stage::kSend:
       return "send";
+    case Stage::kOpen:
+      return "open";
+    case Stage::kFinish:
+      return "finish";
   }
   return "other";
 }

@@ -23,9 +23,11 @@ enum class Stage {
   kWindow,
   kRoads,
   kEncode,
-  kSend
+  kSend,
+  kOpen,   // the program's start, and the file up to the first triangle that is asked for
+  kFinish  // after the last layer
 };
-inline constexpr std::size_t kStageCount = 10;
+inline constexpr std::size_t kStageCount = 12;
 
 // As in the statistics file (--stats).
 [[nodiscard]] std::string_view stage_name(Stage stage);

@@ -89,7 +89,7 @@ TEST_CASE("the statistics file has every key that was promised") {
     CHECK(with_link.contains(key));
   }
   for (const char* stage :
-       {"read", "sort", "slice", "offset", "window", "roads", "encode", "send"}) {
+       {"read", "sort", "slice", "offset", "window", "roads", "encode", "send", "open", "finish"}) {
     CAPTURE(stage);
     CHECK(with_link["cpu_seconds"].contains(stage));
     CHECK(with_link["worst_layer_ms"].contains(stage));
@@ -100,10 +100,16 @@ TEST_CASE("the statistics file has every key that was promised") {
   host::GeometryStatistics written;
   written.first_road_s = 0.5;
   written.first_road_cpu_s = 0.25;
+  const double start_s = host::process_cpu_seconds();
+  written.ended_cpu_s = start_s - 3;
   const json without_link = json::parse(host::statistics_json(written, nullptr));
   CHECK_FALSE(without_link.contains("stalls"));
   CHECK_EQ(without_link["first_road_s"], 0.5);
   CHECK_EQ(without_link["first_road_cpu_s"], 0.25);
+  const double finish_s = without_link["cpu_seconds"]["finish"];
+  CHECK_GE(finish_s, 3);
+  CHECK_LE(finish_s, 3 + host::process_cpu_seconds() - start_s);
+  CHECK_EQ(json::parse(host::statistics_json(written, &link))["cpu_seconds"]["finish"], 0);
 }
 
 TEST_CASE("processor time goes to the stage that spent it") {
