@@ -274,12 +274,10 @@ void PartView::move_to(std::int64_t left, std::int64_t low) {
   }
 }
 
-void PartView::mark(std::size_t cell, double near, Face& face) {
-  const auto distance = static_cast<float>(near);
-  if (shade_[cell] != 0 && near_[cell] >= distance) return;
+void PartView::show(std::size_t cell, float near, Face& face) {
   if (!face.has_area()) return;
   shade_[cell] = face.shade();
-  near_[cell] = distance;
+  near_[cell] = near;
 }
 
 std::size_t PartView::cell_at(std::int64_t row, std::int64_t place, bool by_columns) {

@@ -79,7 +79,12 @@ class PartView {
   // The places in ascending order of rows.
   void draw(const std::array<Place, 3>& points, std::int64_t first, std::int64_t last,
             bool by_columns, Face& face);
-  void mark(std::size_t cell, double near, Face& face);
+  // If nothing there is nearer.
+  void mark(std::size_t cell, double near, Face& face) {
+    const auto distance = static_cast<float>(near);
+    if (shade_[cell] == 0 || near_[cell] < distance) show(cell, distance, face);
+  }
+  void show(std::size_t cell, float near, Face& face);
 
   std::unique_ptr<float[]> near_;                // of cells with a shade; rows from below
   std::unique_ptr<std::uint8_t[]> shade_;        // 0: nothing is there
