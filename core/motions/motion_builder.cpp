@@ -7,15 +7,12 @@
 #include <utility>
 
 #include "core/check.h"                    // RIND_CHECK
-#include "core/motions/cooling.h"          // layer_cooling
-#include "core/motions/fan_plan.h"         // fan_plan
 #include "core/motions/height_slowdown.h"  // height_share
 #include "core/motions/park_height.h"      // park_height
 #include "core/motions/road_accelerations.h"
-#include "core/motions/road_speeds.h"   // fan_share_least, full_speed_mm_s
-#include "core/motions/wipe_way.h"      // wipe_plan
-#include "core/regions/polyline.h"      // distance_mm, length_mm
-#include "core/regions/ring_corners.h"  // nearest_place
+#include "core/motions/road_speeds.h"  // flow_factor
+#include "core/motions/wipe_way.h"     // wipe_plan
+#include "core/regions/polyline.h"     // distance_mm, length_mm
 
 namespace core {
 
@@ -29,9 +26,9 @@ bool is_top(RoadKind kind) { return kind == RoadKind::kTopSolid || kind == RoadK
 
 bool is_outside(RoadKind kind) { return kind == RoadKind::kSkirt || kind == RoadKind::kBrim; }
 
-double length_mm(const std::vector<WidthStretch>& stretches) {
+double length_mm(const std::vector<LaidStretch>& stretches) {
   double sum = 0;
-  for (const WidthStretch& each : stretches) sum += length_mm(each.points, each.closed);
+  for (const LaidStretch& each : stretches) sum += length_mm(each.way.points, each.way.closed);
   return sum;
 }
 
@@ -40,7 +37,7 @@ double length_mm(const std::vector<WidthStretch>& stretches) {
 MotionBuilder::MotionBuilder(const Settings& settings)
     : settings_(settings),
       actions_(settings),
-      pieces_(settings),
+      laying_(settings),
       pressure_advance_s_(settings.pressure_advance_s) {
   if (settings.arcs != ArcUse::kAuto) state_.arcs = settings.arcs == ArcUse::kOn;
 }
@@ -95,120 +92,88 @@ void MotionBuilder::set_up_layer(double fan_share, const Sink& sink) {
   state_.bed_celsius = bed;
 }
 
+LayerPace MotionBuilder::pace_of(const Slice& slice) const {
+  const auto done = static_cast<std::size_t>(state_.actions);
+  const std::size_t due = actions_.due(done, slice.bottom).size();
+  return laying_.pace(slice, done + due, state_.arcs.value_or(false));
+}
+
 void MotionBuilder::layer(const Slice& slice, const std::vector<Road>& roads, const Sink& sink,
                           const TravelSpace* space) {
-  RIND_CHECK(!ended_);
   if (roads.empty()) return;
+  begin_layer(slice, sink);
+  const auto from = state_.position_known ? std::optional(state_.position) : std::nullopt;
+  lay(slice, laying_.lay(slice, roads, pace_of(slice), from), sink, space);
+}
+
+void MotionBuilder::layer(const Slice& slice, const LaidLayer& laid, const Sink& sink,
+                          const TravelSpace* space) {
+  RIND_CHECK(suits(laid, slice));
+  begin_layer(slice, sink);
+  lay(slice, laid, sink, space);
+}
+
+void MotionBuilder::begin_layer(const Slice& slice, const Sink& sink) {
+  RIND_CHECK(!ended_);
   if (!state_.started) preamble(sink);
   start_layer(slice, sink);
   act(slice.bottom, sink);
-  const std::vector<LaidRoad> laid = laid_roads(slice, roads);
-  const std::vector<double> fan = plan_layer(laid);
-  set_up_layer(cooling_.fan_share, sink);
+}
+
+void MotionBuilder::lay(const Slice& slice, const LaidLayer& laid, const Sink& sink,
+                        const TravelSpace* space) {
+  set_up_layer(laid.fan_share, sink);
   SliceBoundary boundary(slice.region);
   space_ = space;
-  std::size_t way = 0;
-  for (const LaidRoad& each : laid) {
+  laid_ = &laid;
+  for (const LaidRoad& each : laid.roads) {
     level_ = each.spiral ? slice.bottom : top_;
     start_object(each.object, sink);
-    if (!joins_turn(each)) travel(each.stretches.front().points.front(), each.kind, boundary, sink);
-    road(each, fan, way, sink);
+    if (!joins_turn(each)) {
+      travel(each.stretches.front().way.points.front(), each.kind, boundary, sink);
+    }
+    road(each, sink);
     last_ = &each;
   }
   // The next layer does not know this road.
-  const bool turns_on = laid.back().spiral && !laid.back().spiral->last;
+  const std::optional<SpiralTurn>& turn = laid.roads.back().spiral;
+  const bool turns_on = turn && !turn->last;
   if (settings_.wipe && !turns_on) retract(sink);
   start_object(kNoObject, sink);
   last_ = nullptr;
   space_ = nullptr;
-}
-
-std::vector<MotionBuilder::LaidRoad> MotionBuilder::laid_roads(const Slice& slice,
-                                                               const std::vector<Road>& roads) {
-  areas_ = LaidAreas(slice.areas, settings_);
-  std::vector<LaidRoad> laid;
-  laid.reserve(roads.size());
-  for (const Road& each : roads) {
-    RIND_CHECK(each.points.size() >= 2);
-    std::vector<WidthStretch> stretches = width_stretches(as_laid(each), height_ * each.layers);
-    if (!each.spiral) stretches = areas_.cut(std::move(stretches));
-    laid.push_back({each.kind, is_small_perimeter(each), each.layers, each.closed, each.spiral,
-                    each.object, std::move(stretches)});
-  }
-  return laid;
-}
-
-// A closed road's end has a bead's blob, which its start's would double: it is opened at its seam.
-// A spiral's turn begins where the one below ended.
-Road MotionBuilder::as_laid(const Road& road) const {
-  if (!road.spiral) {
-    const bool opens = road.closed && settings_.seam_gap > Length();
-    return opens ? opened(road, settings_.seam_gap) : road;
-  }
-  Road turn = road;
-  if (state_.position_known) start_at(turn, nearest_place(turn.points, state_.position));
-  return turn;
+  laid_ = nullptr;
 }
 
 // Whether the road is a turn that the nozzle goes on to from the turn below, as it lays.
 bool MotionBuilder::joins_turn(const LaidRoad& road) const {
   if (!road.spiral || road.spiral->first() || !state_.position_known || state_.retracted)
     return false;
-  const WidthStretch& start = road.stretches.front();
+  const WidthStretch& start = road.stretches.front().way;
   return distance_mm(state_.position, start.points.front()) <= 2 * start.width.mm();
 }
 
-// Sets the layer's cooling; returns the fan's share for each stretch of its roads.
-std::vector<double> MotionBuilder::plan_layer(const std::vector<LaidRoad>& roads) {
-  std::vector<LaidWay> ways;
-  std::vector<FanWish> wishes;
-  const double growth = fan_growth(settings_, index_);
-  double travel_mm = 0;
-  for (std::size_t i = 0; i < roads.size(); ++i) {
-    const LaidRoad& road = roads[i];
-    if (i > 0) {
-      const WidthStretch& before = roads[i - 1].stretches.back();
-      const Point from = before.closed ? before.points.front() : before.points.back();
-      travel_mm += distance_mm(from, road.stretches.front().points.front());
-    }
-    for (const WidthStretch& stretch : road.stretches) {
-      const double mm = length_mm(stretch.points, stretch.closed);
-      ways.push_back({mm, speed_mm_s(road, stretch), slowing_of(stretch.kind)});
-      const double least = fan_share_least(settings_, stretch.kind, stretch.hold);
-      wishes.push_back({mm, in_whole_percents(least * growth)});
-    }
-  }
-  cooling_ = layer_cooling(settings_, index_,
-                           travel_mm / (speed_share_ * settings_.travel_speed_mm_s), ways);
-  return fan_plan(cooling_.fan_share, wishes);
-}
-
-void MotionBuilder::road(const LaidRoad& road, const std::vector<double>& fan, std::size_t& way,
-                         const Sink& sink) {
+void MotionBuilder::road(const LaidRoad& road, const Sink& sink) {
   ++totals_.roads;
   bool first = true;
   if (road.spiral) rise_.emplace(*road.spiral, level_, height_, length_mm(road.stretches));
   const int rounds = road.spiral && road.spiral->last ? 2 : 1;
   for (int round = 0; round < rounds; ++round) {
     if (round == 1) rise_->begin_top_round();
-    std::size_t at = way;
-    for (const WidthStretch& stretch : road.stretches) {
-      set_fan(fan[at++], sink);
-      set_acceleration(road_acceleration_mm_s2(settings_, index_, top_, stretch.kind), sink);
+    for (const LaidStretch& stretch : road.stretches) {
+      const WidthStretch& way = stretch.way;
+      set_fan(stretch.fan_share, sink);
+      set_acceleration(road_acceleration_mm_s2(settings_, index_, top_, way.kind), sink);
       if (first) {
-        sink(RoadStart{stretch.kind, stretch.width, road.layers});
+        sink(RoadStart{way.kind, way.width, road.layers});
       } else {
-        sink(RoadChange{stretch.kind, stretch.width});
+        sink(RoadChange{way.kind, way.width});
       }
-      const double slowdown = slowdown_of(cooling_, slowing_of(stretch.kind));
-      const double speed =
-          slowed_speed_mm_s(speed_mm_s(road, stretch), slowdown, settings_.slowed_speed_min_mm_s);
-      if (first && rise_) join_turn(stretch, speed, sink);
+      if (first && rise_) join_turn(way, stretch.speed_mm_s, sink);
       first = false;
-      lay(stretch, stretch.kind, speed, sink);
+      lay(stretch, sink);
     }
   }
-  way += road.stretches.size();
   rise_.reset();
 }
 
@@ -227,12 +192,10 @@ double MotionBuilder::filament_per_mm(const WidthStretch& stretch) const {
   return flow_factor(settings_, index_) * stretch.area_mm2 / (std::numbers::pi * d * d / 4);
 }
 
-void MotionBuilder::lay(const WidthStretch& stretch, RoadKind kind, double speed,
-                        const Sink& sink) {
-  const double per_mm = filament_per_mm(stretch);
-  const bool arcs = state_.arcs.value_or(false) && !rise_;
-  for (const RoadPiece& piece : pieces_.of(stretch, arcs, speed)) {
-    lay(piece, kind, per_mm, speed, sink);
+void MotionBuilder::lay(const LaidStretch& stretch, const Sink& sink) {
+  const double per_mm = filament_per_mm(stretch.way);
+  for (const RoadPiece& piece : laid_->pieces_of(stretch)) {
+    lay(piece, stretch.way.kind, per_mm, stretch.sent_speed_mm_s, sink);
   }
 }
 
@@ -341,10 +304,11 @@ void MotionBuilder::retract(const Sink& sink) {
 
 void MotionBuilder::wipe(const Sink& sink) {
   std::vector<Point> points;
-  for (const WidthStretch& stretch : last_->stretches) {
-    points.insert(points.end(), stretch.points.begin(), stretch.points.end());
+  for (const LaidStretch& stretch : last_->stretches) {
+    const std::vector<Point>& way = stretch.way.points;
+    points.insert(points.end(), way.begin(), way.end());
   }
-  if (last_->stretches.back().closed) points.push_back(points.front());
+  if (last_->stretches.back().way.closed) points.push_back(points.front());
   const WipePlan plan = wipe_plan(points, last_->loop, settings_);
   if (plan.before_mm > 0) {
     sink(MoveFilament{-plan.before_mm, settings_.retraction_speed_mm_s});
@@ -360,12 +324,6 @@ void MotionBuilder::unretract(const Sink& sink) {
   if (!state_.retracted) return;
   sink(MoveFilament{settings_.retraction_mm, settings_.retraction_speed_mm_s});
   state_.retracted = false;
-}
-
-double MotionBuilder::speed_mm_s(const LaidRoad& road, const WidthStretch& stretch) const {
-  const Settings* own = areas_.settings_of(stretch);
-  return speed_share_ * full_speed_mm_s(own != nullptr ? *own : settings_, index_,
-                                        {road.kind, road.small, stretch.hold, stretch.area_mm2});
 }
 
 }  // namespace core

@@ -25,11 +25,9 @@
 #include <vector>
 
 #include "core/motions/arc_fit.h"          // RoadPiece
-#include "core/motions/cooling.h"          // LayerCooling
 #include "core/motions/height_actions.h"   // HeightActions
-#include "core/motions/laid_areas.h"       // LaidAreas
+#include "core/motions/laid_layer.h"       // LaidLayer, LayerLaying
 #include "core/motions/motion.h"           // Motion
-#include "core/motions/road_pieces.h"      // RoadPieces
 #include "core/motions/slice_boundary.h"   // SliceBoundary
 #include "core/motions/spiral_rise.h"      // SpiralRise
 #include "core/motions/width_stretches.h"  // WidthStretch
@@ -94,6 +92,16 @@ class MotionBuilder {
   void layer(const Slice& slice, const std::vector<Road>& roads, const Sink& sink,
              const TravelSpace* space = nullptr);
 
+  // The same for roads that were prepared in any thread (laid_layer.h), where they suit: nothing but
+  // actions of an object before this one can make them not to.
+  [[nodiscard]] const LayerLaying& laying() const { return laying_; }
+  [[nodiscard]] bool suits(const LaidLayer& laid, const Slice& slice) const {
+    return !laid.roads.empty() && !laid.roads.front().spiral && laid.pace == pace_of(slice);
+  }
+  // REQUIRES: suits(laid, slice), and likewise.
+  void layer(const Slice& slice, const LaidLayer& laid, const Sink& sink,
+             const TravelSpace* space = nullptr);
+
   // The object at hand is finished, and the next one begins on the bed: the nozzle is lifted over
   // all that stands, and goes down again where the next road begins. Nothing when no layer had
   // roads.
@@ -127,31 +135,18 @@ class MotionBuilder {
   void take(const HeightAction& action, const Sink& sink);
   void tell_ways_again(const Sink& sink);
   void set_up_layer(double fan_share, const Sink& sink);
-  // A road in stretches of one width, opened at its seam.
-  struct LaidRoad {
-    RoadKind kind;
-    bool small;  // a small perimeter
-    int layers;  // Road::layers
-    bool loop;   // closed, but for the seam's gap
-    std::optional<SpiralTurn> spiral;
-    int object;
-    std::vector<WidthStretch> stretches;
-  };
-
-  [[nodiscard]] std::vector<LaidRoad> laid_roads(const Slice& slice,
-                                                 const std::vector<Road>& roads);
-  [[nodiscard]] Road as_laid(const Road& road) const;
+  [[nodiscard]] LayerPace pace_of(const Slice& slice) const;
+  void begin_layer(const Slice& slice, const Sink& sink);
+  void lay(const Slice& slice, const LaidLayer& laid, const Sink& sink, const TravelSpace* space);
   [[nodiscard]] bool joins_turn(const LaidRoad& road) const;
-  [[nodiscard]] std::vector<double> plan_layer(const std::vector<LaidRoad>& roads);
   void start_object(int object, const Sink& sink);
   void set_fan(double share, const Sink& sink);
   // 0: none is wanted.
   void set_acceleration(double mm_s2, const Sink& sink);
-  void road(const LaidRoad& road, const std::vector<double>& fan, std::size_t& way,
-            const Sink& sink);
+  void road(const LaidRoad& road, const Sink& sink);
   void join_turn(const WidthStretch& stretch, double speed, const Sink& sink);
   [[nodiscard]] double filament_per_mm(const WidthStretch& stretch) const;
-  void lay(const WidthStretch& stretch, RoadKind kind, double speed, const Sink& sink);
+  void lay(const LaidStretch& stretch, const Sink& sink);
   void lay(const RoadPiece& piece, RoadKind kind, double filament_per_mm, double speed,
            const Sink& sink);
   void lay_rising(const RoadPiece& piece, RoadKind kind, double filament_per_mm, double speed,
@@ -165,14 +160,13 @@ class MotionBuilder {
   void wipe(const Sink& sink);
   void unretract(const Sink& sink);
   void lift(Length to, const Sink& sink);
-  [[nodiscard]] double speed_mm_s(const LaidRoad& road, const WidthStretch& stretch) const;
 
   Settings settings_;  // with the values from heights so far
   HeightActions actions_;
-  RoadPieces pieces_;
+  LayerLaying laying_;
   double pressure_advance_s_;           // that the printer is left with; negative: as it is
   const TravelSpace* space_ = nullptr;  // of the layer at hand
-  LaidAreas areas_;                     // likewise
+  const LaidLayer* laid_ = nullptr;     // likewise
   const LaidRoad* last_ = nullptr;      // likewise
   int object_ = kNoObject;              // of the road at hand
   std::vector<std::string> object_lines_;
@@ -185,7 +179,6 @@ class MotionBuilder {
   Length height_;
   LayerIndex index_ = 0;
   double speed_share_ = 1;  // of every speed (height_slowdown.h)
-  LayerCooling cooling_;
 };
 
 }  // namespace core

@@ -20,13 +20,12 @@ const std::vector<RoadPiece>& RoadPieces::of(const WidthStretch& stretch, bool a
     return pieces_;
   }
   pieces_ = (arcs ? fitter_ : segments_).pieces(stretch.points, stretch.closed);
-  simplify_pieces(start, pieces_, settings_.segment_tolerance);
-  const double time_min_s = settings_.segment_time_min_ms / 1'000;
-  if (time_min_s <= 0) return pieces_;
-  merge_short_pieces(start, pieces_, speed_mm_s * time_min_s, settings_.segment_tolerance.mm());
+  simplify_pieces(start, pieces_, tolerance_);
+  if (time_min_s_ <= 0) return pieces_;
+  merge_short_pieces(start, pieces_, speed_mm_s * time_min_s_, tolerance_.mm());
   // However dense a spot is, it is no reason to stand on the part.
-  const double slowest = std::min(speed_mm_s, settings_.slowed_speed_min_mm_s);
-  speed_mm_s = std::max(slowest, sendable_speed(pieces_, speed_mm_s, time_min_s));
+  const double slowest = std::min(speed_mm_s, slowest_mm_s_);
+  speed_mm_s = std::max(slowest, sendable_speed(pieces_, speed_mm_s, time_min_s_));
   return pieces_;
 }
 
