@@ -42,6 +42,14 @@ class RingBuffer {
     return oldest;
   }
 
+  // The oldest goes. REQUIRES: !empty()
+  void drop() {
+    RIND_CHECK(!empty());
+    slots_[first_].reset();
+    first_ = slot(1);
+    --size_;
+  }
+
   // Counted from the oldest. REQUIRES: i < size()
   [[nodiscard]] const T& operator[](std::size_t i) const {
     RIND_CHECK(i < size_);

@@ -27,11 +27,18 @@ double reachable_speed(double speed, double length, double a) {
   return std::sqrt(speed * speed + 2 * a * length);
 }
 
-// What one axis is allowed, as seen along the way.
-double along_way(double limit, double share) {
-  const double magnitude = std::abs(share);
-  if (limit <= 0 || magnitude <= 0) return std::numeric_limits<double>::infinity();
-  return limit / magnitude;
+// By axis, 0 where it has no limit.
+AxisLimits inverse_of(const AxisLimits& limits) {
+  AxisLimits inverse{};
+  for (std::size_t axis = 0; axis < kMotionAxes; ++axis) {
+    if (limits[axis] > 0) inverse[axis] = 1 / limits[axis];
+  }
+  return inverse;
+}
+
+// The most along a way that takes, of one axis, this share of its limit.
+double most_of(double share) {
+  return share > 0 ? 1 / share : std::numeric_limits<double>::infinity();
 }
 
 bool filament_alone(const AxisLimits& direction) {
@@ -45,11 +52,14 @@ void check(const MotionModel& model) {
 
 }  // namespace
 
-MotionClock::MotionClock(const MotionModel& model) : model_(model) { check(model); }
+MotionClock::MotionClock(const MotionModel& model) { set_model(model); }
 
 void MotionClock::set_model(const MotionModel& model) {
   check(model);
   model_ = model;
+  per_speed_ = inverse_of(model.speed_max_mm_s);
+  per_acceleration_ = inverse_of(model.acceleration_max_mm_s2);
+  per_jerk_ = inverse_of(model.jerk_mm_s);
 }
 
 void MotionClock::set_place(double x_mm, double y_mm, double z_mm) {
@@ -111,24 +121,26 @@ void MotionClock::limit(const Move& move, bool round, Block& block) const {
   } else if (move.filament_mm == 0 && model_.travel_acceleration_mm_s2 > 0) {
     acceleration = model_.travel_acceleration_mm_s2;
   }
-  double speed = move.speed_mm_s;
-  double start = std::numeric_limits<double>::infinity();
+  double speed_share = 0, acceleration_share = 0, jerk_share = 0;
   for (std::size_t axis = 0; axis < kMotionAxes; ++axis) {
-    const double share = round && axis < 2 ? 1.0 : block.direction[axis];
-    speed = std::min(speed, along_way(model_.speed_max_mm_s[axis], share));
-    acceleration = std::min(acceleration, along_way(model_.acceleration_max_mm_s2[axis], share));
-    start = std::min(start, along_way(model_.jerk_mm_s[axis], block.direction[axis]));
+    const double along = std::abs(block.direction[axis]);
+    const double share = round && axis < 2 ? 1.0 : along;
+    speed_share = std::max(speed_share, share * per_speed_[axis]);
+    acceleration_share = std::max(acceleration_share, share * per_acceleration_[axis]);
+    jerk_share = std::max(jerk_share, along * per_jerk_[axis]);
   }
-  block.speed_mm_s = speed;
-  block.acceleration_mm_s2 = acceleration;
-  block.start_speed_mm_s = model_.jerks() ? std::min(start, speed) : 0;
+  block.speed_mm_s = std::min(move.speed_mm_s, most_of(speed_share));
+  block.acceleration_mm_s2 = std::min(acceleration, most_of(acceleration_share));
+  block.start_speed_mm_s = model_.jerks() ? std::min(most_of(jerk_share), block.speed_mm_s) : 0;
 }
 
-void MotionClock::push(Block block) {
+void MotionClock::push(const Block& next) {
+  Block block = next;
   if (moves_.full()) {
-    const Block oldest = *moves_.pop();
+    const Block& oldest = moves_[0];
     seconds_done_ += trapezoid_seconds(oldest.length_mm, oldest.entry_speed_mm_s, oldest.speed_mm_s,
-                                       moves_[0].entry_speed_mm_s, oldest.acceleration_mm_s2);
+                                       moves_[1].entry_speed_mm_s, oldest.acceleration_mm_s2);
+    moves_.drop();
     // The move that now comes first has started: its entry speed is fixed.
     moves_[0].entry_speed_max_mm_s = moves_[0].entry_speed_mm_s;
   }
@@ -165,13 +177,13 @@ void MotionClock::plan() {
 // The fastest at which no axis changes its speed by more than its jerk. An axis that turns back
 // stops first: the larger of both its speeds counts.
 double MotionClock::jerk_speed(const AxisLimits& before, const AxisLimits& after) const {
-  double speed = std::numeric_limits<double>::infinity();
+  double share = 0;
   for (std::size_t axis = 0; axis < kMotionAxes; ++axis) {
     const double u = before[axis], v = after[axis];
     const double change = u * v < 0 ? std::max(std::abs(u), std::abs(v)) : std::abs(u - v);
-    speed = std::min(speed, along_way(model_.jerk_mm_s[axis], change));
+    share = std::max(share, change * per_jerk_[axis]);
   }
-  return speed;
+  return most_of(share);
 }
 
 double MotionClock::corner_speed(const Block& before, const Block& after) const {

@@ -81,13 +81,14 @@ class MotionClock {
 
   [[nodiscard]] bool arc_directions(const Arc& arc, const Move& move, Block& block) const;
   void limit(const Move& move, bool round, Block& block) const;
-  void push(Block block);
+  void push(const Block& next);
   void plan();
   [[nodiscard]] double corner_speed(const Block& before, const Block& after) const;
   [[nodiscard]] double jerk_speed(const AxisLimits& before, const AxisLimits& after) const;
   [[nodiscard]] double exit_of(std::size_t block) const;
 
   MotionModel model_;
+  AxisLimits per_speed_{}, per_acceleration_{}, per_jerk_{};  // inverse limits; 0: none
   RingBuffer<Block> moves_{kLookAheadMoves};
   double seconds_done_ = 0;
   double x_mm_ = 0, y_mm_ = 0, z_mm_ = 0;

@@ -1,5 +1,7 @@
 #include "firmware_link/wire/line_codec.h"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstring>
 
@@ -189,15 +191,18 @@ char* write_fixed(char* at, std::int64_t value, int decimals) {
     magnitude = 0 - magnitude;
     *at++ = '-';
   }
-  const std::uint64_t unit = static_cast<std::uint64_t>(kPowerOf10[decimals]);
-  at = std::to_chars(at, at + 20, magnitude / unit).ptr;
-  std::uint64_t rest = magnitude % unit;
-  if (rest == 0) return at;
+  // All digits at once, with zeros in front where the point stands before the first of them.
+  std::array<char, 9 + 20> digits;
+  digits.fill('0');
+  char* const first = digits.data() + decimals;
+  char* end = std::to_chars(first, digits.data() + digits.size(), magnitude).ptr;
+  const char* whole = std::min(first, end - decimals - 1);
+  const char* const point = end - decimals;
+  while (whole < point) *at++ = *whole++;
+  while (end > point && end[-1] == '0') --end;
+  if (end == point) return at;
   *at++ = '.';
-  for (std::uint64_t power = unit / 10; rest != 0; power /= 10) {
-    *at++ = static_cast<char>('0' + rest / power);
-    rest %= power;
-  }
+  for (const char* digit = point; digit < end; ++digit) *at++ = *digit;
   return at;
 }
 

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <iterator>
+#include <string_view>
 #include <variant>
 
 #include "firmware_link/wire/line_codec.h"
@@ -44,6 +46,18 @@ const char* prusa_type_name(core::RoadKind kind) {
   }
   return "Custom";
 }
+
+namespace {
+
+// In mm.
+void write_length(std::string_view name, core::Length length, std::string& into) {
+  std::array<char, 24> digits;
+  const char* end = firmware_link::write_fixed(digits.data(), length.units(), 4);
+  into.append(name).append(
+      std::string_view(digits.data(), static_cast<std::size_t>(end - digits.data()))) += '\n';
+}
+
+}  // namespace
 
 void GcodeWriter::write(const core::Motion& motion,
                         const std::optional<firmware_link::Command>& command, std::string& into) {
@@ -91,11 +105,10 @@ void GcodeWriter::write_pause(std::string& into) const {
 
 void GcodeWriter::write_road(core::RoadKind kind, core::Length width, core::Length pressed,
                              std::string& into) {
-  const auto out = std::back_inserter(into);
   const core::Length height = kind == core::RoadKind::kBridge ? width : pressed;
-  if (kind_ != kind) fmt::format_to(out, ";TYPE:{}\n", prusa_type_name(kind));
-  if (!kind_ || width_ != width) fmt::format_to(out, ";WIDTH:{}\n", width.mm());
-  if (height_ != height) fmt::format_to(out, ";HEIGHT:{}\n", height.mm());
+  if (kind_ != kind) into.append(";TYPE:").append(prusa_type_name(kind)) += '\n';
+  if (!kind_ || width_ != width) write_length(";WIDTH:", width, into);
+  if (height_ != height) write_length(";HEIGHT:", height, into);
   kind_ = kind;
   width_ = width;
   height_ = height;

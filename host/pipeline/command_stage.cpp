@@ -19,10 +19,14 @@ CommandStage::CommandStage(const core::Settings& settings, const std::function<C
       clock_(settings),
       encoder_(settings),
       sink_([this](const core::Motion& motion) { send(motion); }),
-      of_files_{true, flavor_of(settings.gcode_flavor)} {}
+      of_files_{true, flavor_of(settings.gcode_flavor)} {
+  if (!form_ && builder_.arcs_undecided()) builder_.decide_arcs(of_files_.arcs);
+  note_arcs();
+}
 
 void CommandStage::resume_from(const Checkpoint& start) {
   builder_.resume_from(start.motions);
+  note_arcs();
   encoder_.resume_from(start.encoder);
   form_decided_ = true;
   commands_ = start.commands;
@@ -50,24 +54,49 @@ std::vector<core::Road> CommandStage::wanted(std::vector<core::Road> roads,
   return roads;
 }
 
-void CommandStage::layer(const core::Slice& slice, const std::vector<core::Road>& roads,
-                         const core::SeamMemory& seams_before, const core::TravelSpace* space) {
-  if (objects_.empty()) return lay(slice, roads, seams_before, space);
-  lay(slice, wanted(roads, slice.index), seams_before, space);
+void CommandStage::note_arcs() {
+  if (builder_.arcs_undecided()) return;
+  arcs_ = builder_.state().arcs.value();
+  arcs_decided_ = true;
 }
 
-void CommandStage::lay(const core::Slice& slice, const std::vector<core::Road>& roads,
-                       const core::SeamMemory& seams_before, const core::TravelSpace* space) {
-  if (roads.empty()) return;
+std::optional<core::LaidLayer> CommandStage::prepared(const core::Slice& slice,
+                                                      const std::vector<core::Road>& roads) const {
+  if (roads.empty() || roads.front().spiral || !arcs_decided_) return std::nullopt;
+  core::Slice of_object = slice;
+  of_object.index -= layers_before_;
+  const core::LayerLaying& laying = builder_.laying();
+  const core::LayerPace pace =
+      laying.pace(of_object, laying.actions_below(slice.bottom), arcs_.load());
+  if (objects_.empty()) return laying.lay(of_object, roads, pace, std::nullopt);
+  std::vector<core::Road> marked = roads;
+  map_.mark(marked);
+  return laying.lay(of_object, marked, pace, std::nullopt);
+}
+
+void CommandStage::layer(const NextLayer& next) {
+  if (objects_.empty()) return lay(next);
+  const std::vector<core::Road> roads = wanted(next.roads, next.slice.index);
+  const bool all = roads.size() == next.roads.size();
+  lay({next.slice, roads, all ? next.laid : nullptr, next.seams_before, next.space});
+}
+
+void CommandStage::lay(const NextLayer& next) {
+  const core::Slice& slice = next.slice;
+  if (next.roads.empty()) return;
   decide_form();
   if (outputs_.on_checkpoint && !refused_) {
     outputs_.on_checkpoint({slice.index, slice.bottom, commands_,
                             filament_before_mm_ + total_mm(builder_.totals().filament_mm),
-                            builder_.state(), encoder_.state(), seams_before});
+                            builder_.state(), encoder_.state(), next.seams_before});
   }
   core::Slice of_object = slice;
   of_object.index -= layers_before_;
-  builder_.layer(of_object, roads, sink_, space);
+  if (next.laid != nullptr && builder_.suits(*next.laid, of_object)) {
+    builder_.layer(of_object, *next.laid, sink_, next.space);
+  } else {
+    builder_.layer(of_object, next.roads, sink_, next.space);
+  }
 }
 
 void CommandStage::preheat() {
@@ -83,6 +112,7 @@ void CommandStage::decide_form() {
   encoder_.set_labels(labels);
   clock_.set_flavor(form.flavor);
   if (builder_.arcs_undecided()) builder_.decide_arcs(form.arcs);
+  note_arcs();
 }
 
 void CommandStage::send(const core::Motion& motion) {

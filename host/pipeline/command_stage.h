@@ -4,9 +4,11 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "core/motions/laid_layer.h"        // LaidLayer
 #include "core/motions/motion_builder.h"    // MotionBuilder
 #include "core/roads/road.h"                // Road
 #include "core/roads/seams.h"               // SeamMemory
@@ -49,10 +51,20 @@ class CommandStage {
   void begin_object(core::LayerIndex layers_before) { layers_before_ = layers_before; }
   void leave_object() { builder_.leave_object(sink_); }
 
-  // The next layer up, counted from the print's first. `seams_before`: of the layers below it.
-  // `space`: where travel stays in the part; none: it goes straight.
-  void layer(const core::Slice& slice, const std::vector<core::Road>& roads,
-             const core::SeamMemory& seams_before, const core::TravelSpace* space);
+  // How a layer is laid, by any thread, before its turn. Of the slice, all but the region counts.
+  // Nothing where only its turn tells: a spiral, or before it is known whether there are arcs.
+  [[nodiscard]] std::optional<core::LaidLayer> prepared(const core::Slice& slice,
+                                                        const std::vector<core::Road>& roads) const;
+
+  // The next layer up, counted from the print's first.
+  struct NextLayer {
+    const core::Slice& slice;
+    const std::vector<core::Road>& roads;
+    const core::LaidLayer* laid = nullptr;     // of these roads; null: not prepared
+    const core::SeamMemory& seams_before;      // of the layers below
+    const core::TravelSpace* space = nullptr;  // where travel stays in the part; null: straight
+  };
+  void layer(const NextLayer& next);
 
   void finish() { builder_.finish(sink_); }
   // A warning about the first action that was never due (core/motions/height_actions.h).
@@ -68,9 +80,9 @@ class CommandStage {
   // Tells whose roads they are; leaves out those of objects that nobody wants any more.
   [[nodiscard]] std::vector<core::Road> wanted(std::vector<core::Road> roads,
                                                core::LayerIndex layer) const;
-  void lay(const core::Slice& slice, const std::vector<core::Road>& roads,
-           const core::SeamMemory& seams_before, const core::TravelSpace* space);
+  void lay(const NextLayer& next);
   void decide_form();
+  void note_arcs();
   // A motion of the object at hand; and as one of the print, whose layers are counted through.
   void send(const core::Motion& motion);
   void pass_on(const core::Motion& motion);
@@ -85,6 +97,7 @@ class CommandStage {
   core::MotionBuilder::Sink sink_;
   CommandForm of_files_;
   bool form_decided_ = false;
+  std::atomic<bool> arcs_decided_ = false, arcs_ = false;  // of builder_, for all threads
   std::vector<PartObject> objects_;
   ObjectMap map_{{}};
   PrintedObjects* printed_ = nullptr;

@@ -16,6 +16,7 @@
 #include "core/supports/support_fold.h"   // SupportLayer
 #include "core/supports/support_roads.h"  // SupportPlanner
 #include "core/units.h"                   // LayerIndex, Length
+#include "host/pipeline/laid_roads.h"     // LaidRoads
 #include "host/pipeline/stage_meter.h"    // StageUse
 
 namespace host {
@@ -26,6 +27,7 @@ struct SettledLayer {
   core::LayerPlanner::Reservation reserved;
   std::shared_ptr<const core::SeamMemory> seams_before;  // of the layers below
   core::LayerPlanner::Ordering ordering;
+  std::shared_ptr<LaidRoads> laid;
   std::optional<std::string> pause;  // why to pause before it
   core::SupportPlanner::Reservation support;
 };

@@ -25,6 +25,7 @@
 #include "host/pipeline/part_source.h"
 #include "host/pipeline/pauses_ahead.h"
 #include "host/pipeline/raft_stage.h"
+#include "host/pipeline/run_end.h"
 #include "host/system/memory_budget.h"
 
 namespace host {
@@ -40,9 +41,9 @@ class PartPipeline {
         signals_(signals),
         statistics_(statistics),
         commands_(commands),
-        refused_(refused),
+        run_(refused, signals.stop_asked),
         raft_(print_plan.settings, print_plan.start),
-        source_(print_plan, settings_, signals, [this] { return stopped(); }),
+        source_(print_plan, settings_, signals, [this] { return run_.stopped(); }),
         supports_(source_.supports()),
         inside_(source_.inside()),
         watch_(signals.on_slow_layer, signals.slow_layer_s),
@@ -51,6 +52,7 @@ class PartPipeline {
         ahead_(core::seam_layers_ahead(settings_)),
         blocks_(settings_),
         planner_(settings_),
+        laid_(2 * static_cast<std::size_t>(core::loose_block_layers(settings_))),
         floating_(print_plan.on_floating, print_plan.part_path, signals.warnings) {
     plan_.part.layers =
         vase_layers(std::move(plan_.part.layers), settings_, plan_.part_path, signals_.warnings);
@@ -102,7 +104,7 @@ class PartPipeline {
 
   // Called in order. After the last slice it gives empty batches until the window is empty.
   std::unique_ptr<LayerBatch> take() {
-    if (window_emptied_ || stopped()) return nullptr;
+    if (window_emptied_ || run_.stopped()) return nullptr;
     auto batch = std::make_unique<LayerBatch>();
     if (source_ended_) return batch;
     const StageMeter meter(Stage::kSlice, batch->use);
@@ -118,7 +120,7 @@ class PartPipeline {
       if (!next.ok()) return next.error();
       taken = std::move(next).value();
       supports_.keep(taken.support, batch.supports);
-      if (!taken.slice || stopped()) return {};
+      if (!taken.slice || run_.stopped()) return {};
     } while (plan_.start && is_far_below(*taken.slice, *raft_.start_in_part(), settings_));
     batch.pause = std::move(taken.pause);
     core::Slice& slice = *taken.slice;
@@ -181,21 +183,17 @@ class PartPipeline {
     if (window_emptied_) blocks_.end();
     while (std::optional<core::SplitLayer> layer = blocks_.next()) {
       if (below_start(*layer)) continue;
-      const core::LayerIndex index = layer->slice.index;
-      const core::Length bottom = layer->slice.bottom;
-      core::SupportPlanner::Reservation support;
+      SettledLayer next;
+      next.index = layer->slice.index;
+      next.bottom = layer->slice.bottom;
       if (supports_.wanted()) {
         core::Result<core::SupportPlanner::Reservation> found = supports_.reserve(*layer);
         if (!found.ok()) return void(batch.error = found.error());
-        support = std::move(found).value();
+        next.support = std::move(found).value();
       }
-      batch.settled.push_back({index,
-                               bottom,
-                               planner_.reserve(*std::move(layer)),
-                               {},
-                               {},
-                               pauses_.take(index),
-                               std::move(support)});
+      next.reserved = planner_.reserve(*std::move(layer));
+      next.pause = pauses_.take(next.index);
+      batch.settled.push_back(std::move(next));
     }
   }
 
@@ -220,27 +218,41 @@ class PartPipeline {
     for (SettledLayer& settled : batch.settled) {
       settled.seams_before = std::make_shared<const core::SeamMemory>(planner_.seam_memory());
       settled.ordering = planner_.place_seams(settled.reserved.plan, settled.index);
+      settled.laid = laid_.of(settled.ordering.roads, settled.support.plan.get());
     }
   }
 
   void order(LayerBatch& batch) {
-    const StageMeter meter(Stage::kRoads, batch.use);
     for (SettledLayer& settled : batch.settled) {
       if (!settled.ordering.to_order) continue;
       const LayerWatch::Look look = watched(settled, batch);
-      planner_.order(*settled.reserved.plan, settled.ordering);
+      {
+        const StageMeter meter(Stage::kRoads, batch.use);
+        planner_.order(*settled.reserved.plan, settled.ordering);
+      }
+      const StageMeter meter(Stage::kLay, batch.use);
+      prepare(settled);
     }
+  }
+
+  void prepare(SettledLayer& settled) {
+    if (!outputs_.on_motion) return;
+    const core::Slice& planned = settled.reserved.plan->layer.slice;
+    core::Slice slice{settled.index, settled.bottom, planned.height, {}, {}, {}, planned.areas};
+    slice = raft_.lifted(std::move(slice));
+    slice.index += layers_before();
+    settled.laid->prepare(commands_, slice, *settled.ordering.roads);
   }
 
   // In order.
   void give(LayerBatch& batch) {
-    if (stopped()) return;
-    if (batch.error) return fail(*batch.error);
+    if (run_.stopped()) return;
+    if (batch.error) return run_.fail(*batch.error);
     {
       const StageMeter meter(Stage::kEncode, batch.use);
       for (const SettledLayer& settled : batch.settled) {
-        if (core::Status given = give(settled); !given.ok()) return fail(given.error());
-        if (stopped()) return;
+        if (core::Status given = give(settled); !given.ok()) return run_.fail(given.error());
+        if (run_.stopped()) return;
       }
     }
     statistics_.retries.mountains += batch.offset_retries;
@@ -251,15 +263,10 @@ class PartPipeline {
     statistics_.pace.add(counts_.given, computing_s, commands_.seconds());
   }
 
-  void fail(const core::Error& error) {
-    error_ = error;
-    refused_ = true;
-  }
-
   // Of the part; and before its first layer those of the raft.
   core::Status give(const SettledLayer& settled) {
     if (settled.index == 0 && wants_roads()) {
-      if (core::Status laid = give_raft(settled); !laid.ok() || stopped()) return laid;
+      if (core::Status laid = give_raft(settled); !laid.ok() || run_.stopped()) return laid;
     }
     if (settled.pause && outputs_.on_pause) outputs_.on_pause(*settled.pause);
     const core::LayerPlan& plan = *settled.reserved.plan;
@@ -273,44 +280,43 @@ class PartPipeline {
     statistics_.add_volume(layer, plan.regularised_mm3);
     if (core::Status held = floating_.check(slice, plan.hanging); !held.ok()) return held;
     statistics_.hanging.add(slice.index, slice.bottom, plan.hanging);
-    keep(outputs_.on_layer ? outputs_.on_layer(layer) : true);
+    run_.keep(outputs_.on_layer ? outputs_.on_layer(layer) : true);
     if (!wants_roads()) return {};
     const std::vector<core::Road>& roads = *settled.ordering.roads;
     counts_.part_roads += roads.size();
-    const core::TravelSpace* space = plan.travel_space.get();
-    if (!settled.support.plan) return lay(layer, roads, *settled.seams_before, space);
-    return lay(layer, core::with_supports(settled.support.plan->roads, roads),
-               *settled.seams_before, space);
+    LaidRoads& laid = *settled.laid;
+    return lay(layer, {layer.slice, laid.with_supports(roads), laid.prepared(),
+                       *settled.seams_before, plan.travel_space.get()});
   }
 
   core::Status give_raft(const SettledLayer& settled) {
     const auto give = [&](const core::RaftLayer& laid) -> core::Status {
-      if (stopped()) return {};
+      if (run_.stopped()) return {};
       ++counts_.raft_layers;
       core::SplitLayer layer = laid.layer;
       layer.slice.index += layers_before();
-      keep(outputs_.on_layer ? outputs_.on_layer(layer) : true);
-      return lay(layer, laid.roads, *settled.seams_before, nullptr);
+      run_.keep(outputs_.on_layer ? outputs_.on_layer(layer) : true);
+      return lay(layer, {layer.slice, laid.roads, nullptr, *settled.seams_before, nullptr});
     };
     return raft_.lay(settled.reserved.plan->layer, plan_.part_path, watch_, give);
   }
 
-  core::Status lay(const core::SplitLayer& layer, const std::vector<core::Road>& roads,
-                   const core::SeamMemory& seams_before, const core::TravelSpace* space) {
+  core::Status lay(const core::SplitLayer& layer, const CommandStage::NextLayer& next) {
+    const std::vector<core::Road>& roads = next.roads;
     core::Status fits = check_on_bed(plan_.part_path, layer.slice, roads, settings_);
     if (!fits.ok()) return fits;
     statistics_.roads += static_cast<std::int64_t>(roads.size());
-    keep(outputs_.on_roads ? outputs_.on_roads(layer, roads) : true);
-    if (outputs_.on_motion) commands_.layer(layer.slice, roads, seams_before, space);
-    const core::LayerIndex next = layer.slice.index + 1;
-    if (plan_.turn && signals_.objects.left_out(plan_.turn->object, next)) cancelled_ = true;
+    run_.keep(outputs_.on_roads ? outputs_.on_roads(layer, roads) : true);
+    if (outputs_.on_motion) commands_.layer(next);
+    const core::LayerIndex above = layer.slice.index + 1;
+    if (plan_.turn && signals_.objects.left_out(plan_.turn->object, above)) run_.cancel();
     return {};
   }
 
   core::Result<PipelineEnd> finish() {
-    if (error_) return *error_;
-    if (cancelled_ && !refused_) return PipelineEnd::kDone;
-    if (stopped()) return PipelineEnd::kStopped;
+    if (run_.error()) return *run_.error();
+    if (run_.only_cancelled()) return PipelineEnd::kDone;
+    if (run_.stopped()) return PipelineEnd::kStopped;
     if (wants_roads() && counts_.part_roads == 0) {
       return no_road_fits(plan_.part_path, settings_);
     }
@@ -338,12 +344,6 @@ class PartPipeline {
     return plan_.turn ? plan_.turn->layers_before : 0;
   }
   [[nodiscard]] bool wants_roads() const { return outputs_.on_roads || outputs_.on_motion; }
-  void keep(bool go_on) {
-    if (!go_on) refused_ = true;
-  }
-  [[nodiscard]] bool stopped() const {
-    return refused_ || cancelled_ || (signals_.stop_asked && signals_.stop_asked());
-  }
 
   PrintPlan& plan_;
   const core::Settings settings_;
@@ -353,8 +353,7 @@ class PartPipeline {
 
   const double sliced_before_s_ = statistics_.clock.seconds(Stage::kSlice);
   CommandStage& commands_;
-  std::atomic<bool>& refused_;           // an output returned false, or there was an error
-  std::atomic<bool> cancelled_ = false;  // nobody wants the rest of the object
+  RunEnd run_;
 
   RaftStage raft_;
 
@@ -372,6 +371,7 @@ class PartPipeline {
   core::CornersAhead ahead_;
   core::LooseBlocks blocks_;
   core::LayerPlanner planner_;  // plan() only reads its settings
+  LaidRoadsMemory laid_;        // of place_seams()
   std::atomic<bool> window_emptied_ = false;
   PausesAhead pauses_;
 
@@ -383,7 +383,6 @@ class PartPipeline {
     std::size_t part_roads = 0;
     core::LayerIndex given = 0;  // the last one
   } counts_;
-  std::optional<core::Error> error_;
 };
 
 }  // namespace
