@@ -106,8 +106,8 @@ void MotionBuilder::layer(const Slice& slice, const std::vector<Road>& roads, co
   lay(slice, laying_.lay(slice, roads, pace_of(slice), from), sink, space);
 }
 
-void MotionBuilder::layer(const Slice& slice, const LaidLayer& laid, const Sink& sink,
-                          const TravelSpace* space) {
+void MotionBuilder::prepared_layer(const Slice& slice, const LaidLayer& laid, const Sink& sink,
+                                   const TravelSpace* space) {
   RIND_CHECK(suits(laid, slice));
   begin_layer(slice, sink);
   lay(slice, laid, sink, space);

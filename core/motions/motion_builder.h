@@ -92,15 +92,15 @@ class MotionBuilder {
   void layer(const Slice& slice, const std::vector<Road>& roads, const Sink& sink,
              const TravelSpace* space = nullptr);
 
-  // The same for roads that were prepared in any thread (laid_layer.h), where they suit: nothing but
-  // actions of an object before this one can make them not to.
+  // The same for roads that were prepared in any thread (laid_layer.h), where they suit: only
+  // actions at heights of an object before this one, and a spiral, can make them not to.
   [[nodiscard]] const LayerLaying& laying() const { return laying_; }
   [[nodiscard]] bool suits(const LaidLayer& laid, const Slice& slice) const {
     return !laid.roads.empty() && !laid.roads.front().spiral && laid.pace == pace_of(slice);
   }
   // REQUIRES: suits(laid, slice), and likewise.
-  void layer(const Slice& slice, const LaidLayer& laid, const Sink& sink,
-             const TravelSpace* space = nullptr);
+  void prepared_layer(const Slice& slice, const LaidLayer& laid, const Sink& sink,
+                      const TravelSpace* space = nullptr);
 
   // The object at hand is finished, and the next one begins on the bed: the nozzle is lifted over
   // all that stands, and goes down again where the next road begins. Nothing when no layer had

@@ -93,7 +93,7 @@ void CommandStage::lay(const NextLayer& next) {
   core::Slice of_object = slice;
   of_object.index -= layers_before_;
   if (next.laid != nullptr && builder_.suits(*next.laid, of_object)) {
-    builder_.layer(of_object, *next.laid, sink_, next.space);
+    builder_.prepared_layer(of_object, *next.laid, sink_, next.space);
   } else {
     builder_.layer(of_object, next.roads, sink_, next.space);
   }
