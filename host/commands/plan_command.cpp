@@ -58,6 +58,10 @@ std::string model_text(const PrintSettings& settings) {
       corners, core::kLookAheadMoves, assumed_limits_text(settings));
 }
 
+SpoolCheck spool_of(double left_mm, const GeometryStatistics& statistics) {
+  return spool_check(left_mm, statistics.needed_mm, statistics.needed_to_change_mm);
+}
+
 // As they are cancelled by.
 std::string objects_text(const std::vector<PartObject>& objects) {
   constexpr std::size_t kNamedMax = 24;
@@ -120,7 +124,7 @@ std::string table(const Options& options, const PrintPlan& print_plan,
                    statistics.volumes.regularised_mm3 * statistics.volumes.filament_density_g_mm3);
   }
   if (left_mm) {
-    fmt::format_to(out, "spool      {}\n", spool_text({*left_mm, statistics.needed_mm}));
+    fmt::format_to(out, "spool      {}\n", spool_text(spool_of(*left_mm, statistics)));
   }
   fmt::format_to(out, "time       about {}, without heating up ({})\n",
                  duration_text(statistics.time_s), model_text(print_plan.settings));
@@ -162,8 +166,11 @@ std::string json_of(const Options& options, const PrintPlan& print_plan,
     if (settings.filament_cost_kg > 0) json["price"] = grams * 1e-3 * settings.filament_cost_kg;
   }
   if (!settings.limits_assumed.empty()) json["limits_assumed"] = settings.limits_assumed;
+  if (const auto to_change_mm = statistics.needed_to_change_mm) {
+    json["needed_to_change_mm"] = *to_change_mm;
+  }
   if (left_mm) {
-    const SpoolCheck check{*left_mm, statistics.needed_mm};
+    const SpoolCheck check = spool_of(*left_mm, statistics);
     json["spool_left_mm"] = check.left_mm;
     json["spool_enough"] = check.enough();
   }

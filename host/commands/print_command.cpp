@@ -223,8 +223,11 @@ int print_command(const Options& told, Reporter& reporter) {
   JournalKeeper keeper;
   plan_journal(options, choice.value(), usb, print_plan, keeper);
   return run_print(options, print_plan, keeper,
-                   {usb, space_in(print_plan.settings, options), {}, left_mm.value()}, started_s,
-                   reporter);
+                   {usb,
+                    space_in(print_plan.settings, options),
+                    {},
+                    counted_down_mm(left_mm.value(), print_plan)},
+                   started_s, reporter);
 }
 
 }  // namespace host

@@ -129,7 +129,8 @@ int plan_ready(const Options& options, const PrintSettings& settings,
   const ReadySummary& summary = file->summary();
   const Result<std::optional<double>> left_mm = spool_left_mm(options, settings);
   if (!left_mm.ok()) return fail(left_mm.error(), reporter);
-  const SpoolCheck spool{left_mm.value().value_or(0), summary.needed_mm};
+  const SpoolCheck spool =
+      spool_check(left_mm.value().value_or(0), summary.needed_mm, summary.needed_to_change_mm);
   const auto mm = [](std::int64_t units) { return core::Length::from_units(units).mm(); };
   const core::Box& box = summary.box;
   const bool boxed = !box.empty();
@@ -147,6 +148,7 @@ int plan_ready(const Options& options, const PrintSettings& settings,
                                    {"motion_clock_s", summary.clock_s},
                                    {"needed_mm", summary.needed_mm}};
     if (!settings.limits_assumed.empty()) json["limits_assumed"] = settings.limits_assumed;
+    if (summary.needed_to_change_mm) json["needed_to_change_mm"] = *summary.needed_to_change_mm;
     if (left_mm.value()) {
       json["spool_left_mm"] = spool.left_mm;
       json["spool_enough"] = spool.enough();

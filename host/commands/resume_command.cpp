@@ -8,6 +8,7 @@
 #include "host/commands/print_run.h"
 #include "host/commands/program_control.h"    // ask_nozzle_height
 #include "host/commands/resume_choice.h"      // list_journals, journal_named
+#include "host/commands/spool_check.h"        // check_spool
 #include "host/presets/printer_file.h"        // kNoPrinter
 #include "host/printing/journal_directory.h"  // layer_text, state_text
 #include "host/settings/settings_file.h"      // load_settings
@@ -179,6 +180,10 @@ int resume_command(const Options& told, Reporter& reporter) {
       "resuming",
       fmt::format("{}: {}, at {}", head.part_title, state_text(record.state), layer_text(record)),
       {{"layer", record.checkpoint.layer + 1}});
+  const Result<std::optional<double>> left_mm = spool_left_mm(options, print_plan.value().settings);
+  if (!left_mm.ok()) return fail(left_mm.error(), reporter);
+  const double used_mm = record.checkpoint.filament_mm;
+  if (const std::optional<int> ended = check_spool(options, reporter, used_mm)) return *ended;
   const Result<std::int64_t> z_um = nozzle_height(options, record, reporter);
   if (!z_um.ok() && stop_signal_count() > 0) return stopped(options, reporter);
   if (!z_um.ok()) {
@@ -189,8 +194,9 @@ int resume_command(const Options& told, Reporter& reporter) {
   keeper.take_up(std::move(journal).value());
   Resumption resumption{record, boot_name() == head.boot, z_um.value()};
   const std::string usb = options.link.port == "virtual" ? "" : usb_of(options.link.port);
-  return run_print(options, print_plan.value(), keeper, {usb, space, resumption}, started_s,
-                   reporter);
+  return run_print(options, print_plan.value(), keeper,
+                   {usb, space, resumption, counted_down_mm(left_mm.value(), print_plan.value())},
+                   started_s, reporter);
 }
 
 }  // namespace host

@@ -24,7 +24,7 @@ std::string length_text(double mm) {
 }
 
 core::Result<SpoolCheck> of_ready(const Options& options, const std::shared_ptr<ReadyFile>& file,
-                                  Reporter& quiet) {
+                                  double used_mm, Reporter& quiet) {
   const core::Result<WholeSettings> whole = load_settings_of(options, quiet);
   if (!whole.ok()) return whole.error();
   const PrintSettings& settings = whole.value().settings;
@@ -32,11 +32,14 @@ core::Result<SpoolCheck> of_ready(const Options& options, const std::shared_ptr<
   if (!left_mm.ok()) return left_mm.error();
   const core::Result<PrintPlan> plan = ready_plan(options, settings, file, quiet);
   if (!plan.ok()) return plan.error();
-  return SpoolCheck{left_mm.value(), file->summary().needed_mm};
+  const ReadySummary& summary = file->summary();
+  return spool_check(left_mm.value(), summary.needed_mm, summary.needed_to_change_mm, used_mm);
 }
 
-core::Result<SpoolCheck> planned(const Options& told, Reporter& reporter) {
+core::Result<SpoolCheck> planned(const Options& told, double used_mm, Reporter& reporter) {
   Options options = told;
+  // The height was confirmed when the print was started.
+  if (told.subcommand == Subcommand::kResume) options.part.tall = true;
   options.subcommand = Subcommand::kPlan;  // reads all
   // The print itself tells its notes.
   Reporter::Options silent;
@@ -44,13 +47,12 @@ core::Result<SpoolCheck> planned(const Options& told, Reporter& reporter) {
   Reporter quiet(silent);
   const core::Result<std::shared_ptr<ReadyFile>> ready = open_ready(options);
   if (!ready.ok()) return ready.error();
-  if (ready.value()) return of_ready(options, ready.value(), quiet);
+  if (ready.value()) return of_ready(options, ready.value(), used_mm, quiet);
   core::Result<PrintPlan> opened = open_print_plan(options, quiet);
   if (!opened.ok()) return opened.error();
   PrintPlan& plan = opened.value();
   const core::Result<double> left_mm = spool_mm(*options.spool_left, plan.settings);
   if (!left_mm.ok()) return left_mm.error();
-  SpoolCheck check{left_mm.value()};
   reporter.note("spool", "planning the whole print first, for --spool-left");
   PipelineOutputs outputs;
   outputs.on_motion = [](const auto&, const auto&) { return stop_signal_count() == 0; };
@@ -59,8 +61,8 @@ core::Result<SpoolCheck> planned(const Options& told, Reporter& reporter) {
   GeometryStatistics statistics;
   const core::Result<PipelineEnd> end = run_pipeline(plan, outputs, signals, statistics);
   if (!end.ok()) return end.error();
-  check.needed_mm = statistics.needed_mm;
-  return check;
+  return spool_check(left_mm.value(), statistics.needed_mm, statistics.needed_to_change_mm,
+                     used_mm);
 }
 
 // Whether the print may begin all the same.
@@ -73,12 +75,21 @@ bool consents(const std::string& what) {
 
 }  // namespace
 
+SpoolCheck spool_check(double left_mm, double needed_mm, std::optional<double> to_change_mm,
+                       double used_mm) {
+  // A print that is resumed may have a new spool already.
+  const bool until_change = to_change_mm && *to_change_mm > used_mm;
+  const double until_mm = until_change ? *to_change_mm : needed_mm;
+  return {left_mm, std::max(0.0, until_mm - used_mm), until_change};
+}
+
 std::string spool_text(const SpoolCheck& check) {
   const double rest_mm = check.left_mm - check.needed_mm;
-  return fmt::format("{} are left: {}", length_text(check.left_mm),
+  return fmt::format("{} are left: {}{}", length_text(check.left_mm),
                      check.enough()
                          ? fmt::format("enough, {} stay on the spool", length_text(rest_mm))
-                         : fmt::format("too short by {}", length_text(-rest_mm)));
+                         : fmt::format("too short by {}", length_text(-rest_mm)),
+                     check.until_change ? ", when M600 asks for another one" : "");
 }
 
 core::Result<std::optional<double>> spool_left_mm(const Options& options,
@@ -89,7 +100,7 @@ core::Result<std::optional<double>> spool_left_mm(const Options& options,
   return std::optional(left_mm.value());
 }
 
-std::optional<int> check_spool(const Options& options, Reporter& reporter) {
+std::optional<int> check_spool(const Options& options, Reporter& reporter, double used_mm) {
   if (!options.spool_left) return std::nullopt;
   if (!rereadable(options)) {
     reporter.note("warning",
@@ -97,11 +108,13 @@ std::optional<int> check_spool(const Options& options, Reporter& reporter) {
                   "known; what is left is counted down while it is printed");
     return std::nullopt;
   }
-  const core::Result<SpoolCheck> check = planned(options, reporter);
+  const core::Result<SpoolCheck> check = planned(options, used_mm, reporter);
   if (stop_signal_count() > 0) return stopped(options, reporter);
   if (!check.ok()) return fail(check.error(), reporter);
-  const std::string text = fmt::format("the print needs {:.2f} m of filament; {}",
-                                       check.value().needed_mm / 1'000, spool_text(check.value()));
+  const std::string text = fmt::format(
+      "{} needs {:.2f} m of filament{}; {}", used_mm > 0 ? "the rest of the print" : "the print",
+      check.value().needed_mm / 1'000,
+      check.value().until_change ? " until it is changed by M600" : "", spool_text(check.value()));
   const EventFields fields = {{"needed_mm", check.value().needed_mm},
                               {"spool_left_mm", check.value().left_mm},
                               {"spool_enough", check.value().enough()}};
@@ -117,6 +130,16 @@ std::optional<int> check_spool(const Options& options, Reporter& reporter) {
                      "--spool-left",
                  kExitUsage);
   return kExitUsage;
+}
+
+std::optional<double> counted_down_mm(std::optional<double> left_mm, const PrintPlan& print_plan) {
+  const std::vector<std::string>& actions = print_plan.settings.at_height;
+  const bool changes = print_plan.ready
+                           ? print_plan.ready->summary().needed_to_change_mm.has_value()
+                           : std::any_of(actions.begin(), actions.end(), [](const auto& action) {
+                               return action.find("M600") != std::string::npos;
+                             });
+  return changes ? std::nullopt : left_mm;
 }
 
 bool rereadable(const Options& options) {

@@ -9,6 +9,7 @@
 
 #include "core/result.h"             // Result
 #include "core/settings.h"           // Settings
+#include "host/pipeline/pipeline.h"  // PrintPlan
 #include "host/printing/progress.h"  // Reporter
 #include "host/settings/options.h"   // Options
 
@@ -17,11 +18,18 @@ namespace host {
 struct SpoolCheck {
   double left_mm = 0;
   double needed_mm = 0;
+  bool until_change = false;  // it is what is needed up to an M600, which asks for a new spool
 
   [[nodiscard]] bool enough() const { return needed_mm <= left_mm; }
 };
 
-// "12.00 m are left: enough, 2.18 m stay on the spool"
+// What is needed of the spool at hand. `to_change_mm`: of `needed_mm`, up to the first M600.
+// `used_mm`: what was used before, by a print that is resumed.
+[[nodiscard]] SpoolCheck spool_check(double left_mm, double needed_mm,
+                                     std::optional<double> to_change_mm, double used_mm = 0);
+
+// "12.00 m are left: enough, 2.18 m stay on the spool"; with until_change, "…, when M600 asks for
+// another one".
 [[nodiscard]] std::string spool_text(const SpoolCheck& check);
 
 // What is left on the spool, in mm; nothing: nobody has said so. Errors: those of spool_mm().
@@ -30,9 +38,16 @@ struct SpoolCheck {
 
 // Tells whether the spool is enough for the print that the options describe; a person is asked
 // where it is not. Nothing: the print may begin; else its exit code. Nothing is told without
-// --spool-left.
+// --spool-left. `used_mm`: of a print that is resumed, the filament that was in roads when its layer
+// began; what stands before them in start G-code counts as if it came again, so a little more is
+// taken to be needed than is.
 // COSTS: the time and memory of `rind plan`.
-[[nodiscard]] std::optional<int> check_spool(const Options& options, Reporter& reporter);
+[[nodiscard]] std::optional<int> check_spool(const Options& options, Reporter& reporter,
+                                             double used_mm = 0);
+
+// What of it is counted down while it is printed: nothing where M600 asks for another spool.
+[[nodiscard]] std::optional<double> counted_down_mm(std::optional<double> left_mm,
+                                                    const PrintPlan& print_plan);
 
 // All of them can be read twice.
 [[nodiscard]] bool rereadable(const Options& options);

@@ -117,6 +117,7 @@ void CommandClock::change_model(std::string_view text) {
   const std::size_t word_size = firmware_link::command_word_size(text);
   const std::string command = firmware_link::canonical(text.substr(0, word_size));
   const std::string_view parameters = text.substr(word_size);
+  if (command == "M600" && needed_10nm_ > 0 && !to_change_mm_) to_change_mm_ = needed_mm();
   core::MotionModel model = clock_.model();
   if (changes_model(command, parameters, flavor_, model)) {
     clock_.set_model(model);

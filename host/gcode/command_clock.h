@@ -10,6 +10,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include "core/motions/motion_clock.h"   // MotionClock
@@ -34,6 +35,9 @@ class CommandClock {
 
   // The most that was taken off the spool, with what users' lines push out.
   [[nodiscard]] double needed_mm() const { return static_cast<double>(needed_10nm_) * 1e-5; }
+  // Likewise, up to the first M600 behind some filament, which asks for a new spool; nothing: there
+  // is none.
+  [[nodiscard]] std::optional<double> needed_to_change_mm() const { return to_change_mm_; }
 
  private:
   void add_move(const firmware_link::Move& move);
@@ -49,6 +53,7 @@ class CommandClock {
   std::int64_t feed_percent_ = 100;
   std::int64_t flow_percent_ = 100;
   std::int64_t pushed_10nm_ = 0, needed_10nm_ = 0;
+  std::optional<double> to_change_mm_;
 };
 
 }  // namespace host

@@ -160,6 +160,7 @@ void Scan::end(const FilePlace& last) {
   summary_.seconds = last.seconds;
   summary_.clock_s = clock_.seconds();
   summary_.needed_mm = clock_.needed_mm();
+  summary_.needed_to_change_mm = clock_.needed_to_change_mm();
   if (!last.set_up_whole) unsafe("it sets up more than rind remembers");
   if (!macros_.empty()) {
     unsafe(fmt::format("what the macro{} {} set{} up is not known", macros_.size() > 1 ? "s" : "",

@@ -33,8 +33,9 @@ struct ReadySummary {
   core::Length height;
   std::int64_t outside_line = 0;  // where the first of these leaves the settings' bed; 0: none does
   std::int64_t highest_line = 0;
-  double filament_mm = 0;        // in roads
-  double needed_mm = 0;          // as CommandClock has it
+  double filament_mm = 0;  // in roads
+  double needed_mm = 0;    // as CommandClock has it; likewise the next
+  std::optional<double> needed_to_change_mm;
   double seconds = 0;            // at full speed
   double clock_s = 0;            // as CommandClock has it
   std::optional<double> told_s;  // as the slicer tells it

@@ -125,9 +125,10 @@ struct GeometryStatistics {
   AllocationLog allocations;  // only in the program: tests have no hook that counts
   Volumes volumes;
   FilamentUse filament_mm{};
-  double needed_mm = 0;  // of the spool: roads, and what users' lines push out
-  double time_s = 0;     // estimated, heating left out
-  bool ended = true;     // false: abandoned in the middle of a layer; no other value here is known
+  double needed_mm = 0;                       // of the spool: roads, and what users' lines push out
+  std::optional<double> needed_to_change_mm;  // of it, up to the first M600; nothing: there is none
+  double time_s = 0;                          // estimated, heating left out
+  bool ended = true;  // false: abandoned in the middle of a layer; no other value here is known
   DefectLog defects;
   HangingLog hanging;
   std::optional<core::StandingReport> standing;  // only of `rind plan`

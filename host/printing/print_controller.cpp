@@ -40,7 +40,7 @@ PrintController::PrintController(const PrintSettings& settings, const PrintOptio
                 options.resumption),
       ending_({link_, commands_, pauses_, feed_, start_, journal_, reports_, control_}) {
   journal_.watch(geometry_.signals().objects);
-  reports_.count_down(options.spool_left_mm);
+  reports_.count_down(options.spool_left_mm, options.resumption.has_value());
   if (options.resumption) pauses_.set_last_planned(options.resumption->record.last_planned);
   link_.start_session(recovery_.searching());
 }

@@ -251,11 +251,17 @@ std::optional<double> StatusReports::left_s(const ProgressReport& report) const 
          static_cast<double>(report.layer - first_layer_);
 }
 
+std::optional<double> StatusReports::spool_now_mm() const {
+  if (!spool_left_mm_ || !counted_from_mm_) return std::nullopt;
+  return *spool_left_mm_ - (commands_.last().filament_mm - *counted_from_mm_);
+}
+
 // Once, while there is time to change it in a pause.
 void StatusReports::tell_spool() {
-  if (!spool_left_mm_ || told_spool_low_) return;
-  const double left_mm = *spool_left_mm_ - commands_.last().filament_mm;
-  if (left_mm > kSpoolLow_mm || commands_.last().filament_mm == 0) return;
+  if (!spool_left_mm_ || commands_.last().filament_mm == 0) return;
+  if (!counted_from_mm_) counted_from_mm_ = commands_.last().filament_mm;
+  const double left_mm = *spool_now_mm();
+  if (told_spool_low_ || left_mm > kSpoolLow_mm) return;
   told_spool_low_ = true;
   reporter_.note("spool_low",
                  fmt::format("about {:.2f} m of filament are left on the spool: pause to change it "
@@ -276,7 +282,7 @@ void StatusReports::show_progress(const firmware_link::Session& session) {
   report.height = last.top;
   report.preparation = signals_.preparation.get();
   report.filament_mm = last.filament_mm;
-  if (spool_left_mm_) report.spool_left_mm = *spool_left_mm_ - last.filament_mm;
+  report.spool_left_mm = spool_now_mm();
   report.elapsed_s = now - started_s_;
   report.left_s = left_s(report);
   if (const double all_s = signals_.full_speed_s.load(); all_s > 0) {

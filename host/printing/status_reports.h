@@ -41,8 +41,12 @@ class StatusReports {
   void tell_pause(PauseControl::Phase phase, const std::string& cause, double hot_s);
   // The feed or the flow was changed by this request.
   void tell_override(UserRequest request, const FeedOverride& feed);
-  // So much filament is left on the spool; it is counted down by the roads laid.
-  void count_down(std::optional<double> spool_left_mm) { spool_left_mm_ = spool_left_mm; }
+  // So much filament is left on the spool; it is counted down by the roads laid. `resumed`: what
+  // was laid before does not count.
+  void count_down(std::optional<double> spool_left_mm, bool resumed) {
+    spool_left_mm_ = spool_left_mm;
+    if (!resumed) counted_from_mm_ = 0;
+  }
   // Which objects can be cancelled, by number.
   void tell_objects();
   // `from`: the first layer without it; nothing: it can't be cancelled, and false is returned.
@@ -58,6 +62,8 @@ class StatusReports {
   void tell_heat(const firmware_link::Temperatures& heat);
   void tell_action(const std::string& action);
   [[nodiscard]] std::string_view state(const firmware_link::Temperatures& heat) const;
+  // Nothing: it is not known, or not yet.
+  [[nodiscard]] std::optional<double> spool_now_mm() const;
   [[nodiscard]] std::optional<double> left_s(const ProgressReport& report) const;
 
   double started_s_;
@@ -75,6 +81,7 @@ class StatusReports {
   double paused_s_ = 0;  // in pauses that have ended
   firmware_link::Temperatures told_heat_;
   std::optional<double> spool_left_mm_;
+  std::optional<double> counted_from_mm_;  // filament in roads when it was so much
   bool told_spool_low_ = false;
 };
 

@@ -82,6 +82,7 @@ CLI::App* add_resume(CLI::App& app, Options& options) {
                    "height of the nozzle above the bed now; with --yes")
       ->type_name("MM")
       ->check(CLI::Range(0.0, 1e7));
+  add_spool_left(*command, options);
   add_memory(*command, options);
   add_bad_layer(*command, options);
   add_floating(*command, options);

@@ -110,7 +110,7 @@ struct Options {
   OutputOptions output;
   TestOptions test;
   std::string request;                    // tell
-  std::optional<SpoolAmount> spool_left;  // plan, print
+  std::optional<SpoolAmount> spool_left;  // plan, print, resume
   std::string preset_shown;               // presets: a name; empty: list them
 
   std::string translated;  // settings: the profile whose translation is shown; empty: none

@@ -30,7 +30,7 @@ core::Result<SpoolAmount> spool_amount(const std::string& text) {
     if (!whole.ends_with(unit.word)) continue;
     const std::string number(
         trimmed(std::string_view(whole).substr(0, whole.size() - unit.word.size())));
-    const core::Result<double> read = read_number(number, unit.word);
+    const core::Result<double> read = read_number(number, "");
     if (!read.ok() || read.value() < 0) break;
     return SpoolAmount{read.value() * unit.one.mm, read.value() * unit.one.grams};
   }
