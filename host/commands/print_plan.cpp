@@ -105,10 +105,14 @@ core::Result<OpenedPart> opened(const Options& options, const core::Settings& se
                                 const OpenOptions& open, bool rest_later) {
   const std::vector<std::string> paths = part_paths(options);
   const bool plate = is_plate(paths, settings);
-  const bool in_turn = plate && settings.sequential && follows_time(options);
-  core::Result<OpenedPart> part = in_turn ? open_sequence(paths, settings, open)
-                                  : plate ? open_plate(paths, settings, open)
-                                          : open_part(options.part.path, settings, open);
+  const bool in_turn = settings.sequential && follows_time(options);
+  core::Result<OpenedPart> part = plate && in_turn ? open_sequence(paths, settings, open)
+                                  : plate          ? open_plate(paths, settings, open)
+                                                   : open_part(options.part.path, settings, open);
+  // What a 3MF lays onto the bed is known when it was opened.
+  if (part.ok() && !plate && in_turn && part.value().items > 1) {
+    part = open_sequence(paths, settings, open);
+  }
   return rest_later ? std::move(part) : read_whole(std::move(part));
 }
 

@@ -241,6 +241,7 @@ int slice_command(const Options& options, Reporter& reporter) {
   core::ArcUse& arcs = print_plan.settings.arcs;
   if (arcs == core::ArcUse::kAuto) arcs = core::ArcUse::kOff;
 
+  if (view) draw_objects(print_plan, view);
   const std::string pictures = gcode ? thumbnail_comments(print_plan, view, reporter) : "";
   view.reset();
 

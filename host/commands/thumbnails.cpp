@@ -23,6 +23,16 @@ std::string_view cause_of(const PartSummary& summary, bool cut, bool drawn) {
 
 }  // namespace
 
+void draw_objects(PrintPlan& print_plan, std::optional<PartView>& view) {
+  OpenedPart& part = print_plan.part;
+  const bool wanted = !print_plan.settings.thumbnails.empty();
+  if (!wanted || part.summary.seen_whole || !part.draw || part.summary.objects.empty()) return;
+  view.emplace();
+  // What can't be read again is told when it is sliced.
+  part.summary.seen_whole =
+      part.draw([&view](const core::Triangle& facet) { view->add(facet); }).ok();
+}
+
 std::string thumbnail_comments(const PrintPlan& print_plan, const std::optional<PartView>& view,
                                Reporter& reporter) {
   const PrintSettings& settings = print_plan.settings;

@@ -116,6 +116,10 @@ class MeshStore {
     std::string error;
   };
   [[nodiscard]] Next next();
+  // Copies of objects that the items are made of, so far; and which of them the last triangle is
+  // of. Those of an item follow one another.
+  [[nodiscard]] std::size_t instances() const { return instances_.size(); }
+  [[nodiscard]] std::size_t instance() const { return next_instance_; }
 
  private:
   struct Component {

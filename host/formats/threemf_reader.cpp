@@ -21,6 +21,7 @@
 #include "host/formats/threemf_package.h"    // root_model, scanner_of
 #include "host/formats/threemf_roles.h"      // read_roles
 #include "host/formats/threemf_slices.h"     // open_threemf_slices
+#include "host/formats/threemf_stacks.h"     // ThreeMfStacks
 
 namespace host {
 namespace {
@@ -80,6 +81,28 @@ class ThreeMfReader : public TriangleSource {
     return bodies;
   }
 
+  [[nodiscard]] std::vector<std::string> items() const override {
+    std::vector<std::string> names;
+    for (const ThreeMfItem& item : items_) {
+      const auto own = names_.find(item.key);
+      const auto told = roles_.names.find(item.key.second);
+      const bool by_slicer = item.key.first == 0 && told != roles_.names.end();
+      names.push_back(by_slicer ? told->second : own != names_.end() ? own->second : "");
+    }
+    return names;
+  }
+  [[nodiscard]] std::size_t item() const override {
+    const auto end = std::upper_bound(ends_.begin(), ends_.end(), store_.instance());
+    return static_cast<std::size_t>(end - ends_.begin());
+  }
+  [[nodiscard]] Status keep_items(const std::vector<std::size_t>& items) override {
+    std::vector<ThreeMfItem> kept;
+    for (const std::size_t number : items) kept.push_back(items_.at(number));
+    items_ = std::move(kept);
+    store_.clear_items();
+    return add_items();
+  }
+
   // True if items have negative parts: the content is booleans then, no triangles.
   [[nodiscard]] bool is_cut() const {
     return sliced_items_.empty() && std::any_of(items_.begin(), items_.end(), [&](const auto& i) {
@@ -120,16 +143,14 @@ class ThreeMfReader : public TriangleSource {
   }
 
  private:
-  struct Stack {
-    double bottom_mm = 0;
-    std::vector<StackPlace> referred;  // empty: it has slices of its own
-  };
-
   [[nodiscard]] Status add_items() {
+    ends_.clear();
     for (const ThreeMfItem& item : items_) {
-      const std::string cause =
-          sliced_.contains(item.key) ? add_sliced(item) : store_.add_item(item.key, item.transform);
+      const std::string cause = stacks_.contains(item.key)
+                                    ? stacks_.add(item, parts_, sliced_items_)
+                                    : store_.add_item(item.key, item.transform);
       if (!cause.empty()) return refused(cause);
+      ends_.push_back(store_.instances());
     }
     return {};
   }
@@ -162,7 +183,9 @@ class ThreeMfReader : public TriangleSource {
       if (event.value()->kind != XmlEvent::Kind::kStart) continue;
       Status taken;
       if (event.value()->space == kThreeMfCore) taken = take(*event.value(), part, xml);
-      if (event.value()->space == kThreeMfSlice) taken = take_stack(*event.value(), part, xml);
+      if (event.value()->space == kThreeMfSlice) {
+        taken = stacks_.take(*event.value(), part, unit_mm_, xml);
+      }
       if (event.value()->name == "volume") taken = take_volume(*event.value(), xml);
       if (!taken.ok()) return taken;
     }
@@ -191,11 +214,12 @@ class ThreeMfReader : public TriangleSource {
     }
     in_object_ = true;
     object_ = {part, *id};
+    if (const std::string* name = event.attribute("name")) names_[object_] = *name;
     const std::string* resolution = event.attribute(kResolution);
     if (resolution != nullptr && *resolution == "lowres") {
       const std::string* stack = event.attribute(kStackId);
       if (stack == nullptr) return xml.bad("object '" + shown(*id) + "' has no slicestackid");
-      sliced_[{part, *id}] = *stack;
+      stacks_.note(object_, *stack);
     }
     const std::string* type = event.attribute("type");
     if (type != nullptr && *type != "model" && *type != "solidsupport") {
@@ -242,7 +266,7 @@ class ThreeMfReader : public TriangleSource {
     Result<ThreeMfItem> read = reference(event, part, xml);
     if (!read.ok()) return read.error();
     if (!in_object_) return xml.bad("a component outside of an object; export the part again");
-    if (sliced_.contains(read.value().key)) {
+    if (stacks_.contains(read.value().key)) {
       return xml.bad("object '" + shown(read.value().key.second) +
                      "', which is slices, as a component: not supported; make it an item of its "
                      "own, or export its full mesh");
@@ -299,49 +323,6 @@ class ThreeMfReader : public TriangleSource {
 
   void warn(const std::string& text) { warnings_.push_back(archive_.name() + ": " + text); }
 
-  // Notes where the slices are; they are read later.
-  [[nodiscard]] Status take_stack(const XmlEvent& event, int part, const XmlScanner& xml) {
-    if (event.name == "slicestack") {
-      const std::string* id = event.attribute("id");
-      const std::string* bottom = event.attribute("zbottom");
-      const std::optional<double> z = bottom ? parse_real(*bottom) : 0.0;
-      if (id == nullptr || !z) return xml.bad("a slicestack without id, or with no zbottom");
-      if (stacks_.size() >= kMeshObjectsMax) return xml.bad("too many slicestacks; merge them");
-      stack_ = &stacks_[{part, *id}];
-      stack_->bottom_mm = *z * unit_mm_;
-    } else if (event.name == "sliceref") {
-      const std::string* id = event.attribute("slicestackid");
-      const std::string* path = event.attribute("slicepath");
-      if (id == nullptr || path == nullptr || stack_ == nullptr) {
-        return xml.bad("a sliceref without slicestackid or slicepath; export the part again");
-      }
-      if (stack_->referred.size() >= kMeshObjectsMax) return xml.bad("too many references");
-      stack_->referred.push_back({without_slash(*path), *id});
-    }
-    return {};
-  }
-
-  // Returns why it can't be printed; empty if it can.
-  [[nodiscard]] std::string add_sliced(const ThreeMfItem& item) {
-    const auto& [part, object] = item.key;
-    const std::string& id = sliced_.at(item.key);
-    const auto found = stacks_.find({part, id});
-    if (found == stacks_.end()) return "slicestack '" + shown(id) + "' is not in the file";
-    const auto& m = item.transform.m;
-    if (m[2] != 0 || m[5] != 0 || m[6] != 0 || m[7] != 0 || m[8] != 1) {
-      return "object '" + shown(object) +
-             "' is slices, and the build tilts them or changes their height; export its full mesh";
-    }
-    if (sliced_items_.size() >= kSlicedItemsMax) {
-      return "more than " + std::to_string(kSlicedItemsMax) + " items that are slices; merge them";
-    }
-    SlicedItem sliced{found->second.referred, found->second.bottom_mm, item.transform};
-    if (sliced.stacks.empty())
-      sliced.stacks.push_back({parts_[static_cast<std::size_t>(part)], id});
-    sliced_items_.push_back(std::move(sliced));
-    return {};
-  }
-
   [[nodiscard]] Status item(const XmlEvent& event, int part, const XmlScanner& xml) {
     Result<ThreeMfItem> read = reference(event, part, xml);
     if (!read.ok()) return read.error();
@@ -363,9 +344,9 @@ class ThreeMfReader : public TriangleSource {
   std::vector<std::string> parts_;  // the package's models; the root is the first
   std::vector<ThreeMfItem> items_;
   std::set<MeshStore::Key> unprintable_;
-  std::map<MeshStore::Key, std::string> sliced_;  // objects that are slices, with their stack
-  std::map<MeshStore::Key, Stack> stacks_;
-  Stack* stack_ = nullptr;  // the one that is being read
+  std::vector<std::size_t> ends_;                // of each item's instances in the store
+  std::map<MeshStore::Key, std::string> names_;  // of objects
+  ThreeMfStacks stacks_;
   std::vector<SlicedItem> sliced_items_;
   double unit_mm_ = 1;  // of the part that is being read
   bool in_object_ = false;

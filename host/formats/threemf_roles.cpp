@@ -112,6 +112,8 @@ class RolesReader {
   [[nodiscard]] Status metadata(const std::string& key, const std::string& value) {
     if (key == "name") {
       (open_ ? name_ : object_name_) = value;
+      const bool room = !open_ && roles_.names.size() < kMeshObjectsMax;
+      if (room) roles_.names[object_] = value;
     } else if (!is_no_setting(key, value)) {
       ModifierSettings& into = open_ ? settings_ : object_settings_;
       if (into.size() >= kBodySettingsMax) return xml_.bad("too many settings of one body");

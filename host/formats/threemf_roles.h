@@ -45,6 +45,8 @@ struct ThreeMfRoles {
   std::map<std::string, std::vector<RoleRange>> volumes;
   // By object of the root model and its component's object.
   std::map<std::pair<std::string, std::string>, MeshRole> parts;
+  // Of objects of the root model that have one; kMeshObjectsMax at most.
+  std::map<std::string, std::string> names;
   std::vector<ThreeMfModifier> changes;  // kModifiersMax at most
   // "volume 'Lid': fill_density": settings of one body of an object's plastic
   std::vector<std::string> unused;

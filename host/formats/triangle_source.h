@@ -57,6 +57,16 @@ class TriangleSource {
     return std::vector<ModifierBody>();
   }
 
+  // Names of the things that the file lays onto the bed, and that may be objects of their own; a
+  // name may be empty. None: it is one thing.
+  [[nodiscard]] virtual std::vector<std::string> items() const { return {}; }
+  // The thing that the last triangle is of, by its number. REQUIRES: items() has some.
+  [[nodiscard]] virtual std::size_t item() const { return 0; }
+  // Leaves out all others. REQUIRES: items() has these numbers; before the first next().
+  [[nodiscard]] virtual core::Status keep_items(const std::vector<std::size_t>& /*items*/) {
+    return {};
+  }
+
   // Triangles given so far.
   [[nodiscard]] std::int64_t facets() const { return facets_; }
   // What was odd and how it was treated: a few at most. Complete once next() has returned nullopt.

@@ -6,6 +6,8 @@
 #include <memory>
 #include <string>
 
+#include "host/part/part_items.h"  // object_name
+
 namespace host {
 namespace {
 
@@ -39,7 +41,7 @@ Result<PartSummary> in_order(PlateSurvey survey, const core::Settings& settings,
   summary.objects.clear();
   summary.layers = 0;
   for (PlateObject& each : objects) {
-    each.object.name = object_name(each.path, summary.objects.size() + 1);
+    each.object.name = object_name(each.object.title, summary.objects.size() + 1);
     summary.objects.push_back(each.object);
     summary.layers += each.layers;
   }
@@ -80,6 +82,17 @@ Result<OpenedPart> open_sequence(const std::vector<std::string>& paths,
   }
   OpenedPart part;
   part.sequence = std::make_shared<ObjectSequence>(options);
+  part.draw = [sequence = part.sequence](const FacetObserver& on_facet) -> Status {
+    for (std::size_t i = 0; i < sequence->size(); ++i) {
+      const Result<OpenedPart> object = sequence->open(i);
+      if (!object.ok()) return object.error();
+      if (!object.value().draw) {
+        return Error{ErrorCode::kBadPart, sequence->path(i) + ": no mesh that can be drawn"};
+      }
+      if (Status drawn = object.value().draw(on_facet); !drawn.ok()) return drawn;
+    }
+    return {};
+  };
   part.read_rest = [paths, settings, options, sequence = part.sequence]() -> Result<PartSummary> {
     Result<PlateSurvey> survey = survey_plate(paths, settings, options);
     if (!survey.ok()) return survey.error();

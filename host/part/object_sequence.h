@@ -7,7 +7,7 @@
 //     ▐▌    ▽ ▂▂
 //
 // Each file is read twice, or once more for each copy, and none of it is held: memory is that of
-// the object at hand.
+// the object at hand. The items of a 3MF are objects, too: it is read twice for each of them.
 #pragma once
 
 #include <cstddef>
@@ -50,7 +50,7 @@ class ObjectSequence {
 // order in which they are printed, and `layers` are those of all of them. Errors, besides: two
 // objects are higher than clearance_height; a part from standard input, which can't be read again;
 // at_height, because a height comes more than once.
-// REQUIRES: is_plate().
+// REQUIRES: is_plate(), or a part of several items.
 [[nodiscard]] core::Result<OpenedPart> open_sequence(const std::vector<std::string>& paths,
                                                      const core::Settings& settings,
                                                      const OpenOptions& options);

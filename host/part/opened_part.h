@@ -46,13 +46,19 @@ struct OpenOptions {
   // Sees the facets of a mesh that is read to its end before its first slice; some of them twice
   // where it turns out that they must be sorted (PartSummary::seen_whole).
   FacetObserver on_facet = {};
+  // Of the things that the file lays onto the bed, these alone, by their numbers (part_items.h);
+  // empty: all of them.
+  std::vector<std::size_t> items = {};
 };
 
-// One of several things on the bed: a part, or a copy of one (plate.h).
+// One of several things on the bed: a part, a copy of one (plate.h), or an item of one
+// (part_items.h).
 struct PartObject {
   std::string name;  // letters, digits and underscores; each object has another one
   core::Box box;     // on the bed
   core::Length height;
+  std::string title = {};               // as people call it: of a file, or of an item
+  std::vector<std::size_t> items = {};  // that it is, of the file; empty: all of it
 };
 
 // A part's summary before its first slice. Of a pipe that is sliced as it arrives, it covers what
@@ -103,10 +109,14 @@ struct OpenedPart {
   std::function<PartCounters()> counters;  // valid as long as `layers`
   // Of a mesh. REQUIRES: it was read (read_rest). Valid as long as `layers`.
   std::function<PartPlacing()> placing;
+  // Shows the facets of a mesh, or of all objects, where they lie on the bed; files are read once
+  // more. Empty: it is no mesh, is cut, or can't be read again. Otherwise as placing().
+  std::function<core::Status(const FacetObserver& on_facet)> draw;
   // What the file's modifiers change, for people: "modifier 'Box': density 50 %"; and warnings
   // about what of them is not used, which open_part() puts into the summary.
   std::vector<std::string> modifiers;
   std::vector<std::string> modifiers_unused;
+  std::size_t items = 1;  // things that the file lays onto the bed, each of which may be an object
   bool enforced = false;  // the file marks where supports are enforced, and they are used
 };
 

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/limits.h"                   // kObjectsMax
 #include "core/raft_heights.h"             // raft_lift, settings_above_raft
 #include "host/files/input_file.h"         // InputFile
 #include "host/formats/formats.h"          // kind_of
@@ -15,10 +16,12 @@
 #include "host/formats/triangle_source.h"  // TriangleSource
 #include "host/gcode/gcode_kind.h"
 #include "host/part/boolean_layers.h"   // open_booleans
+#include "host/part/cut_plane.h"        // is_cut
 #include "host/part/layer_file.h"       // open_layer_file
 #include "host/part/marked_layers.h"    // with_marks
 #include "host/part/mesh_layers.h"      // open_mesh
 #include "host/part/modified_layers.h"  // with_modifiers
+#include "host/part/part_items.h"       // PartItems, watched
 #include "host/part/part_transform.h"   // transform
 
 namespace host {
@@ -38,12 +41,91 @@ std::function<Result<Reader>()> opener(const InputFile& file, const std::string&
   };
 }
 
+// What shows the facets of an opened mesh once more, from another reading.
+std::function<core::Status(const FacetObserver&)> drawing(
+    const TriangleOpener& again, const std::function<PartPlacing()>& placing) {
+  if (!again) return {};
+  return [again, placing](const FacetObserver& on_facet) -> core::Status {
+    const Result<std::unique_ptr<TriangleSource>> opened = again();
+    if (!opened.ok()) return opened.error();
+    const Shift shift = placing().shift;
+    while (true) {
+      const Result<std::optional<core::Triangle>> next = opened.value()->next();
+      if (!next.ok()) return next.error();
+      if (!next.value()) return {};
+      on_facet(shifted(*next.value(), shift));
+    }
+  };
+}
+
+Result<OpenedPart> open_drawable(MeshInput mesh, const core::Settings& settings,
+                                 const OpenOptions& options) {
+  const TriangleOpener again = is_cut(settings) ? TriangleOpener() : mesh.again;
+  Result<OpenedPart> part = open_mesh(std::move(mesh), settings, options);
+  if (part.ok()) part.value().draw = drawing(again, part.value().placing);
+  return part;
+}
+
+// The part, with its items as objects once it was read.
+OpenedPart with_items(OpenedPart part, std::shared_ptr<const PartItems> items,
+                      const std::string& name) {
+  const auto tell = [items = std::move(items), placing = part.placing, name](PartSummary& summary) {
+    // Of what is sliced as it arrives, the end is not known.
+    if (summary.layers > 0) summary.objects = items->objects(placing().shift, name);
+  };
+  if (!part.read_rest) {
+    tell(part.summary);
+    return part;
+  }
+  part.read_rest = [tell, read = std::move(part.read_rest)]() -> Result<PartSummary> {
+    Result<PartSummary> summary = read();
+    if (summary.ok()) tell(summary.value());
+    return summary;
+  };
+  return part;
+}
+
 Result<OpenedPart> open_transformed(MeshInput mesh, const core::Settings& settings,
                                     const OpenOptions& options) {
   if (core::Status done = transform(mesh.triangles, mesh.again, settings, mesh.name); !done.ok()) {
     return done.error();
   }
-  return open_mesh(std::move(mesh), settings, options);
+  const std::vector<std::string> names = mesh.triangles->items();
+  const bool several = names.size() > 1 && names.size() <= std::size_t{core::kObjectsMax};
+  // Pieces of a part are objects themselves.
+  if (!several || !options.items.empty() || is_cut(settings)) {
+    return open_drawable(std::move(mesh), settings, options);
+  }
+  const auto items = std::make_shared<PartItems>(names);
+  const std::string name = mesh.name;
+  mesh.triangles = watched(std::move(mesh.triangles), items);
+  if (mesh.again) {
+    mesh.again = [open = std::move(mesh.again),
+                  items]() -> Result<std::unique_ptr<TriangleSource>> {
+      Result<std::unique_ptr<TriangleSource>> opened = open();
+      if (!opened.ok()) return opened;
+      return watched(std::move(opened).value(), items);
+    };
+  }
+  Result<OpenedPart> part = open_drawable(std::move(mesh), settings, options);
+  if (!part.ok()) return part;
+  part.value().items = names.size();
+  return with_items(std::move(part).value(), items, name);
+}
+
+// Of the file's items, those that are asked for; also where it is opened again.
+core::Status keep_asked(MeshInput& mesh, const OpenOptions& options) {
+  if (options.items.empty()) return {};
+  if (core::Status kept = mesh.triangles->keep_items(options.items); !kept.ok()) return kept;
+  if (!mesh.again) return {};
+  mesh.again = [open = std::move(mesh.again),
+                items = options.items]() -> Result<std::unique_ptr<TriangleSource>> {
+    Result<std::unique_ptr<TriangleSource>> opened = open();
+    if (!opened.ok()) return opened;
+    if (core::Status kept = opened.value()->keep_items(items); !kept.ok()) return kept.error();
+    return opened;
+  };
+  return {};
 }
 
 // Booleans are evaluated slice by slice; a file without any is an ordinary mesh.
@@ -135,6 +217,7 @@ Result<OpenedPart> open_zipped(InputFile file, const std::string& path,
     return with(open_booleans(std::move(*tree), settings, options));
   }
   mesh.triangles = std::get<std::unique_ptr<TriangleSource>>(std::move(opened).value());
+  if (core::Status kept = keep_asked(mesh, options); !kept.ok()) return kept.error();
   marks.counts = mesh.triangles->mark_counts();
   if (settings.supports != core::SupportPlace::kOff) {
     Result<std::unique_ptr<MarkedFacets>> facets = mesh.triangles->marked_facets();
@@ -184,6 +267,7 @@ Result<OpenedPart> open_alone(const std::string& path, const core::Settings& set
 PartSummary on_raft(PartSummary summary, const core::Settings& settings) {
   if (summary.layers > 0) summary.layers += settings.raft_layers;
   if (summary.height > core::Length()) summary.height += core::raft_lift(settings);
+  for (PartObject& object : summary.objects) object.height += core::raft_lift(settings);
   return summary;
 }
 

@@ -66,6 +66,9 @@ class TransformedTriangles : public TriangleSource {
 
   [[nodiscard]] std::string format() const override { return triangles_->format(); }
 
+  [[nodiscard]] std::vector<std::string> items() const override { return triangles_->items(); }
+  [[nodiscard]] std::size_t item() const override { return triangles_->item(); }
+
   [[nodiscard]] Result<std::optional<Triangle>> next() override {
     Result<std::optional<Triangle>> read = triangles_->next();
     facets_ = triangles_->facets();

@@ -9,11 +9,13 @@
 #include <optional>
 #include <utility>
 
-#include "core/limits.h"                // kObjectsMax
-#include "host/part/arrangement.h"      // arranged
-#include "host/part/moved_slice.h"      // moved
-#include "host/part/part_file.h"        // open_part
-#include "host/part/transform_words.h"  // read_cut
+#include "core/limits.h"             // kObjectsMax
+#include "host/part/arrangement.h"   // arranged
+#include "host/part/merged_rings.h"  // MergedRings
+#include "host/part/moved_slice.h"   // moved
+#include "host/part/part_file.h"     // open_part
+#include "host/part/part_items.h"    // object_name
+#include "host/part/plate_parts.h"   // PlatePart, open_parts
 
 namespace host {
 namespace {
@@ -24,76 +26,6 @@ using core::Length;
 using core::Result;
 using core::Slice;
 using core::Status;
-
-struct PlatePart {
-  std::string path;
-  std::string title;
-  core::Settings settings;  // as it was opened
-  OpenedPart opened;
-  std::vector<Shift> places;  // of its copies, from where it was opened; of the same number always
-  bool ended = false;
-};
-
-std::string title_of(const std::string& path) {
-  return path == "-" ? "standard input" : std::filesystem::path(path).filename().string();
-}
-
-}  // namespace
-
-std::string object_name(const std::string& path, std::size_t number) {
-  constexpr std::size_t kBytesMax = 24;
-  std::string name = path == "-" ? "part" : std::filesystem::path(path).stem().string();
-  if (name.size() > kBytesMax) name.resize(kBytesMax);
-  const auto is_plain = [](char c) {
-    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-  };
-  for (char& c : name) c = is_plain(c) ? c : '_';
-  return fmt::format("{}_{}", name, number);
-}
-
-namespace {
-
-void append(const core::Region& region, const Shift& shift, std::vector<core::Ring>& rings) {
-  std::vector<core::Ring> more = moved(region, shift).rings();
-  std::move(more.begin(), more.end(), std::back_inserter(rings));
-}
-
-// The rings of all objects in one layer. What marks or modifies an object may reach out of it, but
-// not into others.
-struct MergedRings {
-  std::vector<core::Ring> slice, enforced, blocked;
-  core::ChangedAreas areas;
-
-  // `room` is the part's own, before it is moved to its places.
-  void add(const Slice& part, const core::Box& room, const std::vector<Shift>& places) {
-    core::SupportMarks marks;
-    if (part.marks) {
-      marks = {clipped(part.marks->enforced, room), clipped(part.marks->blocked, room)};
-    }
-    core::ChangedAreas changes;
-    if (part.areas) changes = *part.areas;
-    for (core::ChangedArea& area : changes) area.region = clipped(area.region, room);
-    for (const Shift& shift : places) {
-      append(part.region, shift, slice);
-      append(marks.enforced, shift, enforced);
-      append(marks.blocked, shift, blocked);
-      for (const core::ChangedArea& area : changes) {
-        if (!area.region.empty()) areas.push_back({area.change, moved(area.region, shift)});
-      }
-    }
-  }
-
-  void put_into(Slice& merged) {
-    merged.region = core::Region::from_clean_rings(std::move(slice));
-    merged.areas =
-        areas.empty() ? nullptr : std::make_shared<const core::ChangedAreas>(std::move(areas));
-    merged.marks = nullptr;
-    if (enforced.empty() && blocked.empty()) return;
-    merged.marks = std::make_shared<const core::SupportMarks>(
-        core::SupportMarks{core::Region::from_clean_rings(std::move(enforced)),
-                           core::Region::from_clean_rings(std::move(blocked))});
-  }
-};
 
 class Plate : public LayerSource {
  public:
@@ -147,6 +79,21 @@ class Plate : public LayerSource {
     return merged;
   }
 
+  // Whether all of it can be shown, and does so.
+  [[nodiscard]] bool can_draw() const {
+    return std::all_of(parts_.begin(), parts_.end(),
+                       [](const PlatePart& part) { return static_cast<bool>(part.opened.draw); });
+  }
+  [[nodiscard]] Status draw(const FacetObserver& on_facet) const {
+    for (const PlatePart& part : parts_) {
+      Status drawn = part.opened.draw([&](const core::Triangle& facet) {
+        for (const Shift& shift : part.places) on_facet(shifted(facet, shift));
+      });
+      if (!drawn.ok()) return drawn;
+    }
+    return {};
+  }
+
   [[nodiscard]] PartCounters counters() const {
     PartCounters all;
     for (const PlatePart& part : parts_) {
@@ -167,6 +114,7 @@ class Plate : public LayerSource {
       for (const Shift& shift : part.places) {
         const PartObject& object = summary_.objects[objects.size()];
         objects.push_back({part.path, part.settings, shift, object, part.opened.summary.layers});
+        objects.back().object.items = part.items;
       }
     }
     return objects;
@@ -214,11 +162,32 @@ class Plate : public LayerSource {
         const core::Point corner = corners.value()[object++];
         shift = {std::int64_t{corner.x} - summary.box.min.x,
                  std::int64_t{corner.y} - summary.box.min.y, 0};
-        summary_.objects.push_back(
-            {object_name(part.path, object), shifted(summary.box, shift), summary.height});
+        add_objects(part, shift);
       }
     }
     return {};
+  }
+
+  // Whether not too many objects come of it.
+  [[nodiscard]] bool items_apart() const {
+    std::size_t count = 0;
+    for (const PlatePart& part : parts_) {
+      count += part.places.size() * std::max<std::size_t>(1, part.opened.summary.objects.size());
+    }
+    return count <= core::kObjectsMax;
+  }
+
+  // The part is one object, or its items are.
+  void add_objects(const PlatePart& part, const Shift& shift) {
+    const PartSummary& summary = part.opened.summary;
+    std::vector<PartObject> objects = summary.objects;
+    if (objects.empty() || !items_apart())
+      objects = {{"", summary.box, summary.height, part.name, {}}};
+    for (PartObject& object : objects) {
+      object.name = object_name(object.title, summary_.objects.size() + 1);
+      object.box = shifted(object.box, shift);
+      summary_.objects.push_back(std::move(object));
+    }
   }
 
   // The box of an object before it is moved, and less than half the gap between objects around it.
@@ -233,7 +202,6 @@ class Plate : public LayerSource {
   void summarise() {
     const PartSummary& first = parts_.front().opened.summary;
     summary_.format = parts_.size() == 1 ? first.format : fmt::format("{} files", parts_.size());
-    summary_.seen_whole = parts_.size() == 1 && first.seen_whole;
     summary_.nothing_hangs = true;
     summary_.lowest_layer = first.lowest_layer;
     summary_.highest_layer = first.highest_layer;
@@ -247,7 +215,10 @@ class Plate : public LayerSource {
       summary_.lowest_layer = std::min(summary_.lowest_layer, one.lowest_layer);
       summary_.highest_layer = std::max(summary_.highest_layer, one.highest_layer);
       summary_.nothing_hangs = summary_.nothing_hangs && one.nothing_hangs;
-      summary_.warnings.insert(summary_.warnings.end(), one.warnings.begin(), one.warnings.end());
+      for (const std::string& warning : one.warnings) {
+        std::vector<std::string>& all = summary_.warnings;
+        if (std::find(all.begin(), all.end(), warning) == all.end()) all.push_back(warning);
+      }
     }
     for (const PartObject& object : summary_.objects) summary_.box.add(object.box);
   }
@@ -267,22 +238,17 @@ class Plate : public LayerSource {
   PartSummary summary_;
 };
 
-// Where each part lies is decided here: it is opened in the middle of the bed.
-core::Settings before_placing(core::Settings settings) {
-  settings.centre = true;
-  settings.part_x = settings.part_y = Length();
-  return settings;
-}
-
-// As settings: of each file one part, or both pieces of it where it is cut.
-std::vector<core::Settings> pieces_of(const core::Settings& settings) {
-  const std::optional<CutWords> cut = read_cut(settings.cut).value();
-  std::vector<core::Settings> pieces{before_placing(settings)};
-  if (!cut || cut->piece != CutPiece::kBoth) return pieces;
-  pieces.push_back(pieces.front());
-  pieces[0].cut = fmt::format("{} lower", cut->height_mm);
-  pieces[1].cut = fmt::format("{} upper", cut->height_mm);
-  return pieces;
+OpenedPart part_of(std::unique_ptr<Plate> plate) {
+  OpenedPart part;
+  Plate* source = plate.get();
+  part.enforced = plate->enforced();
+  part.modifiers = plate->modifiers();
+  part.counters = [source] { return source->counters(); };
+  if (plate->can_draw()) {
+    part.draw = [source](const FacetObserver& on_facet) { return source->draw(on_facet); };
+  }
+  part.layers = std::move(plate);
+  return part;
 }
 
 }  // namespace
@@ -290,56 +256,6 @@ std::vector<core::Settings> pieces_of(const core::Settings& settings) {
 bool is_plate(const std::vector<std::string>& paths, const core::Settings& settings) {
   return paths.size() > 1 || settings.copies > 1 || pieces_of(settings).size() > 1;
 }
-
-namespace {
-
-Result<std::vector<PlatePart>> open_parts(const std::vector<std::string>& paths,
-                                          const core::Settings& settings,
-                                          const OpenOptions& options) {
-  const std::vector<core::Settings> pieces = pieces_of(settings);
-  const std::size_t parts_count = paths.size() * pieces.size();
-  const std::size_t objects = parts_count * static_cast<std::size_t>(settings.copies);
-  if (objects > core::kObjectsMax) {
-    return Error{ErrorCode::kOutOfBounds, fmt::format("{} objects are more than the {} that one "
-                                                      "print may have; print fewer copies",
-                                                      objects, core::kObjectsMax)};
-  }
-  if (settings.spiral_vase) {
-    return Error{ErrorCode::kBadSetting,
-                 "spiral_vase lays one contour in a layer: print one object"};
-  }
-  OpenOptions each = options;
-  each.stream_pipes = false;
-  each.sort_bytes = std::max(kSortBytesMin, options.sort_bytes / parts_count);
-  if (parts_count > 1) each.on_facet = {};
-  std::vector<PlatePart> parts;
-  for (const std::string& path : paths) {
-    if (path == "-" && pieces.size() > 1) {
-      return Error{ErrorCode::kBadSetting,
-                   "cut: standard input is read once, and its two pieces are read one beside the "
-                   "other; print one of them, or the part from a file"};
-    }
-    for (const core::Settings& piece : pieces) {
-      Result<OpenedPart> opened = open_part(path, piece, each);
-      if (!opened.ok()) return opened.error();
-      parts.push_back({path, title_of(path), piece, std::move(opened).value(),
-                       std::vector<Shift>(static_cast<std::size_t>(settings.copies))});
-    }
-  }
-  return parts;
-}
-
-OpenedPart part_of(std::unique_ptr<Plate> plate) {
-  OpenedPart part;
-  Plate* source = plate.get();
-  part.enforced = plate->enforced();
-  part.modifiers = plate->modifiers();
-  part.counters = [source] { return source->counters(); };
-  part.layers = std::move(plate);
-  return part;
-}
-
-}  // namespace
 
 Result<OpenedPart> open_plate(const std::vector<std::string>& paths, const core::Settings& settings,
                               const OpenOptions& options) {
@@ -362,6 +278,11 @@ Result<PlateSurvey> survey_plate(const std::vector<std::string>& paths,
                                  const core::Settings& settings, const OpenOptions& options) {
   Result<std::vector<PlatePart>> parts = open_parts(paths, settings, options);
   if (!parts.ok()) return parts.error();
+  OpenOptions each = options;
+  each.stream_pipes = false;
+  each.on_facet = {};
+  parts = with_items_apart(std::move(parts).value(), settings, each);
+  if (!parts.ok()) return parts.error();
   Plate plate(std::move(parts).value(), settings);
   Result<PartSummary> summary = plate.read_rest();
   if (!summary.ok()) return summary.error();
@@ -372,13 +293,15 @@ Result<OpenedPart> open_object(const PlateObject& object, const OpenOptions& opt
   OpenOptions alone = options;
   alone.stream_pipes = false;
   alone.on_facet = {};
+  alone.items = object.object.items;
   Result<OpenedPart> opened = read_whole(open_part(object.path, object.settings, alone));
   if (!opened.ok()) return opened;
   PartSummary summary = opened.value().summary;
   summary.box = object.object.box;
+  summary.objects.clear();
   std::vector<PlatePart> parts;
   parts.push_back({object.path,
-                   title_of(object.path),
+                   part_title_of(object.path),
                    object.settings,
                    std::move(opened).value(),
                    {object.shift}});

@@ -48,7 +48,8 @@ struct PlateSurvey {
   std::vector<PlateObject> objects;  // as in the summary
 };
 
-// Where open_plate() lays them. Reads each part to its end, and holds none of it. Errors: as there.
+// Where open_plate() lays them, but each item of a part (part_items.h) by itself. Reads each part
+// to its end, again for each of its items, and holds none of it. Errors: as there.
 [[nodiscard]] core::Result<PlateSurvey> survey_plate(const std::vector<std::string>& paths,
                                                      const core::Settings& settings,
                                                      const OpenOptions& options);
@@ -56,8 +57,5 @@ struct PlateSurvey {
 // The object alone, where it lies. It is read again. Errors: those of open_part().
 [[nodiscard]] core::Result<OpenedPart> open_object(const PlateObject& object,
                                                    const OpenOptions& options);
-
-// Letters, digits and underscores of a file's name, and a number.
-[[nodiscard]] std::string object_name(const std::string& path, std::size_t number);
 
 }  // namespace host

@@ -80,6 +80,19 @@ std::string prusa_threemf(const std::vector<MarkedBody>& bodies,
                  "Metadata/Slic3r_PE_model.config", roles + "</object>");
 }
 
+std::string named_threemf(const std::vector<NamedItem>& items) {
+  std::string objects, build;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const NamedItem& item = items[i];
+    objects += fmt::format("<object id=\"{}\" type=\"model\" name=\"{}\">{}</object>", i + 1,
+                           item.name, mesh_of({{item.part, "ModelPart"}}, "paint"));
+    build +=
+        fmt::format("<item objectid=\"{}\"{}/>", i + 1,
+                    item.transform.empty() ? "" : fmt::format(" transform=\"{}\"", item.transform));
+  }
+  return zip_file({{"3D/3dmodel.model", model(objects, build)}});
+}
+
 std::string orca_threemf(const std::vector<MarkedBody>& bodies, const BodySettings& of_object) {
   const std::size_t whole = bodies.size() + 1;
   std::string objects, components, roles;

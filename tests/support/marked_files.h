@@ -28,6 +28,14 @@ struct MarkedBody {
                                         const std::vector<std::string>& transforms = {""},
                                         const BodySettings& of_object = {});
 
+// Objects with names, each with an item.
+struct NamedItem {
+  std::string name;
+  parts::Part part;
+  std::string transform;  // "1 0 0 0 1 0 0 0 1 30 0 0"; may be empty
+};
+[[nodiscard]] std::string named_threemf(const std::vector<NamedItem>& items);
+
 // An object for each body, which are components of another.
 [[nodiscard]] std::string orca_threemf(const std::vector<MarkedBody>& bodies,
                                        const BodySettings& of_object = {});

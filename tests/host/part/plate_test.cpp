@@ -223,3 +223,46 @@ TEST_CASE("both pieces of a part that is cut lie beside each other") {
     CHECK(slices[layer].region.area_mm2() == doctest::Approx(area));
   }
 }
+
+TEST_CASE("all objects are shown where they lie") {
+  const PartFolder folder;
+  const std::string box = folder.add("box.stl", parts::box({3, 4, 0}, 20, 10, 8));
+  const std::string dome = folder.add("dome.stl", parts::dome(9, 64, 32));
+  Settings settings;
+  settings.copies = 2;
+  const host::OpenedPart part = plate_of({box, dome}, settings);
+  REQUIRE(static_cast<bool>(part.draw));
+  CHECK_FALSE(part.summary.seen_whole);
+  core::Box seen;
+  std::vector<core::Box> objects(part.summary.objects.size());
+  std::int64_t facets = 0, lowest = 1, highest = 0;
+  const core::Status drawn = part.draw([&](const core::Triangle& facet) {
+    ++facets;
+    lowest = std::min(lowest, facet.lowest_z());
+    highest = std::max(highest, facet.highest_z());
+    for (const core::Vertex& corner : facet.corners) {
+      const core::Point at{corner.x, corner.y};
+      seen.add(at);
+      for (std::size_t i = 0; i < objects.size(); ++i) {
+        const core::Box& of = part.summary.objects[i].box;
+        const bool within =
+            at.x >= of.min.x && at.x <= of.max.x && at.y >= of.min.y && at.y <= of.max.y;
+        if (within) objects[i].add(at);
+      }
+    }
+  });
+  CHECK(drawn.ok());
+  CHECK_EQ(facets, part.summary.facets);
+  CHECK_EQ(lowest, 0);
+  CHECK_EQ(highest, core::Length::from_mm(9).units());
+  CHECK(seen == part.summary.box);
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    CHECK(objects[i] == part.summary.objects[i].box);
+  }
+  // Slices have no facets.
+  const std::string layers = folder.add_text(
+      "a.cli",
+      "$$HEADERSTART\n$$ASCII\n$$UNITS/1\n$$HEADEREND\n$$GEOMETRYSTART\n"
+      "$$LAYER/0\n$$LAYER/0.2\n$$POLYLINE/1,1,5,0,0,9,0,9,9,0,9,0,0\n$$GEOMETRYEND\n");
+  CHECK_FALSE(static_cast<bool>(plate_of({layers}, settings).draw));
+}
