@@ -39,8 +39,8 @@ struct SpoolCheck {
 // Tells whether the spool is enough for the print that the options describe; a person is asked
 // where it is not. Nothing: the print may begin; else its exit code. Nothing is told without
 // --spool-left. `used_mm`: of a print that is resumed, the filament that was in roads when its
-// layer began; what stands before them in start G-code counts as if it came again, so a little more is
-// taken to be needed than is.
+// layer began; what stands before them in start G-code counts as if it came again, so a little
+// more is taken to be needed than is.
 // COSTS: the time and memory of `rind plan`.
 [[nodiscard]] std::optional<int> check_spool(const Options& options, Reporter& reporter,
                                              double used_mm = 0);
