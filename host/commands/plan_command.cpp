@@ -59,7 +59,7 @@ std::string model_text(const PrintSettings& settings) {
 }
 
 SpoolCheck spool_of(double left_mm, const GeometryStatistics& statistics) {
-  return spool_check(left_mm, statistics.needed_mm, statistics.needed_to_change_mm);
+  return spool_check(left_mm, statistics.needed.mm, statistics.needed.to_change_mm);
 }
 
 // As they are cancelled by.
@@ -166,7 +166,7 @@ std::string json_of(const Options& options, const PrintPlan& print_plan,
     if (settings.filament_cost_kg > 0) json["price"] = grams * 1e-3 * settings.filament_cost_kg;
   }
   if (!settings.limits_assumed.empty()) json["limits_assumed"] = settings.limits_assumed;
-  if (const auto to_change_mm = statistics.needed_to_change_mm) {
+  if (const auto to_change_mm = statistics.needed.to_change_mm) {
     json["needed_to_change_mm"] = *to_change_mm;
   }
   if (left_mm) {

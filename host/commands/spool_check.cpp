@@ -61,7 +61,7 @@ core::Result<SpoolCheck> planned(const Options& told, double used_mm, Reporter& 
   GeometryStatistics statistics;
   const core::Result<PipelineEnd> end = run_pipeline(plan, outputs, signals, statistics);
   if (!end.ok()) return end.error();
-  return spool_check(left_mm.value(), statistics.needed_mm, statistics.needed_to_change_mm,
+  return spool_check(left_mm.value(), statistics.needed.mm, statistics.needed.to_change_mm,
                      used_mm);
 }
 

@@ -143,8 +143,7 @@ void CommandStage::tell_missed(const std::string& part, WarningBox& warnings) co
 void CommandStage::tell(GeometryStatistics& statistics) const {
   statistics.filament_mm = builder_.totals().filament_mm;
   statistics.arcs = builder_.totals().arcs;
-  statistics.needed_mm = clock_.needed_mm();
-  statistics.needed_to_change_mm = clock_.needed_to_change_mm();
+  statistics.needed = {clock_.needed_mm(), clock_.needed_to_change_mm()};
   statistics.time_s = clock_.seconds();
 }
 

@@ -324,7 +324,7 @@ std::string statistics_json(const GeometryStatistics& geometry, const LinkStatis
       {"regularised_mm3", geometry.volumes.regularised_mm3},
       {"regularised_g", geometry.volumes.regularised_mm3 * geometry.volumes.filament_density_g_mm3},
       {"filament_mm", filament_json(geometry.filament_mm)},
-      {"needed_mm", geometry.needed_mm},
+      {"needed_mm", geometry.needed.mm},
       {"time_s", geometry.time_s},
       {"geometry_ended", geometry.ended},
       {"defects", defects_json(geometry.defects)},

@@ -107,6 +107,12 @@ struct Volumes {
   double filament_density_g_mm3 = 0;  // 0: not known
 };
 
+// Of the spool: roads, and what users' lines push out.
+struct NeededFilament {
+  double mm = 0;
+  std::optional<double> to_change_mm;  // up to the first M600; nothing: there is none
+};
+
 // Filled by the geometry's thread.
 struct GeometryStatistics {
   StageClock clock;
@@ -125,9 +131,8 @@ struct GeometryStatistics {
   AllocationLog allocations;  // only in the program: tests have no hook that counts
   Volumes volumes;
   FilamentUse filament_mm{};
-  double needed_mm = 0;                       // of the spool: roads, and what users' lines push out
-  std::optional<double> needed_to_change_mm;  // of it, up to the first M600; nothing: there is none
-  double time_s = 0;                          // estimated, heating left out
+  NeededFilament needed;
+  double time_s = 0;  // estimated, heating left out
   bool ended = true;  // false: abandoned in the middle of a layer; no other value here is known
   DefectLog defects;
   HangingLog hanging;

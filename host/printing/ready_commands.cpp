@@ -56,7 +56,7 @@ Result<bool> run_ready(const PrintPlan& print_plan, const JournalRecord* resumed
   statistics.layers = summary.layers;
   statistics.arcs = summary.arcs;
   statistics.filament_mm[0] = summary.filament_mm;
-  statistics.needed_mm = summary.needed_mm;
+  statistics.needed = {summary.needed_mm, summary.needed_to_change_mm};
   statistics.time_s = summary.time_s();
   FilePlace from;
   if (resumed != nullptr) {
