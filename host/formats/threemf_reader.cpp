@@ -97,6 +97,7 @@ class ThreeMfReader : public TriangleSource {
   }
   [[nodiscard]] Status keep_items(const std::vector<std::size_t>& items) override {
     std::vector<ThreeMfItem> kept;
+    kept.reserve(items.size());
     for (const std::size_t number : items) kept.push_back(items_.at(number));
     items_ = std::move(kept);
     store_.clear_items();
