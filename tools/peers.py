@@ -1,6 +1,7 @@
 """The slicers that benches compare with rind, with the same settings: 60 mm/s, layers of 0.2 mm,
 roads of 0.45 mm, three perimeters, an inside of 20 %, no skirt."""
 import os
+import re
 import shutil
 
 PROGRAMS = ('rind', 'prusa-slicer', 'slic3r', 'CuraEngine')
@@ -59,3 +60,12 @@ def installed(program, build):
     if program == 'rind':
         return os.path.exists(build + '/rind')
     return shutil.which(program) and (program != 'CuraEngine' or cura_definition())
+
+
+def peak_bytes(pid):
+    """Not wait4's figure, which includes this program's own memory from before exec."""
+    try:
+        with open('/proc/%d/status' % pid) as file:
+            return 1024 * int(re.search(r'VmHWM:\s+(\d+)', file.read()).group(1))
+    except (OSError, AttributeError):
+        return 0
