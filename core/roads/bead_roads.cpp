@@ -37,8 +37,7 @@ class Chord {
   }
 
  private:
-  static constexpr double kPerWidthTolerance =
-      1 / static_cast<double>(kBeadWidthTolerance.units());
+  static constexpr double kPerWidthTolerance = 1 / static_cast<double>(kBeadWidthTolerance.units());
 
   const BeadPoint& a_;
   Vector along_;

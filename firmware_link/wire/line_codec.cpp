@@ -10,9 +10,6 @@
 namespace firmware_link {
 namespace {
 
-constexpr std::int64_t kPowerOf10[] = {1,       10,        100,        1'000,       10'000,
-                                       100'000, 1'000'000, 10'000'000, 100'000'000, 1'000'000'000};
-
 static_assert(kMoveBytesMax <= kTextBytesMax);
 static_assert(kArcBytesMax <= kTextBytesMax);
 static_assert(kSetTemperatureBytesMax <= kTextBytesMax);
