@@ -20,7 +20,7 @@ std::int64_t along(core::Point point) {
 template <std::size_t... i>
 bool any_beyond(core::Point point, const Alongs& lowest, const Alongs& highest,
                 std::index_sequence<i...>) {
-  return (((along<i>(point) > highest[i]) | (along<i>(point) < lowest[i])) | ...);
+  return ((int{along<i>(point) > highest[i]} | int{along<i>(point) < lowest[i]}) | ...) != 0;
 }
 
 }  // namespace

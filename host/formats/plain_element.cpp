@@ -15,9 +15,9 @@ constexpr std::array<std::uint8_t, 256> classes() {
   for (std::size_t c = 'a'; c <= 'z'; ++c) table[c] |= kName | kNameStart;
   for (std::size_t c = 'A'; c <= 'Z'; ++c) table[c] |= kName | kNameStart;
   for (std::size_t c = '0'; c <= '9'; ++c) table[c] |= kName;
-  for (const unsigned char c : {'.', '-', '_'}) table[c] |= kName;
+  for (const std::size_t c : std::array<std::size_t, 3>{'.', '-', '_'}) table[c] |= kName;
   table['_'] |= kNameStart;
-  for (const unsigned char c : {' ', '\t', '\n'}) table[c] |= kBlank;
+  for (const std::size_t c : std::array<std::size_t, 3>{' ', '\t', '\n'}) table[c] |= kBlank;
   return table;
 }
 constexpr std::array<std::uint8_t, 256> kClasses = classes();

@@ -127,7 +127,8 @@ TEST_CASE("each kind of road has its own speed and flow, and skirts none") {
       {LaidValue::kIroningSpeed, RoadKind::kIroning},
       {LaidValue::kLooseSpeed, RoadKind::kLoose},
       {LaidValue::kRestSpeed, RoadKind::kGapFill}};
-  for (const auto& [value, kind] : speeds) {
+  for (const auto& [value, of_kind] : speeds) {
+    const RoadKind kind = of_kind;  // CAPTURE() is a lambda
     CAPTURE(static_cast<int>(kind));
     const Settings settings, changed = laid_settings(settings, with(value, 7));
     CHECK_EQ(core::full_speed_mm_s(changed, 4, {kind}), 7);
@@ -148,7 +149,8 @@ TEST_CASE("each kind of road has its own speed and flow, and skirts none") {
       {LaidValue::kBottomFlow, RoadKind::kBottomSolid},
       {LaidValue::kLooseFlow, RoadKind::kLoose},
       {LaidValue::kGapFlow, RoadKind::kGapFill}};
-  for (const auto& [value, kind] : flows) {
+  for (const auto& [value, of_kind] : flows) {
+    const RoadKind kind = of_kind;
     CAPTURE(static_cast<int>(kind));
     AreaChange change = with(value, 0.5);
     change.value(LaidValue::kFlow) = 3;
