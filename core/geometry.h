@@ -16,6 +16,13 @@ struct Point {
   auto operator<=>(const Point&) const = default;
 };
 
+// Of its bits the high ones are mixed best: multiplied by 2^64 over the golden ratio (Knuth).
+[[nodiscard]] inline std::uint64_t hash_of(Point p) {
+  const std::uint64_t both =
+      std::uint64_t{static_cast<std::uint32_t>(p.x)} << 32 | static_cast<std::uint32_t>(p.y);
+  return (both ^ both >> 29) * 0x9E3779B97F4A7C15;
+}
+
 // Twice the signed area of the triangle a b c: positive when c is left of a -> b.
 // Exact: coordinates are within ±2^29, so the products are below 2^62.
 inline std::int64_t cross(Point a, Point b, Point c) {

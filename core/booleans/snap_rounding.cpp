@@ -11,11 +11,7 @@ namespace {
 
 constexpr std::size_t kTableMin = 64;
 
-std::size_t hash(Point p) {
-  const std::uint64_t both =
-      (std::uint64_t{static_cast<std::uint32_t>(p.x)} << 32) | static_cast<std::uint32_t>(p.y);
-  return static_cast<std::size_t>((both * 0x9E3779B97F4A7C15u) >> 32);
-}
+std::size_t hash(Point p) { return static_cast<std::size_t>(hash_of(p) >> 32); }
 
 // The first boxes of some, with one around them.
 struct Gathered {

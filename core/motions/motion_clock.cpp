@@ -134,8 +134,7 @@ void MotionClock::limit(const Move& move, bool round, Block& block) const {
   block.start_speed_mm_s = model_.jerks() ? std::min(most_of(jerk_share), block.speed_mm_s) : 0;
 }
 
-void MotionClock::push(const Block& next) {
-  Block block = next;
+void MotionClock::push(Block block) {
   if (moves_.full()) {
     const Block& oldest = moves_[0];
     seconds_done_ += trapezoid_seconds(oldest.length_mm, oldest.entry_speed_mm_s, oldest.speed_mm_s,

@@ -81,7 +81,7 @@ class MotionClock {
 
   [[nodiscard]] bool arc_directions(const Arc& arc, const Move& move, Block& block) const;
   void limit(const Move& move, bool round, Block& block) const;
-  void push(const Block& next);
+  void push(Block block);
   void plan();
   [[nodiscard]] double corner_speed(const Block& before, const Block& after) const;
   [[nodiscard]] double jerk_speed(const AxisLimits& before, const AxisLimits& after) const;

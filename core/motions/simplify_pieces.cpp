@@ -1,12 +1,12 @@
 #include "core/motions/simplify_pieces.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <optional>
 
 #include "core/regions/polyline.h"  // distance_mm, distance_units
 #include "core/regions/simplify.h"  // kept_points
+#include "core/rounded.h"           // rounded
 #include "core/vector.h"            // Vector, to_vector
 
 namespace core {
@@ -30,8 +30,7 @@ std::optional<Point> corner(Point a, Point b, Point c, Point d) {
   const double before_c = -(gap.x * u.y - gap.y * u.x) / turn;
   if (beyond_b < 0 || before_c > 0) return std::nullopt;
   const Vector at = to_vector(b) + u * beyond_b;
-  return Point{static_cast<std::int32_t>(std::lround(at.x)),
-               static_cast<std::int32_t>(std::lround(at.y))};
+  return Point{rounded(at.x), rounded(at.y)};
 }
 
 // Whether a corner may stand for the run's points from `first` to `last`.

@@ -4,6 +4,7 @@
 
 #include "core/booleans/boolean.h"  // clean
 #include "core/limits.h"            // kCapsuleToleranceUnits
+#include "core/rounded.h"           // rounded
 #include "core/trigonometry.h"      // arc_tangent, arc_cosine, cosine, sine
 
 namespace core {
@@ -19,8 +20,8 @@ Ring capsule(Point a, Point b, double radius) {
   for (const auto& [centre, from] : {std::pair{b, start}, std::pair{a, start + M_PI}}) {
     for (int i = 0; i <= chords; ++i) {
       const double angle = from + M_PI * i / chords;
-      ring.push_back({static_cast<std::int32_t>(std::lround(centre.x + radius * cosine(angle))),
-                      static_cast<std::int32_t>(std::lround(centre.y + radius * sine(angle)))});
+      ring.push_back(
+          {rounded(centre.x + radius * cosine(angle)), rounded(centre.y + radius * sine(angle))});
     }
   }
   return ring;

@@ -6,6 +6,7 @@
 #include "core/booleans/boolean.h"       // clean
 #include "core/check.h"                  // RIND_CHECK
 #include "core/regions/contact_check.h"  // surely_clean
+#include "core/rounded.h"                // rounded
 #include "core/trigonometry.h"           // arc_tangent, arc_cosine, cosine, sine
 
 namespace core {
@@ -41,8 +42,7 @@ void add_arc(const OffsetPiece& piece, Point to, double tolerance, Ring& ring) {
     y = x * sine + y * cosine;
     x = turned;
     const double stretch = 1 + growth * i / chords;
-    ring.push_back({static_cast<std::int32_t>(std::lround(piece.centre.x + x * stretch)),
-                    static_cast<std::int32_t>(std::lround(piece.centre.y + y * stretch))});
+    ring.push_back({rounded(piece.centre.x + x * stretch), rounded(piece.centre.y + y * stretch)});
   }
 }
 

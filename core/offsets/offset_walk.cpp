@@ -4,9 +4,10 @@
 #include <array>
 #include <cmath>
 
-#include "core/check.h"   // RIND_CHECK
-#include "core/limits.h"  // kCoordinateMax
-#include "core/vector.h"  // Vector, dot, cross, left_of
+#include "core/check.h"    // RIND_CHECK
+#include "core/limits.h"   // kCoordinateMax
+#include "core/rounded.h"  // rounded
+#include "core/vector.h"   // Vector, dot, cross, left_of
 
 namespace core {
 namespace {
@@ -146,8 +147,7 @@ class Walk {
     if (std::abs(best.x) > 2.0 * kCoordinateMax || std::abs(best.y) > 2.0 * kCoordinateMax) {
       return std::nullopt;
     }
-    return Point{static_cast<std::int32_t>(std::lround(best.x)),
-                 static_cast<std::int32_t>(std::lround(best.y))};
+    return Point{rounded(best.x), rounded(best.y)};
   }
 
   [[nodiscard]] double error_at(Vector p, const VoronoiSite& a, const VoronoiSite& b) const {

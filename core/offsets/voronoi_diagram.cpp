@@ -7,6 +7,7 @@
 
 #include "core/limits.h"                 // kDiagramTurnsMax
 #include "core/offsets/voronoi_check.h"  // measure_and_check
+#include "core/rounded.h"                // rounded
 #include "core/trigonometry.h"           // cosine, sine, hypotenuse
 
 namespace core {
@@ -36,8 +37,7 @@ class Frame {
 
   [[nodiscard]] Point there(Point p) const {
     const double x = (p.x - centre_x_) * scale_, y = (p.y - centre_y_) * scale_;
-    return {static_cast<std::int32_t>(std::lround(cosine_ * x - sine_ * y)),
-            static_cast<std::int32_t>(std::lround(sine_ * x + cosine_ * y))};
+    return {rounded(cosine_ * x - sine_ * y), rounded(sine_ * x + cosine_ * y)};
   }
   [[nodiscard]] VoronoiVertex back(double x, double y) const {
     return {(cosine_ * x + sine_ * y) / scale_ + centre_x_,

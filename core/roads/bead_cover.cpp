@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/booleans/boolean.h"  // clean
+#include "core/rounded.h"           // rounded
 #include "core/trigonometry.h"      // arc_tangent, cosine, sine
 #include "core/vector.h"            // Vector, dot, cross, left_of
 
@@ -19,8 +20,7 @@ constexpr double kTurnCosine = 0.95;
 constexpr double kRoundPart = std::numbers::pi / 4;
 
 Point moved(Point p, Vector d, double by) {
-  return {static_cast<std::int32_t>(std::lround(p.x + d.x * by)),
-          static_cast<std::int32_t>(std::lround(p.y + d.y * by))};
+  return {rounded(p.x + d.x * by), rounded(p.y + d.y * by)};
 }
 
 // Where one piece of road ends and the next one starts.

@@ -1,21 +1,18 @@
 #include "core/roads/branch_roads.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 
 #include "core/booleans/boolean.h"  // clean
 #include "core/geometry.h"          // Point, Ring
 #include "core/regions/polyline.h"  // between, distance_units
+#include "core/rounded.h"           // rounded
 #include "core/vector.h"            // left_of, to_vector, Vector
 
 namespace core {
 namespace {
 
-Point moved(Point point, Vector by) {
-  return {static_cast<std::int32_t>(std::lround(point.x + by.x)),
-          static_cast<std::int32_t>(std::lround(point.y + by.y))};
-}
+Point moved(Point point, Vector by) { return {rounded(point.x + by.x), rounded(point.y + by.y)}; }
 
 }  // namespace
 

@@ -1,11 +1,11 @@
 #include "core/roads/fuzzy_skin.h"
 
-#include <cmath>
 #include <cstdint>
 #include <utility>
 
 #include "core/regions/polyline.h"  // between, distance_units
 #include "core/regions/region.h"    // doubled_area_units
+#include "core/rounded.h"           // rounded
 
 namespace core {
 namespace {
@@ -85,8 +85,7 @@ class FuzzyRoad {
     const double aside = (2 * chance.next() - 1) * thickness_ / length;
     step_ = distance_ * (kStepMin + kStepRange * chance.next());
     const double dx = static_cast<double>(to.x) - from.x, dy = static_cast<double>(to.y) - from.y;
-    made_.points.push_back({at.x + static_cast<std::int32_t>(std::lround(-dy * aside)),
-                            at.y + static_cast<std::int32_t>(std::lround(dx * aside))});
+    made_.points.push_back({at.x + rounded(-dy * aside), at.y + rounded(dx * aside)});
     if (!road_.widths.empty()) {
       const double a = road_.widths[i].mm(), b = road_.widths[j].mm();
       made_.widths.push_back(Length::from_mm(a + (b - a) * along / length));

@@ -10,6 +10,7 @@
 #include "core/roads/axis_curve.h"         // AxisCurve, Disc
 #include "core/roads/narrow_diagram.h"     // make_narrow_diagram
 #include "core/roads/ridge.h"              // Ridge
+#include "core/rounded.h"                  // rounded
 
 namespace core {
 namespace {
@@ -135,8 +136,7 @@ class Chains {
     ThickPolyline line;
     line.closed = closed;
     for (const Disc& disc : discs) {
-      const Point p{static_cast<std::int32_t>(std::lround(disc.x)),
-                    static_cast<std::int32_t>(std::lround(disc.y))};
+      const Point p{rounded(disc.x), rounded(disc.y)};
       if (!line.points.empty() && line.points.back() == p) continue;
       line.points.push_back(p);
       line.widths.push_back(Length::from_units(std::llround(2 * disc.radius)));

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "core/rounded.h"  // rounded
+
 namespace core {
 namespace {
 
@@ -46,7 +48,7 @@ Vector RowGrid::to_rows(Point point) const {
 
 Point RowGrid::to_plane(double along, std::size_t row) const {
   const Vector p = direction * along + left_of(direction) * across(row);
-  return {static_cast<std::int32_t>(std::lround(p.x)), static_cast<std::int32_t>(std::lround(p.y))};
+  return rounded(p);
 }
 
 double RowGrid::across(std::size_t row) const {

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <numbers>
 
 #include "core/geometry.h"      // Box, Point
+#include "core/rounded.h"       // rounded
 #include "core/trigonometry.h"  // cosine, sine
 
 namespace core {
@@ -24,8 +24,7 @@ class RowTurn {
     return {cosine_ * p.x + sine_ * p.y, -sine_ * p.x + cosine_ * p.y};
   }
   [[nodiscard]] Point to_plane(double along, double across) const {
-    return {static_cast<std::int32_t>(std::lround(cosine_ * along - sine_ * across)),
-            static_cast<std::int32_t>(std::lround(sine_ * along + cosine_ * across))};
+    return {rounded(cosine_ * along - sine_ * across), rounded(sine_ * along + cosine_ * across)};
   }
 
  private:

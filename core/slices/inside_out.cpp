@@ -8,6 +8,7 @@
 #include "core/booleans/boolean.h"  // clean
 #include "core/regions/polyline.h"  // distance_units
 #include "core/regions/region.h"    // doubled_area_units
+#include "core/rounded.h"           // rounded
 
 namespace core {
 namespace {
@@ -34,8 +35,7 @@ std::vector<Point> samples_of(const Ring& ring) {
     for (; edge > 0 && next <= behind + edge && samples.size() < kTurnSamples; next += step) {
       const double share = (next - behind) / edge;
       samples.push_back(
-          {static_cast<std::int32_t>(std::lround(a.x + share * (double(b.x) - a.x))),
-           static_cast<std::int32_t>(std::lround(a.y + share * (double(b.y) - a.y)))});
+          {rounded(a.x + share * (double(b.x) - a.x)), rounded(a.y + share * (double(b.y) - a.y))});
     }
     behind += edge;
   }

@@ -42,10 +42,7 @@ class SoundChains {
   };
 
   [[nodiscard]] std::size_t slot_of(Point point) const {
-    const std::uint64_t number = std::uint64_t{static_cast<std::uint32_t>(point.x)} << 32 |
-                                 static_cast<std::uint32_t>(point.y);
-    // Multiplicative hashing (Knuth), by 2^64 over the golden ratio.
-    return static_cast<std::size_t>((number ^ number >> 29) * 0x9E3779B97F4A7C15 >> shift_);
+    return static_cast<std::size_t>(hash_of(point) >> shift_);
   }
 
   // By their starts; false where two are at one point.

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/regions/polyline.h"  // between, distance_mm, length_mm
+#include "core/rounded.h"           // rounded
 
 namespace core {
 namespace {
@@ -48,8 +49,8 @@ bool holds(const std::vector<Point>& stretch, const Settings& settings) {
 
 // A regular octagon with its sides at `reach`.
 Ring octagon(Point centre, double reach) {
-  const auto r = static_cast<std::int32_t>(std::lround(reach));
-  const auto k = static_cast<std::int32_t>(std::lround(reach * (std::sqrt(2.0) - 1)));
+  const auto r = rounded(reach);
+  const auto k = rounded(reach * (std::sqrt(2.0) - 1));
   return {{centre.x + r, centre.y - k}, {centre.x + r, centre.y + k}, {centre.x + k, centre.y + r},
           {centre.x - k, centre.y + r}, {centre.x - r, centre.y + k}, {centre.x - r, centre.y - k},
           {centre.x - k, centre.y - r}, {centre.x + k, centre.y - r}};

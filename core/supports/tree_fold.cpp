@@ -10,6 +10,7 @@
 #include "core/check.h"                     // RIND_CHECK
 #include "core/offsets/voronoi_mountain.h"  // offset
 #include "core/regions/point_location.h"    // PointLocation
+#include "core/rounded.h"                   // rounded
 #include "core/supports/support_regions.h"  // grown, kSupportTolerance, shared
 #include "core/supports/tree_reach.h"       // blocked_for_branches, branch_core, branch_step
 #include "core/supports/tree_standing.h"    // branch_overhang
@@ -32,8 +33,8 @@ Ring disc(Point centre, double radius) {
   ring.reserve(kDiscCorners);
   for (int i = 0; i < kDiscCorners; ++i) {
     const double angle = 2 * std::numbers::pi * i / kDiscCorners;
-    ring.push_back({centre.x + static_cast<std::int32_t>(std::lround(radius * cosine(angle))),
-                    centre.y + static_cast<std::int32_t>(std::lround(radius * sine(angle)))});
+    ring.push_back(
+        {centre.x + rounded(radius * cosine(angle)), centre.y + rounded(radius * sine(angle))});
   }
   return ring;
 }

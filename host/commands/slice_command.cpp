@@ -31,9 +31,6 @@
 namespace host {
 namespace {
 
-// Text is written layer by layer, or in pieces of about this size.
-constexpr std::size_t kTextBytesHeld = 64 << 10;
-
 // Null for G-code, which is written motion by motion.
 std::unique_ptr<LayerWriter> layer_writer(const Options& options, const PrintPlan& print_plan) {
   LayerFileHead head;
@@ -113,8 +110,7 @@ class SliceFile {
       }
       outputs.on_motion = [this](const core::Motion& motion,
                                  const std::optional<firmware_link::Command>& command) {
-        const auto* layer = std::get_if<core::LayerStart>(&motion);
-        if (layer != nullptr) {
+        if (const auto* layer = std::get_if<core::LayerStart>(&motion)) {
           ++totals_.layers;
           totals_.height = layer->top;
         }
@@ -123,8 +119,8 @@ class SliceFile {
           totals_.chamber_celsius = std::max(totals_.chamber_celsius, chamber_celsius_in(line));
         }
         gcode_.write(motion, command, text_);
-        const bool first = lays_road(motion) && note_road();
-        return first || layer != nullptr || text_.size() >= kTextBytesHeld ? flush() : true;
+        if (lays_road(motion)) note_road();
+        return flush();
       };
     }
     return outputs;
@@ -158,16 +154,14 @@ class SliceFile {
 
   bool take(const core::SplitLayer& layer, const std::vector<core::Road>& roads) {
     layers_->layer(layer, roads, text_);
-    if (!roads.empty()) (void)note_road();
+    if (!roads.empty()) note_road();
     return flush();
   }
 
-  // Whether it is the first one.
-  bool note_road() {
-    if (statistics_.first_road_s) return false;
+  void note_road() {
+    if (statistics_.first_road_s) return;
     statistics_.first_road_s = steady_seconds() - started_s_;
     statistics_.first_road_cpu_s = process_cpu_seconds();
-    return true;
   }
 
   void report(const core::Slice& slice) {

@@ -6,46 +6,34 @@
 #include <filesystem>
 #include <optional>
 
+#include "host/part/derived_triangles.h"
+
 namespace host {
 namespace {
 
 using core::Result;
 using core::Triangle;
 
-class WatchedTriangles : public TriangleSource {
+class WatchedTriangles : public DerivedTriangles {
  public:
   WatchedTriangles(std::unique_ptr<TriangleSource> triangles, std::shared_ptr<PartItems> items)
-      : triangles_(std::move(triangles)), items_(std::move(items)) {}
-
-  [[nodiscard]] std::string format() const override { return triangles_->format(); }
-
-  [[nodiscard]] Result<std::optional<Triangle>> next() override {
-    Result<std::optional<Triangle>> read = triangles_->next();
-    facets_ = triangles_->facets();
-    if (warnings_.size() != triangles_->warnings().size()) warnings_ = triangles_->warnings();
-    if (!read.ok() || !read.value()) {
-      doubt_ = triangles_->doubt();
-      return read;
-    }
-    items_->add(triangles_->item(), *read.value());
-    return read;
-  }
+      : DerivedTriangles(std::move(triangles)), items_(std::move(items)) {}
 
  private:
-  std::unique_ptr<TriangleSource> triangles_;
+  Result<std::optional<Triangle>> derived(const Triangle& triangle) override {
+    items_->add(item(), triangle);
+    return std::optional<Triangle>(triangle);
+  }
+
   std::shared_ptr<PartItems> items_;
 };
-
-bool meet(const core::Box& a, const core::Box& b) {
-  return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
-}
 
 // Takes the boxes together that meet, until none do.
 void unite(std::vector<PartObject>& objects) {
   for (std::size_t i = 0; i < objects.size();) {
     const auto other =
         std::find_if(objects.begin() + static_cast<std::ptrdiff_t>(i) + 1, objects.end(),
-                     [&](const PartObject& object) { return meet(objects[i].box, object.box); });
+                     [&](const PartObject& object) { return objects[i].box.overlaps(object.box); });
     if (other == objects.end()) {
       ++i;
       continue;

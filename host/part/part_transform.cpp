@@ -8,10 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "core/booleans/boolean.h"      // clean
-#include "core/limits.h"                // kCoordinateMax
-#include "host/formats/mesh_extent.h"   // MeshExtent
-#include "host/part/bed_placing.h"      // mm_text
+#include "core/booleans/boolean.h"     // clean
+#include "core/limits.h"               // kCoordinateMax
+#include "host/formats/mesh_extent.h"  // MeshExtent
+#include "host/part/bed_placing.h"     // mm_text
+#include "host/part/derived_triangles.h"
 #include "host/part/transform_words.h"  // read_scale, read_rotation
 
 namespace host {
@@ -58,33 +59,20 @@ double unit_mm(core::PartUnits units) {
   return units == core::PartUnits::kMetre ? kMetreMm : 1;
 }
 
-class TransformedTriangles : public TriangleSource {
+class TransformedTriangles : public DerivedTriangles {
  public:
   TransformedTriangles(std::unique_ptr<TriangleSource> triangles, const PartTransform& by,
                        std::string name)
-      : triangles_(std::move(triangles)), by_(by), name_(std::move(name)) {}
+      : DerivedTriangles(std::move(triangles)), by_(by), name_(std::move(name)) {}
 
-  [[nodiscard]] std::string format() const override { return triangles_->format(); }
-
-  [[nodiscard]] std::vector<std::string> items() const override { return triangles_->items(); }
-  [[nodiscard]] std::size_t item() const override { return triangles_->item(); }
-
-  [[nodiscard]] Result<std::optional<Triangle>> next() override {
-    Result<std::optional<Triangle>> read = triangles_->next();
-    facets_ = triangles_->facets();
-    if (warnings_.size() != triangles_->warnings().size()) warnings_ = triangles_->warnings();
-    if (!read.ok() || !read.value()) {
-      doubt_ = triangles_->doubt();
-      return read;
-    }
-    Result<Triangle> made = by_.of(*read.value());
+ private:
+  Result<std::optional<Triangle>> derived(const Triangle& triangle) override {
+    Result<Triangle> made = by_.of(triangle);
     if (made.ok()) return std::optional<Triangle>(made.value());
     return Error{made.error().code,
                  name_ + ": facet " + std::to_string(facets_) + ": " + made.error().message};
   }
 
- private:
-  std::unique_ptr<TriangleSource> triangles_;
   PartTransform by_;
   std::string name_;
 };

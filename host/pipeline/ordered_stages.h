@@ -4,6 +4,8 @@
 //
 //     ──> in order, one at a time       ══> any number at once
 //
+// `order` also prepares how the roads are laid (laid_roads.h), `give` makes motions and commands.
+//
 // The results and their order are the same for any number of threads. It uses oneTBB's
 // parallel_pipeline; with one thread, a plain loop.
 #pragma once

@@ -250,9 +250,10 @@ class PartPipeline {
     if (batch.error) return run_.fail(*batch.error);
     {
       const StageMeter meter(Stage::kEncode, batch.use);
-      for (const SettledLayer& settled : batch.settled) {
+      for (SettledLayer& settled : batch.settled) {
         if (core::Status given = give(settled); !given.ok()) return run_.fail(given.error());
         if (run_.stopped()) return;
+        settled.laid.reset();
       }
     }
     statistics_.retries.mountains += batch.offset_retries;
@@ -264,7 +265,7 @@ class PartPipeline {
   }
 
   // Of the part; and before its first layer those of the raft.
-  core::Status give(const SettledLayer& settled) {
+  core::Status give(SettledLayer& settled) {
     if (settled.index == 0 && wants_roads()) {
       if (core::Status laid = give_raft(settled); !laid.ok() || run_.stopped()) return laid;
     }

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/check.h"
 #include "core/units.h"
 
 namespace test {
@@ -28,6 +29,14 @@ std::vector<Triangle> triangles_of(const parts::Part& part) {
     for (core::Vertex& corner : triangle.corners) corner.z -= lowest;
   }
   return triangles;
+}
+
+parts::Part part_named(const std::string& name) {
+  for (const parts::NamedPart& part : parts::all_parts()) {
+    if (part.name == name) return part.part;
+  }
+  RIND_CHECK(!"a part of this name");
+  return {};
 }
 
 SweepResult sweep(std::vector<Triangle> triangles, core::PlaneSweep::Options options) {

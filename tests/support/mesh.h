@@ -1,6 +1,7 @@
 // Meshes and their slices, for tests.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "core/geometry.h"                 // Triangle
@@ -13,6 +14,9 @@ namespace test {
 
 // Snapped to the grid; z from the part's lowest point.
 std::vector<core::Triangle> triangles_of(const parts::Part& part);
+
+// One of make_part's. REQUIRES: there is one of that name.
+parts::Part part_named(const std::string& name);
 
 // All slices of triangles that stand on z = 0, given to the sweep in order of lowest z. `layers` is
 // set from the highest corner.

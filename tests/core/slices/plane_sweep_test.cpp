@@ -33,14 +33,6 @@ std::vector<Slice> slices_of(const parts::Part& part) {
   return sweep(triangles_of(part), exact_options()).slices;
 }
 
-parts::Part faulty(const std::string& name) {
-  for (const parts::NamedPart& part : parts::all_parts()) {
-    if (part.name == name) return part.part;
-  }
-  FAIL("no part is named " << name);
-  return {};
-}
-
 SliceDefects all_defects(const std::vector<Slice>& slices) {
   SliceDefects sum;
   for (const Slice& slice : slices) sum.add(slice.defects);
@@ -139,29 +131,6 @@ TEST_CASE("the demo part's slices add up to its volume") {
   CHECK(perimeter > 1000);
 }
 
-TEST_CASE("the order of the triangles and of their corners does not matter") {
-  for (const parts::Part& part :
-       {parts::demo(), parts::lattice(3), faulty("hole"), faulty("crossing_boxes"),
-        faulty("flipped_some"), faulty("doubled")}) {
-    std::vector<Triangle> triangles = triangles_of(part);
-    const std::vector<Slice> expected = sweep(triangles, exact_options()).slices;
-    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-      CAPTURE(seed);
-      test::Random random(seed);
-      test::shuffle(triangles, random);
-      for (Triangle& t : triangles) {
-        std::rotate(t.corners.begin(), t.corners.begin() + random.integer(0, 2), t.corners.end());
-      }
-      const std::vector<Slice> slices = sweep(triangles, exact_options()).slices;
-      REQUIRE_EQ(slices.size(), expected.size());
-      for (std::size_t i = 0; i < slices.size(); ++i) {
-        CHECK_EQ(slices[i].region, expected[i].region);
-        CHECK_EQ(slices[i].defects.closed_chains, expected[i].defects.closed_chains);
-      }
-    }
-  }
-}
-
 TEST_CASE("planes through corners, edges and flat facets") {
   // Every ring of the mesh lies in the plane of a layer: at (i + ½) · 0.2 mm.
   const parts::Part raised_rings = [](const parts::FacetSink& sink) {
@@ -194,7 +163,7 @@ TEST_CASE("a bottom in the plane is above it") {
 }
 
 TEST_CASE("a gap in height comes out as empty slices") {
-  const std::vector<Slice> slices = slices_of(faulty("gap"));
+  const std::vector<Slice> slices = slices_of(test::part_named("gap"));
   REQUIRE_EQ(slices.size(), 40);
   for (std::size_t i = 0; i < 40; ++i) {
     CHECK_EQ(slices[i].region.empty(), i >= 10 && i < 30);
@@ -254,7 +223,7 @@ TEST_CASE("flipped, doubled and inside-out facets are taken as a person would ta
   for (const Expected& expected : {Expected{"flipped_all", 0, 0}, Expected{"flipped_some", 2, 0},
                                    Expected{"doubled", 0, 1}, Expected{"zero_area", 0, 0}}) {
     CAPTURE(expected.name);
-    const std::vector<Slice> slices = slices_of(faulty(expected.name));
+    const std::vector<Slice> slices = slices_of(test::part_named(expected.name));
     REQUIRE_EQ(slices.size(), 50);
     for (const Slice& slice : slices) {
       CHECK_EQ(slice.region, box);
@@ -263,9 +232,12 @@ TEST_CASE("flipped, doubled and inside-out facets are taken as a person would ta
       CHECK_EQ(slice.defects.closed_chains + slice.defects.dropped_chains, 0);
     }
   }
-  CHECK_EQ(slices_of(faulty("inside_out_shell"))[20].region.area_mm2(), doctest::Approx(300));
-  CHECK_EQ(slices_of(faulty("crossing_boxes"))[40].region.area_mm2(), doctest::Approx(700));
-  CHECK_EQ(slices_of(faulty("touching_edge"))[40].region.area_mm2(), doctest::Approx(800));
+  CHECK_EQ(slices_of(test::part_named("inside_out_shell"))[20].region.area_mm2(),
+           doctest::Approx(300));
+  CHECK_EQ(slices_of(test::part_named("crossing_boxes"))[40].region.area_mm2(),
+           doctest::Approx(700));
+  CHECK_EQ(slices_of(test::part_named("touching_edge"))[40].region.area_mm2(),
+           doctest::Approx(800));
 }
 
 TEST_CASE("a body that is inside out and higher than what is around it is told") {
