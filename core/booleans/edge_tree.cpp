@@ -8,26 +8,6 @@ namespace {
 // The shorter side of a part's box in mean edges. Wider ones are found too often, narrower ones are
 // more.
 constexpr std::int32_t kPartInEdges = 2;
-// More rings of an operand are put in order.
-constexpr std::size_t kRingsInOrder = 8;
-
-// The bits of a number of 32 bits, each with a 0 before it.
-std::uint64_t spread(std::uint64_t bits) {
-  bits = (bits | bits << 16) & 0x0000FFFF0000FFFF;
-  bits = (bits | bits << 8) & 0x00FF00FF00FF00FF;
-  bits = (bits | bits << 4) & 0x0F0F0F0F0F0F0F0F;
-  bits = (bits | bits << 2) & 0x3333333333333333;
-  return (bits | bits << 1) & 0x5555555555555555;
-}
-
-// Where a point lies on a curve that fills the plane, so that neighbours on it are near.
-std::uint64_t place_of(Point p) {
-  const auto from_corner = [](std::int32_t value) {
-    return static_cast<std::uint64_t>(std::int64_t{value} - INT32_MIN);
-  };
-  return spread(from_corner(p.x)) | spread(from_corner(p.y)) << 1;
-}
-
 inline Box around(const Box& a, const Box& b) {
   return {{std::min(a.min.x, b.min.x), std::min(a.min.y, b.min.y)},
           {std::max(a.max.x, b.max.x), std::max(a.max.y, b.max.y)}};
@@ -47,16 +27,10 @@ void EdgeTree::build(const ContourEdges& edges) {
     Tree tree;
     tree.operand = rings[i].operand;
     tree.levels[0] = static_cast<std::uint32_t>(groups_.size());
-    order_.clear();
-    for (; end < rings.size() && rings[end].operand == tree.operand; ++end) {
-      order_.emplace_back(0, static_cast<std::uint32_t>(end));
-    }
-    if (order_.size() > kRingsInOrder) {
-      for (auto& [place, ring] : order_) place = place_of(edges.from(rings[ring].first));
-      std::sort(order_.begin(), order_.end());
-    }
-    for (const auto& [place, ring] : order_) {
-      add_edges(edges, rings[ring], tree);
+    while (end < rings.size() && rings[end].operand == tree.operand) ++end;
+    const auto first_of = [&](std::uint32_t ring) { return edges.from(rings[i + ring].first); };
+    for (const std::uint32_t ring : order_.near_by_near(end - i, first_of)) {
+      add_edges(edges, rings[i + ring], tree);
     }
     close_group(tree);
     trees_.push_back(tree);

@@ -17,9 +17,10 @@
 #include <utility>
 #include <vector>
 
-#include "core/booleans/box_group.h"      // BoxGroup
 #include "core/booleans/contour_edges.h"  // ContourEdges, EdgeIndex
 #include "core/geometry.h"                // Box, Point
+#include "core/regions/box_group.h"       // BoxGroup
+#include "core/regions/box_tree.h"        // RingOrder
 
 namespace core {
 
@@ -115,17 +116,11 @@ class EdgeTree {
   };
   OpenGroup open_;
   // Room to work.
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> order_;  // place, ring
+  RingOrder order_;
   std::vector<Box> level_;
 };
 
 // Implementation details follow.
-
-// visit(lane) for the bits that are set.
-template <typename Visit>
-inline void for_lanes(std::uint32_t bits, Visit visit) {
-  for (; bits != 0; bits &= bits - 1) visit(static_cast<std::uint32_t>(std::countr_zero(bits)));
-}
 
 inline std::int32_t EdgeTree::part_count(const Box& box) const {
   return std::min(box.max.x - box.min.x, box.max.y - box.min.y) / part_max_ + 1;

@@ -29,7 +29,10 @@ bool is_straight(Point a, Point b, Point c) {
 }  // namespace
 
 void OffsetInput::load(const Region& region, bool mirrored) {
-  const Box box = region.box();
+  load(region, region.box(), mirrored);
+}
+
+void OffsetInput::load(const Region& region, const Box& box, bool mirrored) {
   mirror_ = mirrored ? -1 : 1;
   origin_x_ = box.min.x;
   origin_y_ = box.min.y;

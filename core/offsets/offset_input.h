@@ -64,6 +64,8 @@ class OffsetInput {
  public:
   // COSTS: O(points); allocates only when a region is larger than all before.
   void load(const Region& region, bool mirrored);
+  // REQUIRES: `box` is the region's.
+  void load(const Region& region, const Box& box, bool mirrored);
 
   // Links the corners at equal points by angle. COSTS: O(n log n); needed only when contours touch.
   void mend_touching();

@@ -11,12 +11,14 @@ constexpr std::int32_t kChunkEdgesMax = 8;
 constexpr std::int32_t kLongRun = 4;
 constexpr OffsetBox kEmptyBox{1e300, 1e300, -1e300, -1e300};
 
-// Cells along one coordinate that [from, to] touches.
-std::pair<std::int32_t, std::int32_t> cell_range(double from, double to, double cells_per_unit,
-                                                 std::int32_t count) {
-  const double most = count - 1;
-  return {static_cast<std::int32_t>(std::clamp(from * cells_per_unit, 0.0, most)),
-          static_cast<std::int32_t>(std::clamp(to * cells_per_unit, 0.0, most))};
+// A part's box is at least so many mean edges wide: smaller ones would be too many.
+constexpr double kPartInEdges = 2;
+
+// Boxes of integers: exact where the numbers are whole, as edges' ends are, else a unit wider.
+Box grown(const OffsetBox& box, double by) {
+  const auto down = [&](double at) { return static_cast<std::int32_t>(at - by) - 1; };
+  const auto up = [&](double at) { return static_cast<std::int32_t>(at + by) + 1; };
+  return {{down(box.min_x), down(box.min_y)}, {up(box.max_x), up(box.max_y)}};
 }
 
 bool starts_long_run(const std::vector<OffsetEdge>& edges, std::size_t index) {
@@ -32,7 +34,7 @@ void OffsetSearch::prepare(const OffsetInput& contours, double deepest) {
   neighbours_.clear();
   neighbours_first_.assign(1, 0);
   if (chunks_.empty()) return;
-  fill_grid(contours);
+  plant_tree(contours);
   seen_by_.assign(chunks_.size(), -1);
   for (std::size_t i = 0; i < chunks_.size(); ++i) {
     find_neighbours(contours, i);
@@ -42,12 +44,15 @@ void OffsetSearch::prepare(const OffsetInput& contours, double deepest) {
 
 void OffsetSearch::gather_chunks(const OffsetInput& contours) {
   chunks_.clear();
+  contour_first_.clear();
   const auto& edges = contours.edges();
   double total_length = 0;
   for (const OffsetEdge& edge : edges) total_length += edge.length;
   // Boxes much larger than either what is asked for or the edges themselves would tell nothing.
   const double extent_max =
       std::max(8 * deepest_, 4 * total_length / static_cast<double>(edges.size() + 1));
+  part_max_ =
+      std::max(2 * deepest_, kPartInEdges * total_length / static_cast<double>(edges.size() + 1));
   std::int32_t run_length = 0;
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const OffsetEdge& edge = edges[i];
@@ -57,6 +62,7 @@ void OffsetSearch::gather_chunks(const OffsetInput& contours) {
     run_length = same_run ? run_length + 1 : 1;
     // A chunk's edges lie behind one another in memory, each ending where the next starts.
     const bool follows = i > 0 && edges[i - 1].end_corner == index;
+    if (!follows) contour_first_.push_back(chunks_.size());
     if (!follows || index - chunks_.back().first >= kChunkEdgesMax || run_before >= kLongRun ||
         (!same_run && starts_long_run(edges, i))) {
       start_chunk(contours, index);
@@ -85,71 +91,47 @@ void OffsetSearch::start_chunk(const OffsetInput& contours, std::int32_t index) 
   chunks_.push_back({box, index, index + 1, edge.run, reflex && before.run != edge.run});
 }
 
-void OffsetSearch::fill_grid(const OffsetInput& contours) {
-  box_ = kEmptyBox;
-  for (const OffsetChunk& chunk : chunks_) {
-    box_.add(chunk.box.min_x, chunk.box.min_y);
-    box_.add(chunk.box.max_x, chunk.box.max_y);
+void OffsetSearch::plant_tree(const OffsetInput& contours) {
+  tree_.clear();
+  const auto first_of = [&](std::uint32_t contour) {
+    const OffsetChunk& chunk = chunks_[contour_first_[contour]];
+    const OffsetEdge& edge = contours.edges()[static_cast<std::size_t>(chunk.first)];
+    return Point{static_cast<std::int32_t>(edge.x), static_cast<std::int32_t>(edge.y)};
+  };
+  for (const std::uint32_t contour : order_.near_by_near(contour_first_.size(), first_of)) {
+    const std::size_t end =
+        contour + 1 < contour_first_.size() ? contour_first_[contour + 1] : chunks_.size();
+    tree_.keep_together(end - contour_first_[contour]);
+    for (std::size_t i = contour_first_[contour]; i < end; ++i) {
+      for_parts(contours, chunks_[i], [&](const OffsetBox& part) {
+        tree_.add(grown(part, 0), static_cast<std::uint32_t>(i));
+      });
+    }
   }
-  const double width = box_.max_x - box_.min_x, height = box_.max_y - box_.min_y;
-  const double count = static_cast<double>(chunks_.size());
-  // About one cell a chunk, none smaller than the depth; thin boxes are bounded by their length.
-  const double cell = std::max({deepest_, std::sqrt(width * height / count),
-                                std::max(width, height) / (4 * count + 16), 1.0});
-  cells_per_unit_ = 1 / cell;
-  columns_ = static_cast<std::int32_t>(width * cells_per_unit_) + 1;
-  rows_ = static_cast<std::int32_t>(height * cells_per_unit_) + 1;
-
-  const auto cells = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
-  cell_first_.assign(cells + 2, 0);
-  for (const OffsetChunk& chunk : chunks_) {
-    visit_cells(contours, chunk, chunk.box, 0,
-                [&](std::size_t cell_index) { ++cell_first_[cell_index + 2]; });
-  }
-  for (std::size_t i = 2; i < cell_first_.size(); ++i) cell_first_[i] += cell_first_[i - 1];
-  entries_.resize(static_cast<std::size_t>(cell_first_.back()));
-  for (std::size_t i = 0; i < chunks_.size(); ++i) {
-    visit_cells(contours, chunks_[i], chunks_[i].box, 0, [&](std::size_t cell_index) {
-      entries_[static_cast<std::size_t>(cell_first_[cell_index + 1]++)] =
-          static_cast<std::int32_t>(i);
-    });
-  }
+  tree_.finish();
 }
 
-// Calls visit(cell) for the cells within `margin` of the box, or, for a chunk of one long edge, of
-// the edge: row by row, what the edge spans in that row widened by the margin.
+std::int32_t OffsetSearch::part_count(const OffsetChunk& chunk) const {
+  if (chunk.last - chunk.first > 1) return 1;
+  const double shorter =
+      std::min(chunk.box.max_x - chunk.box.min_x, chunk.box.max_y - chunk.box.min_y);
+  return static_cast<std::int32_t>(shorter / part_max_) + 1;
+}
+
+// visit(OffsetBox) for boxes that hold the chunk's edges.
 template <typename Visit>
-void OffsetSearch::visit_cells(const OffsetInput& contours, const OffsetChunk& chunk,
-                               const OffsetBox& box, double margin, Visit&& visit) const {
-  const auto [left, right] = cell_range(box.min_x - margin - box_.min_x,
-                                        box.max_x + margin - box_.min_x, cells_per_unit_, columns_);
-  const auto [bottom, top] = cell_range(box.min_y - margin - box_.min_y,
-                                        box.max_y + margin - box_.min_y, cells_per_unit_, rows_);
+void OffsetSearch::for_parts(const OffsetInput& contours, const OffsetChunk& chunk,
+                             Visit visit) const {
+  const std::int32_t count = part_count(chunk);
+  if (count == 1) return visit(chunk.box);
   const OffsetEdge& edge = contours.edges()[static_cast<std::size_t>(chunk.first)];
-  const bool banded =
-      chunk.last - chunk.first == 1 && top - bottom > 1 && right - left > 1 && edge.dy != 0;
-  const double slope = banded ? edge.dx / edge.dy : 0;
-  // The raised box reaches up to the depth farther than the edge.
-  const double reach = margin > 0 ? margin + deepest_ + 1 : 1;
-  for (std::int32_t row = bottom; row <= top; ++row) {
-    std::int32_t from = left, to = right;
-    if (banded) {
-      const double low = box_.min_y + row / cells_per_unit_ - reach;
-      const double high = box_.min_y + (row + 1) / cells_per_unit_ + reach;
-      const double x_low =
-          edge.x + (std::clamp(low, chunk.box.min_y, chunk.box.max_y) - edge.y) * slope;
-      const double x_high =
-          edge.x + (std::clamp(high, chunk.box.min_y, chunk.box.max_y) - edge.y) * slope;
-      const auto range =
-          cell_range(std::min(x_low, x_high) - reach - box_.min_x,
-                     std::max(x_low, x_high) + reach - box_.min_x, cells_per_unit_, columns_);
-      from = std::max(from, range.first);
-      to = std::min(to, range.second);
-    }
-    const auto row_first = static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_);
-    for (std::int32_t column = from; column <= to; ++column) {
-      visit(row_first + static_cast<std::size_t>(column));
-    }
+  double x = edge.x, y = edge.y;
+  for (std::int32_t i = 1; i <= count; ++i) {
+    OffsetBox part{x, y, x, y};
+    x = edge.x + edge.dx * i / count;
+    y = edge.y + edge.dy * i / count;
+    part.add(x, y);
+    visit(part);
   }
 }
 
@@ -187,21 +169,23 @@ void OffsetSearch::find_neighbours(const OffsetInput& contours, std::size_t chun
   seen_by_[chunk_index] = self;
   // Its own edges first: they are what trims most.
   if (skipped_run < 0) neighbours_.push_back(self);
-  visit_cells(contours, chunk, raised, reach, [&](std::size_t cell) {
-    const auto first = static_cast<std::size_t>(cell_first_[cell]);
-    const auto last = static_cast<std::size_t>(cell_first_[cell + 1]);
-    for (std::size_t i = first; i < last; ++i) {
-      const std::int32_t other = entries_[i];
-      const auto other_index = static_cast<std::size_t>(other);
-      if (seen_by_[other_index] == self) continue;
-      seen_by_[other_index] = self;
-      const OffsetChunk& found = chunks_[other_index];
-      if (skipped_run >= 0 && found.run == skipped_run) continue;
-      if (raised.distance_squared(found.box) <= reach * reach) {
-        neighbours_.push_back(other);
-      }
-    }
-  });
+  const auto search = [&](const Box& box) {
+    tree_.for_items_in(box, [&](std::uint32_t other) {
+      if (seen_by_[other] == self) return;
+      seen_by_[other] = self;
+      const OffsetChunk& found = chunks_[other];
+      if (skipped_run >= 0 && found.run == skipped_run) return;
+      if (raised.distance_squared(found.box) > reach * reach) return;
+      neighbours_.push_back(static_cast<std::int32_t>(other));
+    });
+  };
+  if (part_count(chunk) == 1) {
+    search(grown(raised, reach));
+  } else {
+    // What a part raises lies within the depth of it.
+    for_parts(contours, chunk,
+              [&](const OffsetBox& part) { search(grown(part, deepest_ + reach)); });
+  }
 }
 
 }  // namespace core

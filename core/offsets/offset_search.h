@@ -2,9 +2,9 @@
 //
 // Consecutive edges are gathered in chunks of up to 8, each with a box. The elements that a chunk
 // raises up to the deepest depth D lie in its raised box, and an edge can trim them only from
-// within D of that box. A uniform grid over the chunks' boxes finds all chunks that are so near
-// and not of the same run. It may find more than are needed, never fewer, so the grid decides
-// nothing.
+// within D of that box. A tree of the chunks' boxes (box_tree.h) finds all chunks that are so near
+// and not of the same run. Long slanting edges have several boxes. More may be found than are
+// needed, never fewer, so the tree decides nothing.
 //
 //       raised box  ┌───────────┐   D
 //                   │  ‾‾‾‾‾‾   │◄─────► box of another chunk: a neighbour
@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "core/offsets/offset_input.h"  // OffsetInput
+#include "core/regions/box_tree.h"      // BoxTree, RingOrder
 
 namespace core {
 
@@ -47,7 +48,7 @@ struct OffsetChunk {
 
 class OffsetSearch {
  public:
-  // COSTS: O(n) and what the long edges cross on the grid, O(n^1.5) at worst.
+  // COSTS: O(n log n + what is found).
   void prepare(const OffsetInput& contours, double deepest);
 
   [[nodiscard]] const std::vector<OffsetChunk>& chunks() const { return chunks_; }
@@ -60,24 +61,23 @@ class OffsetSearch {
 
  private:
   void gather_chunks(const OffsetInput& contours);
-  void fill_grid(const OffsetInput& contours);
-  void find_neighbours(const OffsetInput& contours, std::size_t chunk);
   void start_chunk(const OffsetInput& contours, std::int32_t index);
+  void plant_tree(const OffsetInput& contours);
+  void find_neighbours(const OffsetInput& contours, std::size_t chunk);
   [[nodiscard]] OffsetBox raised_box(const OffsetInput& contours, const OffsetChunk& chunk) const;
   template <typename Visit>
-  void visit_cells(const OffsetInput& contours, const OffsetChunk& chunk, const OffsetBox& box,
-                   double margin, Visit&& visit) const;
+  void for_parts(const OffsetInput& contours, const OffsetChunk& chunk, Visit visit) const;
+  [[nodiscard]] std::int32_t part_count(const OffsetChunk& chunk) const;
 
   double deepest_ = 0;
   std::vector<OffsetChunk> chunks_;
   std::vector<std::int32_t> neighbours_;
   std::vector<std::size_t> neighbours_first_;
 
-  // The grid, cells in rows; a cell's chunks are entries_[cell_first_[cell] … cell_first_[cell+1]).
-  OffsetBox box_{};
-  double cells_per_unit_ = 0;
-  std::int32_t columns_ = 0, rows_ = 0;
-  std::vector<std::int32_t> cell_first_, entries_;
+  BoxTree tree_;
+  double part_max_ = 0;                     // of the shorter side of a part's box
+  std::vector<std::size_t> contour_first_;  // the first chunk of each contour
+  RingOrder order_;
   std::vector<std::int32_t> seen_by_;  // per chunk: the last chunk that found it
 };
 

@@ -29,7 +29,7 @@ struct OffsetEnd {
 };
 
 struct TrimmedPiece {
-  double from;
+  double from;  // any number where an arc starts as its edge ends
   OffsetSite from_site, to_site;
   OffsetSite element;
   std::int32_t next;  // the piece that starts where this one ends

@@ -13,287 +13,292 @@ double tolerance_of(double length) { return 1e-7 + 1e-12 * length; }
 // How far a point may lie beyond a capsule's rim and still be handed to the closed form.
 constexpr double kRim = 1e-6;
 
-constexpr double kFar = 1e300;
-
-// tan(angle / 2) of the point (x, y), its angle counted from y to x, for x² + y² = radius².
-double half_tangent(double x, double y, double radius) {
-  if (y > 0) return x / (radius + y);
-  return x != 0 ? (radius - y) / x : kFar;
+// Whether a capsule with its ends beside the line, both beyond `at` on the same side, covers the
+// point there at height `depth`.
+bool covers(EndBeside start, EndBeside end, double at, double depth) {
+  const double rim = (depth + kRim) * (depth + kRim);
+  const double vx = at - start.along, vy = depth - start.above;
+  const double gx = end.along - start.along, gy = end.above - start.above;
+  const double foot = vx * gx + vy * gy, length_squared = gx * gx + gy * gy;
+  if (foot >= length_squared) return (vx - gx) * (vx - gx) + (vy - gy) * (vy - gy) < rim;
+  if (foot <= 0) return vx * vx + vy * vy < rim;
+  const double across = vx * gy - vy * gx;
+  return across * across < rim * length_squared;
 }
 
 }  // namespace
 
-void OffsetTrim::start(const OffsetInput& contours) {
-  covered_.assign(2 * contours.edges().size(), 0);
-}
-
-bool OffsetTrim::trim(const OffsetInput& contours, const OffsetSearch& search, double depth) {
+bool OffsetTrim::trim(const OffsetInput& contours, const OffsetSearch& search,
+                      std::span<const double> depths) {
   contours_ = &contours;
   edges_ = &contours.edges();
   corners_ = &contours.corners();
   search_ = &search;
-  depth_ = depth;
+  depths_.assign(depths.begin(), depths.end());
+  deepest_ = depths.back();
   last_coverer_ = -1;
-  pieces_.clear();
-  first_.resize(2 * edges_->size() + 1);
+  if (pieces_.size() < depths.size()) pieces_.resize(depths.size());
+  for (TrimmedPieces& pieces : pieces_) pieces.clear();
+  first_.resize((2 * edges_->size() + 1) * depths.size());
   return contours.wide() ? trim_all<true>() : trim_all<false>();
 }
 
 template <bool kWide>
 bool OffsetTrim::trim_all() {
+  std::int32_t* marked = first_.data();
+  const std::span<const TrimmedPieces> pieces = std::span(pieces_).first(depths_.size());
+  const auto mark_first = [&] {
+    for (const TrimmedPieces& found : pieces) *marked++ = found.count();
+  };
   for (std::size_t c = 0; c < search_->chunks().size(); ++c) {
     const OffsetChunk& chunk = search_->chunks()[c];
     const auto near = search_->neighbours(c);
     for (std::int32_t i = chunk.first; i < chunk.last; ++i) {
-      const auto element = 2 * static_cast<std::size_t>(i);
-      first_[element] = pieces_.count();
-      if (covered_[element] == 0) {
+      mark_first();
+      if (near.empty()) {
+        add_whole_line(i);
+      } else {
         trim_line<kWide>(i, near);
-        if (first_[element] == pieces_.count()) covered_[element] = 1;
       }
-      first_[element + 1] = pieces_.count();
-      if (covered_[element + 1] == 0) {
-        if (corner(i).reflex && !trim_arc<kWide>(i, near)) return false;
-        if (first_[element + 1] == pieces_.count()) covered_[element + 1] = 1;
+      mark_first();
+      if (!corner(i).reflex) continue;
+      if (near.empty()) {
+        add_whole_arc(i);
+      } else if (!trim_arc<kWide>(i, near)) {
+        return false;
       }
     }
   }
-  first_.back() = pieces_.count();
+  mark_first();
   return true;
+}
+
+void OffsetTrim::add_whole_line(std::int32_t index) {
+  const OffsetSite before = site_before(index), after = site_after(index);
+  const double tangent = corner(index).reflex ? 0 : corner(index).half_tangent;
+  for (std::size_t at = 0; at < depths_.size(); ++at) {
+    pieces_[at].add({depths_[at] * tangent, before, after, 2 * index, -1});
+  }
 }
 
 template <bool kWide>
 void OffsetTrim::trim_line(std::int32_t index, std::span<const std::int32_t> near) {
   const OffsetEdge& e = edge(index);
-  const Frame a{e.x, e.y, e.dx * e.inverse_length, e.dy * e.inverse_length, index};
-  const OffsetSite before = corner(index).reflex ? 2 * index + 1 : 2 * e.previous;
-  const OffsetSite after = corner(e.next).reflex ? 2 * e.next + 1 : 2 * e.next;
+  const OffsetSite before = site_before(index), after = site_after(index);
   // Within a run the cuts at convex corners are known to hold.
-  double from = 0, to = e.length;
-  const bool start_in_run = edge(e.previous).run == e.run, end_in_run = edge(e.next).run == e.run;
-  if (start_in_run && !corner(index).reflex) from = depth_ * corner(index).half_tangent;
-  if (end_in_run && !corner(e.next).reflex) to -= depth_ * corner(e.next).half_tangent;
-  if (near.empty()) {
-    pieces_.add({from, before, after, 2 * index, -1});
-    return;
+  double start_tangent = 0, end_tangent = 0;
+  line_cuts_.clear();
+  if (last_coverer_ >= 0 && last_coverer_ != index) add_line_cut<kWide>(e, last_coverer_);
+  if (!corner(index).reflex) {
+    if (edge(e.previous).run == e.run) {
+      start_tangent = corner(index).half_tangent;
+    } else {
+      add_line_cut<kWide>(e, e.previous);
+    }
   }
-  span_.reset({from, before}, {to, after}, tolerance_of(e.length + depth_));
-  if (last_coverer_ >= 0 && last_coverer_ != index) cut_line<kWide>(a, last_coverer_);
-  if (!start_in_run && !corner(index).reflex) cut_line<kWide>(a, e.previous);
-  if (!end_in_run && !corner(e.next).reflex) cut_line<kWide>(a, e.next);
-  const double reach_squared = (depth_ + 1) * (depth_ + 1);
+  if (!corner(e.next).reflex) {
+    if (edge(e.next).run == e.run) {
+      end_tangent = corner(e.next).half_tangent;
+    } else {
+      add_line_cut<kWide>(e, e.next);
+    }
+  }
+  for (std::size_t at = 0; at < depths_.size(); ++at) {
+    const double depth = depths_[at];
+    span_.reset({depth * start_tangent, before}, {e.length - depth * end_tangent, after},
+                tolerance_of(e.length + depth));
+    for (const LineCut& cut : line_cuts_.all()) {
+      if (cut_line(cut, depth) == Left::kNothing) return;
+    }
+    if (at == 0 && gather_line_cuts<kWide>(index, near) == Left::kNothing) return;
+    span_.pieces(2 * index, pieces_[at]);
+  }
+}
+
+OffsetTrim::Left OffsetTrim::cut_line(const LineCut& cut, double depth) {
+  cut.apply(depth, span_);
+  if (!span_.dead()) return Left::kSome;
+  last_coverer_ = cut.edge();
+  return Left::kNothing;
+}
+
+template <bool kWide>
+void OffsetTrim::add_line_cut(const OffsetEdge& e, std::int32_t other) {
+  const OffsetEdge& f = edge(other);
+  const EndBeside start = beside<kWide>(e, f.x, f.y);
+  const EndBeside end = beside<kWide>(e, f.x + f.dx, f.y + f.dy);
+  if (start.above <= 0 && end.above <= 0) return;
+  line_cuts_.next().set<kWide>(e, f, start, end, sites(other));
+  line_cuts_.keep();
+}
+
+// Hands on the chunks that may reach what is left of the line, here and deeper.
+template <bool kWide>
+OffsetTrim::Left OffsetTrim::gather_line_cuts(std::int32_t index,
+                                              std::span<const std::int32_t> near) {
+  const OffsetEdge& e = edge(index);
+  const double ux = e.dx * e.inverse_length, uy = e.dy * e.inverse_length;
+  const double x = e.x - uy * deepest_, y = e.y + ux * deepest_;
+  const double reach_squared = (deepest_ + 1) * (deepest_ + 1);
   double lo = 0, hi = -1;
   OffsetBox box{};
   for (const std::int32_t c : near) {
-    if (span_.dead()) return;
     const OffsetChunk& chunk = search_->chunks()[static_cast<std::size_t>(c)];
     if (chunk.run >= 0 && chunk.run == e.run) continue;
     if (lo != span_.lo() || hi != span_.hi()) {
       lo = span_.lo();
       hi = span_.hi();
-      const double x = a.x - a.uy * depth_, y = a.y + a.ux * depth_;
-      box = {x + a.ux * lo, y + a.uy * lo, x + a.ux * lo, y + a.uy * lo};
-      box.add(x + a.ux * hi, y + a.uy * hi);
+      box = {x + ux * lo, y + uy * lo, x + ux * lo, y + uy * lo};
+      box.add(x + ux * hi, y + uy * hi);
     }
-    if (box.distance_squared(chunk.box) <= reach_squared) cut_line_by_chunk<kWide>(a, chunk);
+    if (box.distance_squared(chunk.box) > reach_squared) continue;
+    if (gather_line_cuts<kWide>(index, chunk) == Left::kNothing) return Left::kNothing;
   }
-  if (!span_.dead()) span_.pieces(2 * index, pieces_);
+  return Left::kSome;
 }
 
-// Hands on the chunk's edges that may reach what is left of the line.
 template <bool kWide>
-void OffsetTrim::cut_line_by_chunk(const Frame& a, const OffsetChunk& chunk) {
-  const double d = depth_, rim = (d + kRim) * (d + kRim);
-  const OffsetEdge& e = edge(a.index);
+OffsetTrim::Left OffsetTrim::gather_line_cuts(std::int32_t index, const OffsetChunk& chunk) {
+  const OffsetEdge& e = edge(index);
   const OffsetEdge* f = &edge(chunk.first);
-  double s = exact_dot<kWide>(e.dx, e.dy, f->x - a.x, f->y - a.y) * e.inverse_length;
-  double h = exact_cross<kWide>(e.dx, e.dy, f->x - a.x, f->y - a.y) * e.inverse_length;
+  EndBeside end = beside<kWide>(e, f->x, f->y);
   for (std::int32_t i = chunk.first; i < chunk.last; ++i, ++f) {
-    const double s1 = s, h1 = h;
-    const double qx = f->x + f->dx - a.x, qy = f->y + f->dy - a.y;
-    s = exact_dot<kWide>(e.dx, e.dy, qx, qy) * e.inverse_length;
-    h = exact_cross<kWide>(e.dx, e.dy, qx, qy) * e.inverse_length;
-    if ((h1 <= 0 && h <= 0) || (h1 >= 2 * d && h >= 2 * d)) continue;
-    if (i == a.index || i == e.previous || i == e.next) continue;  // cut already
-    const bool beyond_hi = s1 >= span_.hi() && s >= span_.hi();
-    if (beyond_hi || (s1 <= span_.lo() && s <= span_.lo())) {
-      // It reaches the window only if it covers the window's end.
-      const double vx = (beyond_hi ? span_.hi() : span_.lo()) - s1, vy = d - h1;
-      const double gx = s - s1, gy = h - h1;
-      const double foot = vx * gx + vy * gy, length_squared = gx * gx + gy * gy;
-      double distance_squared = vx * vx + vy * vy;
-      if (foot >= length_squared) {
-        distance_squared = (vx - gx) * (vx - gx) + (vy - gy) * (vy - gy);
-      } else if (foot > 0) {
-        const double across = vx * gy - vy * gx;
-        if (across * across >= rim * length_squared) continue;
-        distance_squared = 0;
-      }
-      if (distance_squared >= rim) continue;
+    const EndBeside start = end;
+    end = beside<kWide>(e, f->x + f->dx, f->y + f->dy);
+    if (start.above <= 0 && end.above <= 0) continue;
+    if (start.above >= 2 * deepest_ && end.above >= 2 * deepest_) continue;
+    if (i == index || i == e.previous || i == e.next) continue;  // cut already
+    // Beyond what is left, it reaches that only if it covers its end.
+    if (start.along >= span_.hi() && end.along >= span_.hi()) {
+      if (!covers(start, end, span_.hi(), deepest_)) continue;
+    } else if (start.along <= span_.lo() && end.along <= span_.lo()) {
+      if (!covers(start, end, span_.lo(), deepest_)) continue;
     }
-    cut_line<kWide>(a, i);
-    if (span_.dead()) return;
+    LineCut& cut = line_cuts_.next();
+    cut.set<kWide>(e, *f, start, end, sites(i));
+    line_cuts_.keep();
+    if (cut_line(cut, depths_.front()) == Left::kNothing) return Left::kNothing;
   }
+  return Left::kSome;
 }
 
-template <bool kWide>
-void OffsetTrim::cut_line(const Frame& a, std::int32_t other) {
-  const OffsetEdge& e = edge(a.index);
-  const OffsetEdge& f = edge(other);
-  const double d = depth_;
-  const double px = f.x - e.x, py = f.y - e.y, qx = px + f.dx, qy = py + f.dy;
-  const double rise = exact_cross<kWide>(e.dx, e.dy, px, py);
-  const double h1 = rise * e.inverse_length;
-  const double h2 = exact_cross<kWide>(e.dx, e.dy, qx, qy) * e.inverse_length;
-  if ((h1 <= 0 && h2 <= 0) || (h1 >= 2 * d && h2 >= 2 * d)) return;
-  const double turn = exact_cross<kWide>(e.dx, e.dy, f.dx, f.dy);
-  const double scale = e.inverse_length * f.inverse_length;
-  const double cosine = exact_dot<kWide>(e.dx, e.dy, f.dx, f.dy) * scale, sine = turn * scale;
-
-  // Where the circle about f's start or end meets the line.
-  const auto circle = [&](bool at_end, double sign) -> OffsetEnd {
-    const double h = at_end ? h2 : h1;
-    const double s =
-        exact_dot<kWide>(e.dx, e.dy, at_end ? qx : px, at_end ? qy : py) * e.inverse_length;
-    return {s + sign * std::sqrt(std::max(0.0, h * (2 * d - h))),
-            corner_site(at_end ? f.end_corner : other)};
-  };
-  if (turn == 0) {
-    span_.remove(circle(cosine < 0, -1), circle(cosine > 0, 1));
-  } else {
-    const double t0 = exact_cross<kWide>(px, py, f.dx, f.dy) / turn * e.length;
-    const double foot0 = -rise / turn * f.length;
-    const double tangent = d * (cosine > 0 ? sine / (1 + cosine) : (1 - cosine) / sine);
-    const double cotangent = d * (cosine > 0 ? (1 + cosine) / sine : sine / (1 - cosine));
-    const auto end = [&](double foot, double at, double sign) -> OffsetEnd {
-      if (foot < 0) return circle(false, sign);
-      if (foot > f.length) return circle(true, sign);
-      return {at, 2 * other};
-    };
-    const double side = turn < 0 ? 1 : -1;
-    const OffsetEnd inner = end(foot0 + tangent, t0 - tangent, side);
-    const OffsetEnd outer = end(foot0 + cotangent, t0 + cotangent, -side);
-    span_.remove(turn < 0 ? outer : inner, turn < 0 ? inner : outer);
+void OffsetTrim::add_whole_arc(std::int32_t index) {
+  for (std::size_t at = 0; at < depths_.size(); ++at) {
+    pieces_[at].add({-1, 2 * edge(index).previous, 2 * index, 2 * index + 1, -1});
   }
-  if (span_.dead()) last_coverer_ = other;
 }
 
 template <bool kWide>
 bool OffsetTrim::trim_arc(std::int32_t index, std::span<const std::int32_t> near) {
   const OffsetEdge& g = edge(index);
-  if (near.empty()) {
-    pieces_.add({-1, 2 * g.previous, 2 * index, 2 * index + 1, -1});
+  arc_cuts_.clear();
+  Left left = Left::kSome;
+  if (last_coverer_ >= 0 && last_coverer_ != index && last_coverer_ != g.previous) {
+    const OffsetEdge& f = edge(last_coverer_);
+    const bool starts_here = f.x == g.x && f.y == g.y;
+    const bool ends_here = f.x + f.dx == g.x && f.y + f.dy == g.y;
+    if (starts_here || ends_here) {
+      left = contours_->mended() ? Left::kSome : Left::kUnknown;
+    } else {
+      left = add_arc_cut<kWide>(index, last_coverer_);
+    }
+  }
+  if (left == Left::kSome) left = gather_arc_cuts<kWide>(index, near);
+  if (left != Left::kSome) return left == Left::kNothing;
+  if (arc_cuts_.all().empty()) {
+    add_whole_arc(index);
     return true;
   }
-  const OffsetArc arc = contours_->arc(index);
-  const Frame v{g.x, g.y, arc.middle_x, arc.middle_y, index};
-  const double k = arc.quarter_tangent;
-  span_.reset({-k, 2 * g.previous}, {k, 2 * index}, tolerance_of(depth_) / (2 * depth_));
-  if (last_coverer_ >= 0 && last_coverer_ != index && last_coverer_ != g.previous &&
-      !cut_arc<kWide>(v, last_coverer_)) {
-    return false;
+  span_.pieces(2 * index + 1, pieces_[0]);
+  for (std::size_t at = 1; at < depths_.size(); ++at) {
+    start_arc(index, depths_[at]);
+    for (const ArcCut& cut : arc_cuts_.all()) {
+      if (cut_arc(cut, depths_[at]) == Left::kNothing) return true;
+    }
+    span_.pieces(2 * index + 1, pieces_[at]);
   }
-  // The arc's box: its ends and how far it bulges over their chord.
+  return true;
+}
+
+void OffsetTrim::start_arc(std::int32_t index, double depth) {
+  const double k = arc_.quarter_tangent;
+  span_.reset({-k, 2 * edge(index).previous}, {k, 2 * index}, tolerance_of(depth) / (2 * depth));
+}
+
+OffsetTrim::Left OffsetTrim::cut_arc(const ArcCut& cut, double depth) {
+  cut.apply(depth, arc_, span_);
+  if (!span_.dead()) return Left::kSome;
+  last_coverer_ = cut.edge();
+  return Left::kNothing;
+}
+
+// Cuts at the first depth. REQUIRES: the corner is no end of the other edge.
+template <bool kWide>
+OffsetTrim::Left OffsetTrim::add_arc_cut(std::int32_t index, std::int32_t other) {
+  const OffsetEdge& g = edge(index);
+  ArcCut& cut = arc_cuts_.next();
+  if (!cut.set<kWide>(g.x, g.y, edge(other), deepest_)) return Left::kSome;
+  cut.set_sites(sites(other));
+  if (arc_cuts_.all().empty()) {
+    arc_ = contours_->arc(index);
+    start_arc(index, depths_.front());
+  }
+  arc_cuts_.keep();
+  return cut_arc(cut, depths_.front());
+}
+
+template <bool kWide>
+OffsetTrim::Left OffsetTrim::gather_arc_cuts(std::int32_t index,
+                                             std::span<const std::int32_t> near) {
+  const OffsetEdge& g = edge(index);
   const OffsetEdge& e = edge(g.previous);
-  const double bulge = 1 + depth_ * 2 * k * k / (1 + k * k);
-  const double ex = v.x - e.dy * e.inverse_length * depth_;
-  const double ey = v.y + e.dx * e.inverse_length * depth_;
+  // The arc's box: its ends and how far it bulges over their chord, at most.
+  const double t = corner(index).half_tangent;
+  const double bulge = 1 + deepest_ * std::min(1.0, t * t / 2);
+  const double ex = g.x - e.dy * e.inverse_length * deepest_;
+  const double ey = g.y + e.dx * e.inverse_length * deepest_;
   OffsetBox box{ex, ey, ex, ey};
-  box.add(v.x - g.dy * g.inverse_length * depth_, v.y + g.dx * g.inverse_length * depth_);
-  const double reach_squared = (depth_ + bulge) * (depth_ + bulge);
+  box.add(g.x - g.dy * g.inverse_length * deepest_, g.y + g.dx * g.inverse_length * deepest_);
+  const double reach_squared = (deepest_ + bulge) * (deepest_ + bulge);
   const bool inside_run = g.run == e.run;
   for (const std::int32_t c : near) {
-    if (span_.dead()) return true;
     const OffsetChunk& chunk = search_->chunks()[static_cast<std::size_t>(c)];
     if (inside_run && chunk.run == g.run) continue;
     if (box.distance_squared(chunk.box) > reach_squared) continue;
-    if (!cut_arc_by_chunk<kWide>(v, chunk)) return false;
+    const Left left = gather_arc_cuts<kWide>(index, chunk);
+    if (left != Left::kSome) return left;
   }
-  if (!span_.dead()) span_.pieces(2 * index + 1, pieces_);
-  return true;
+  return Left::kSome;
 }
 
 // Leaves out the chunk's edges that lie behind the arc: below both tangents' normals.
 template <bool kWide>
-bool OffsetTrim::cut_arc_by_chunk(const Frame& v, const OffsetChunk& chunk) {
-  const OffsetEdge& g = edge(v.index);
+OffsetTrim::Left OffsetTrim::gather_arc_cuts(std::int32_t index, const OffsetChunk& chunk) {
+  const OffsetEdge& g = edge(index);
   const OffsetEdge& e = edge(g.previous);
   const OffsetEdge* f = &edge(chunk.first);
-  double x = f->x - v.x, y = f->y - v.y;
+  double x = f->x - g.x, y = f->y - g.y;
   bool ahead = exact_cross<kWide>(e.dx, e.dy, x, y) > 0 || exact_cross<kWide>(g.dx, g.dy, x, y) > 0;
-  const double reach = 2 * depth_;
+  const double reach = 2 * deepest_;
   for (std::int32_t i = chunk.first; i < chunk.last; ++i, ++f) {
     const bool start_ahead = ahead;
     const double x1 = x, y1 = y;
-    x = f->x + f->dx - v.x;
-    y = f->y + f->dy - v.y;
+    x = f->x + f->dx - g.x;
+    y = f->y + f->dy - g.y;
     ahead = exact_cross<kWide>(e.dx, e.dy, x, y) > 0 || exact_cross<kWide>(g.dx, g.dy, x, y) > 0;
     const bool here = (x == 0 && y == 0) || (x1 == 0 && y1 == 0);
-    if ((!start_ahead && !ahead && !here) || i == v.index || i == g.previous) continue;
+    if ((!start_ahead && !ahead && !here) || i == index || i == g.previous) continue;
+    if (here) {  // at a wedge: never nearer
+      if (!contours_->mended()) return Left::kUnknown;
+      continue;
+    }
     if ((x > reach && x1 > reach) || (x < -reach && x1 < -reach) || (y > reach && y1 > reach) ||
         (y < -reach && y1 < -reach)) {
       continue;
     }
-    if (!cut_arc<kWide>(v, i)) return false;
-    if (span_.dead()) return true;
+    if (add_arc_cut<kWide>(index, i) == Left::kNothing) return Left::kNothing;
   }
-  return true;
-}
-
-template <bool kWide>
-bool OffsetTrim::cut_arc(const Frame& v, std::int32_t other) {
-  const OffsetEdge& f = edge(other);
-  const double d = depth_;
-  const double px = f.x - v.x, py = f.y - v.y, qx = px + f.dx, qy = py + f.dy;
-  if ((px == 0 && py == 0) || (qx == 0 && qy == 0))
-    return contours_->mended();  // at a wedge: never nearer
-  const double rise = exact_cross<kWide>(px, py, f.dx, f.dy);
-  const double height = rise * f.inverse_length, above = std::abs(height);
-  if (above >= 2 * d) return true;
-  const double own_foot = -exact_dot<kWide>(f.dx, f.dy, px, py) * f.inverse_length;
-  const double p_squared = px * px + py * py, q_squared = qx * qx + qy * qy;
-  if (own_foot <= 0 ? p_squared >= 4 * d * d : own_foot >= f.length && q_squared >= 4 * d * d) {
-    return true;
-  }
-  if (rise == 0 && own_foot > 0 && own_foot < f.length) {  // the corner lies on f
-    span_.remove({-kFar, 2 * other}, {kFar, 2 * other});
-    last_coverer_ = other;
-    return true;
-  }
-  const auto parameter = [&](double x, double y) {
-    return half_tangent(x * v.uy - y * v.ux, x * v.ux + y * v.uy, d);
-  };
-  const double half_chord = std::sqrt(above * (2 * d - above));
-  const double fx = f.dx * f.inverse_length, fy = f.dy * f.inverse_length;
-  // The end of the covered arc to the left (sign 1) or right (-1) as seen from v, about the foot
-  // on f or about f's end.
-  const auto end = [&](double along, double sign) -> OffsetEnd {
-    const double foot = own_foot + along;
-    if (foot >= 0 && foot <= f.length) {
-      const double up = (rise > 0 ? d : -d) - height;
-      return {parameter(fx * along - fy * up, fy * along + fx * up), 2 * other};
-    }
-    const bool at_end = foot > f.length;
-    const double x = at_end ? qx : px, y = at_end ? qy : py;
-    const double across =
-        sign * std::sqrt(std::max(0.0, d * d / (at_end ? q_squared : p_squared) - 0.25));
-    return {parameter(x / 2 - y * across, y / 2 + x * across),
-            corner_site(at_end ? f.end_corner : other)};
-  };
-  const double left = rise > 0 ? half_chord : -half_chord;
-  remove_from_arc(end(left, 1), end(-left, -1));
-  if (span_.dead()) last_coverer_ = other;
-  return true;
-}
-
-// Ends in clockwise order; the covered arc may go round the back.
-void OffsetTrim::remove_from_arc(OffsetEnd from, OffsetEnd to) {
-  if (from.at <= to.at) {
-    span_.remove(from, to);
-  } else {
-    span_.remove({-kFar, from.site}, to);
-    span_.remove(from, {kFar, to.site});
-  }
+  return Left::kSome;
 }
 
 }  // namespace core

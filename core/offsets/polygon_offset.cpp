@@ -19,6 +19,7 @@ namespace {
 // arcs of radius d that just touch part by sqrt(2 · d · kNudge), 1.3 units for d = 1.35 mm.
 constexpr double kNudge = 6e-5;
 
+double depth_of(Length depth) { return std::abs(static_cast<double>(depth.units())); }
 double nudged(double depth, int attempt) { return depth + kNudge * (1 + 1.37 * attempt); }
 
 void copy_contours(const Region& region, OffsetContours& out) {
@@ -29,8 +30,7 @@ void copy_contours(const Region& region, OffsetContours& out) {
 }
 
 // No point of the region is farther from its contours than half the box's shorter side.
-bool deeper_than_any_point(const Region& region, std::int64_t depth) {
-  const Box box = region.box();
+bool deeper_than_any_point(const Box& box, std::int64_t depth) {
   return box.empty() || 2 * depth >= std::min(std::int64_t{box.max.x} - box.min.x,
                                               std::int64_t{box.max.y} - box.min.y);
 }
@@ -45,16 +45,17 @@ struct PolygonOffsetter::Scratch {
   OffsetContour line;               // the contour that is being written
   OffsetContours spare;             // the memory of contours that were given back
   std::vector<std::size_t> asked;   // depths of this side
+  std::vector<double> cut_depths;   // the same, nudged, in ascending order
   std::int64_t retries = 0;
   std::int64_t fallbacks = 0;
 
   void take_back(OffsetContours& old);
-  void cut_side(const Region& region, std::span<const Length> depths, std::span<OffsetContours> out,
-                bool outwards);
+  void cut_side(const Region& region, const Box& box, std::span<const Length> depths,
+                std::span<OffsetContours> out, bool outwards);
   void prepare(double deepest);
-  bool cut(double depth);
-  bool link();
-  void write(double depth, bool outwards, OffsetContours& out);
+  void cut(std::span<const double> at_depths);
+  bool link(std::size_t at);
+  void write(std::size_t at, double depth, bool outwards, OffsetContours& out);
   OffsetPiece piece_at(const TrimmedPiece& piece, double depth, bool outwards) const;
 };
 
@@ -79,8 +80,9 @@ void PolygonOffsetter::offset(const Region& region, std::span<const Length> dept
     scratch_->take_back(out[i]);
     if (depths[i] == Length()) copy_contours(region, out[i]);
   }
-  scratch_->cut_side(region, depths, out, false);
-  scratch_->cut_side(region, depths, out, true);
+  const Box box = region.box();
+  scratch_->cut_side(region, box, depths, out, false);
+  scratch_->cut_side(region, box, depths, out, true);
 }
 
 void PolygonOffsetter::Scratch::take_back(OffsetContours& old) {
@@ -91,35 +93,43 @@ void PolygonOffsetter::Scratch::take_back(OffsetContours& old) {
   old.clear();
 }
 
-void PolygonOffsetter::Scratch::cut_side(const Region& region, std::span<const Length> depths,
+void PolygonOffsetter::Scratch::cut_side(const Region& region, const Box& box,
+                                         std::span<const Length> depths,
                                          std::span<OffsetContours> out, bool outwards) {
   asked.clear();
   std::int64_t deepest = 0;
   for (std::size_t i = 0; i < depths.size(); ++i) {
     const std::int64_t depth = outwards ? -depths[i].units() : depths[i].units();
-    if (depth <= 0 || (!outwards && deeper_than_any_point(region, depth))) continue;
+    if (depth <= 0 || (!outwards && deeper_than_any_point(box, depth))) continue;
     asked.push_back(i);
     deepest = std::max(deepest, depth);
   }
   if (asked.empty() || region.empty()) return;
-  contours.load(region, outwards);
+  contours.load(region, box, outwards);
   prepare(static_cast<double>(deepest) + 1);
   std::sort(asked.begin(), asked.end(), [&](std::size_t i, std::size_t k) {
     const std::int64_t a = std::abs(depths[i].units()), b = std::abs(depths[k].units());
     return a != b ? a < b : i < k;
   });
-  for (const std::size_t i : asked) {
-    const auto depth = static_cast<double>(std::abs(depths[i].units()));
+  cut_depths.clear();
+  for (const std::size_t i : asked) cut_depths.push_back(nudged(depth_of(depths[i]), 0));
+  cut(cut_depths);
+  bool recut = false;  // the pieces are no longer those of all depths
+  for (std::size_t k = 0; k < asked.size(); ++k) {
+    const std::size_t i = asked[k];
+    if (recut) cut(std::span(cut_depths).subspan(k, 1));
+    std::size_t at = recut ? 0 : k;
+    double depth = cut_depths[k];
     int attempt = 0;
-    while (attempt < kDepthTriesMax && !cut(nudged(depth, attempt))) {
-      ++attempt;
-      trim.start(contours);  // rounding may have decided part of it
+    while (!link(at) && ++attempt < kDepthTriesMax) {
+      depth = nudged(depth_of(depths[i]), attempt);
+      cut(std::span(&depth, 1));
+      at = 0;
+      recut = true;
     }
-    // A tried depth may be greater than the next one asked for.
-    if (attempt > 0) trim.start(contours);
     retries += attempt;
     if (attempt < kDepthTriesMax) {
-      write(nudged(depth, attempt), outwards, out[i]);
+      write(at, depth, outwards, out[i]);
     } else {
       ++fallbacks;
       out[i] = VoronoiMountain(region).offset(depths[i]);
@@ -130,26 +140,23 @@ void PolygonOffsetter::Scratch::cut_side(const Region& region, std::span<const L
 void PolygonOffsetter::Scratch::prepare(double deepest) {
   find_runs(contours, deepest);
   search.prepare(contours, deepest);
-  trim.start(contours);
 }
 
-bool PolygonOffsetter::Scratch::cut(double depth) {
-  if (!trim.trim(contours, search, depth)) {
-    contours.mend_touching();
-    prepare(search.deepest());
-    RIND_CHECK(trim.trim(contours, search, depth));
-  }
-  return link();
+void PolygonOffsetter::Scratch::cut(std::span<const double> at_depths) {
+  if (trim.trim(contours, search, at_depths)) return;
+  contours.mend_touching();
+  prepare(search.deepest());
+  RIND_CHECK(trim.trim(contours, search, at_depths));
 }
 
 // A piece of element a that ends at site b is followed by the piece of element b that starts at a.
 // True when that is a permutation of the pieces.
-bool PolygonOffsetter::Scratch::link() {
-  const std::span<TrimmedPiece> pieces = trim.pieces();
+bool PolygonOffsetter::Scratch::link(std::size_t at) {
+  const std::span<TrimmedPiece> pieces = trim.pieces(at);
   taken.assign(pieces.size(), 0);
   for (TrimmedPiece& piece : pieces) {
-    auto i = static_cast<std::size_t>(trim.first(piece.to_site));
-    const auto last = static_cast<std::size_t>(trim.first(piece.to_site + 1));
+    auto i = static_cast<std::size_t>(trim.first(at, piece.to_site));
+    const auto last = static_cast<std::size_t>(trim.first(at, piece.to_site + 1));
     while (i < last && (pieces[i].from_site != piece.element || taken[i])) ++i;
     if (i == last) return false;
     taken[i] = 1;
@@ -158,8 +165,9 @@ bool PolygonOffsetter::Scratch::link() {
   return true;
 }
 
-void PolygonOffsetter::Scratch::write(double depth, bool outwards, OffsetContours& out) {
-  const std::span<const TrimmedPiece> pieces = trim.pieces();
+void PolygonOffsetter::Scratch::write(std::size_t at, double depth, bool outwards,
+                                      OffsetContours& out) {
+  const std::span<const TrimmedPiece> pieces = trim.pieces(at);
   if (line.size() < pieces.size()) line.resize(pieces.size());
   for (std::size_t first = 0; first < pieces.size(); ++first) {
     if (!taken[first]) continue;

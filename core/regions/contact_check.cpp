@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "core/regions/chain_sweep.h"  // keep_clear
+#include "core/regions/clear_contours.h"  // keep_clear
 
 namespace core {
 namespace {

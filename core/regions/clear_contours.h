@@ -2,8 +2,9 @@
 //
 // Contours are cut into chains of at most 16 edges that go one way in x and one way in y. A chain
 // cannot meet itself. Two chains can meet only where their boxes overlap, and those of one smooth
-// contour overlap only at their common corner. Chains are swept upward by the lower sides of their
-// boxes. On the way, the winding number about each ring's lowest corner is counted.
+// contour overlap only at their common corner. The boxes are compared eight at a time
+// (box_tree.h). Where there are several rings, the winding number about the lowest corner of each
+// is counted.
 #pragma once
 
 #include <vector>
@@ -16,7 +17,8 @@ namespace core {
 // and stand outside all others or in a hole, and holes the other way: the rings are clean.
 // False otherwise, also for rings that touch and may be clean all the same.
 // REQUIRES: coordinates within ±kCoordinateMax.
-// COSTS: O(n log n + n · chains at one height and place); O(n²) when most edges lie in one heap.
+// COSTS: O(n log n + pairs of chains with overlapping boxes + rings · chains at their height);
+// O(n²) when most edges lie in one heap.
 [[nodiscard]] bool keep_clear(const std::vector<Ring>& rings);
 
 }  // namespace core

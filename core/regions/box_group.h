@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <cstring>
 
@@ -125,5 +126,11 @@ class BoxGroup {
 
   alignas(16) std::array<std::int32_t, kSize> left_, bottom_, right_, top_;
 };
+
+// visit(lane) for the bits that are set.
+template <typename Visit>
+inline void for_lanes(std::uint32_t bits, Visit visit) {
+  for (; bits != 0; bits &= bits - 1) visit(static_cast<std::uint32_t>(std::countr_zero(bits)));
+}
 
 }  // namespace core

@@ -1,4 +1,4 @@
-#include "core/regions/chain_sweep.h"
+#include "core/regions/clear_contours.h"
 
 #include <doctest/doctest.h>
 
@@ -43,7 +43,7 @@ bool touch_anywhere(const std::vector<Ring>& rings) {
   return false;
 }
 
-// Rings of three to five corners on a small grid; repeated corners are left to the sweep.
+// Rings of three to five corners on a small grid; repeated corners are left to the check.
 std::vector<Ring> few_rings(Random& random, int size) {
   std::vector<Ring> rings(static_cast<std::size_t>(random.integer(1, 2)));
   for (Ring& ring : rings) {

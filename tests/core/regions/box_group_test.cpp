@@ -1,4 +1,4 @@
-#include "core/booleans/box_group.h"
+#include "core/regions/box_group.h"
 
 #include <doctest/doctest.h>
 
