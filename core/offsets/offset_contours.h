@@ -24,7 +24,12 @@ struct OffsetPiece {
 using OffsetContour = std::vector<OffsetPiece>;
 using OffsetContours = std::vector<OffsetContour>;
 
-// Chords that stay within `tolerance` of the arcs. ENSURES: the region is clean.
-[[nodiscard]] Region flatten(const OffsetContours& contours, Length tolerance);
+// What stands for an arc: its chords, so that the error has one side everywhere; or, where lines
+// touch it, fewer edges on both sides of it (arc_polygon.h), within 3 units of the lines.
+enum class ArcForm { kChords, kBothSides };
+
+// Polygons within `tolerance` of the arcs. ENSURES: the region is clean.
+[[nodiscard]] Region flatten(const OffsetContours& contours, Length tolerance,
+                             ArcForm form = ArcForm::kChords);
 
 }  // namespace core

@@ -64,7 +64,9 @@ std::int64_t OffsetCutter::fill(const Slice& slice, SliceOffsets& cut) const {
   const std::int64_t tries_before = offsetter.retries() + offsetter.fallbacks();
   offsetter.offset(slice.region, depths, contours);
 
-  const auto flat = [&](const OffsetContours& at) { return flatten(at, settings.arc_tolerance); };
+  const auto flat = [&](const OffsetContours& at) {
+    return flatten(at, settings.arc_tolerance, ArcForm::kBothSides);
+  };
   for (std::size_t i = 0; i < walls.size(); ++i) {
     cut.wall_inners.push_back({walls[i], flat(contours[i])});
   }

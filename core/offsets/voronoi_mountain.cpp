@@ -77,10 +77,10 @@ OffsetContours VoronoiMountain::offset(Length depth) const {
 int VoronoiMountain::retries() const { return diagram_->retries; }
 int VoronoiMountain::fallbacks() const { return diagram_->fallbacks; }
 
-Region offset(const Region& region, Length depth, Length arc_tolerance) {
+Region offset(const Region& region, Length depth, Length arc_tolerance, ArcForm form) {
   if (region.empty() || depth == Length()) return region;
   if (depth > Length() && deeper_than_any_point(region, depth)) return {};
-  return flatten(PolygonOffsetter().offset(region, depth), arc_tolerance);
+  return flatten(PolygonOffsetter().offset(region, depth), arc_tolerance, form);
 }
 
 }  // namespace core

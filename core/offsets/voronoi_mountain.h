@@ -51,6 +51,7 @@ class VoronoiMountain {
 
 // The flattened offset of `region` at `depth`, for callers that need only one. polygon_offset.h
 // makes it; no diagram is built unless that fails.
-[[nodiscard]] Region offset(const Region& region, Length depth, Length arc_tolerance);
+[[nodiscard]] Region offset(const Region& region, Length depth, Length arc_tolerance,
+                            ArcForm form = ArcForm::kChords);
 
 }  // namespace core

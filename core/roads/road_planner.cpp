@@ -40,7 +40,7 @@ void append(std::vector<Road> more, std::vector<Road>& roads) {
 // Where centre lines of bridges may run: up to the innermost perimeter's.
 Region bridge_room(const SliceOffsets& offsets, const Settings& settings) {
   if (offsets.perimeters.empty()) return offsets.interior;
-  return flatten(offsets.perimeters.back(), settings.arc_tolerance);
+  return flatten(offsets.perimeters.back(), settings.arc_tolerance, ArcForm::kBothSides);
 }
 
 // What of the interior is wall, and kWallGrace more where there is any.
@@ -117,7 +117,7 @@ std::vector<IslandPlan> start_plans(const IslandSplit& split, const SplitLayer& 
   for (std::size_t i = 0; i < plans.size(); ++i) plans[i].offsets.region = split.islands()[i];
   for (const OffsetContours& line : offsets.perimeters) {
     share_out(
-        split, flatten(line, settings.arc_tolerance), plans,
+        split, flatten(line, settings.arc_tolerance, ArcForm::kBothSides), plans,
         [](IslandPlan& plan, Region part) { plan.offsets.perimeters.push_back(std::move(part)); });
   }
   share_out(split, offsets.wide_core, plans,

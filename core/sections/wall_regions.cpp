@@ -20,8 +20,9 @@ const Region& inner_of(const LayerWindow::Neighbour& neighbour, Length arc_toler
       if (inner.depth == neighbour.depth) return inner.region;
     }
   }
-  made = layer.slice.region.empty() ? Region()
-                                    : offset(layer.slice.region, neighbour.depth, arc_tolerance);
+  made = layer.slice.region.empty()
+             ? Region()
+             : offset(layer.slice.region, neighbour.depth, arc_tolerance, ArcForm::kBothSides);
   return made;
 }
 

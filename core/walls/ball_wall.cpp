@@ -100,7 +100,8 @@ Region BallWall::intersection(const std::vector<Operand>& operands) {
     const bool known = inner != inners.end();
     offsets_cut_ += known ? 0 : 1;
     const Region& next =
-        known ? inner->region : offset(layer.slice.region, operand.depth, arc_tolerance_);
+        known ? inner->region
+              : offset(layer.slice.region, operand.depth, arc_tolerance_, ArcForm::kBothSides);
     if (&operand == &operands.front()) {
       common = next;
     } else {

@@ -42,13 +42,14 @@ Region without_small_islands(const Region& region, double area_min_mm2) {
 // Adds what is left of an island without its tongues. What holds no disc is one as a whole.
 void add_without_tongues(Region island, Length radius, Length arc_tolerance,
                          std::vector<Ring>& rest) {
-  const Region core = offset(island, radius, arc_tolerance);
+  const Region core = offset(island, radius, arc_tolerance, ArcForm::kBothSides);
   if (core.empty()) return;
   const Length reach = Length::from_mm(kCornerReach * radius.mm());
   std::vector<Ring> tongues;
   if (!stays_near(island, core, reach, Length::from_mm(kSampleShare * reach.mm()))) {
     // Grown by a hair more than it was shrunk, so that only tongues and corners are left.
-    const Region opened = offset(core, -radius - arc_tolerance * 2, arc_tolerance);
+    const Region opened =
+        offset(core, -radius - arc_tolerance * 2, arc_tolerance, ArcForm::kBothSides);
     for (Island& lost : islands(subtract(island, opened))) {
       if (!is_corner_bit(lost, radius)) append_rings(std::move(lost), tongues);
     }
