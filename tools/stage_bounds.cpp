@@ -7,7 +7,7 @@
 //     read     take every byte; of an STL each facet's lowest and highest z
 //     slice    cut every facet at every layer's height, chain the segments by a hash of their ends
 //     offset   move every edge inwards, meet its neighbours, at each depth; nothing is trimmed
-//     window   two sorted passes over the edges of a slice's inset and of its neighbours' each
+//     window   sort a slice's edges, one pass over them and those of each neighbour
 //     roads    offset every edge for each perimeter, cut rows 0.45 mm apart through all edges and
 //              sort their ends
 //     lay      the length and the filament of every move in the G-code
@@ -19,6 +19,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -26,10 +27,8 @@
 #include <ctime>
 #include <fstream>
 #include <functional>
-#include <iterator>
 #include <limits>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include "core/regions/region.h"
@@ -61,32 +60,43 @@ struct Facet {
 };
 
 std::string bytes_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  std::string bytes(static_cast<std::size_t>(std::max<std::streamoff>(0, file.tellg())), '\0');
+  file.seekg(0).read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  return bytes;
 }
 
 // Of a binary STL; none of anything else.
-std::vector<Facet> facets_of(const std::string& bytes) {
-  std::vector<Facet> facets;
-  if (bytes.size() < 84) return facets;
+std::size_t facet_count(const std::string& bytes) {
+  if (bytes.size() < 84) return 0;
   std::uint32_t count = 0;
   std::memcpy(&count, bytes.data() + 80, 4);
-  if (bytes.size() != 84 + std::size_t{count} * 50) return facets;
-  facets.resize(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    std::memcpy(facets[i].at.data(), bytes.data() + 84 + i * 50 + 12, 36);
-  }
+  return bytes.size() == 84 + std::size_t{count} * 50 ? count : 0;
+}
+
+Facet facet_at(const std::string& bytes, std::size_t i) {
+  Facet facet{};
+  std::memcpy(facet.at.data(), bytes.data() + 84 + i * 50 + 12, 36);
+  return facet;
+}
+
+std::vector<Facet> facets_of(const std::string& bytes) {
+  std::vector<Facet> facets(facet_count(bytes));
+  for (std::size_t i = 0; i < facets.size(); ++i) facets[i] = facet_at(bytes, i);
   return facets;
 }
 
 double read(const std::string& path) {
   const std::string bytes = bytes_of(path);
+  const std::size_t count = facet_count(bytes);
+  if (count == 0) return static_cast<double>(std::count(bytes.begin(), bytes.end(), '<'));
   double sum = 0;
-  for (const Facet& facet : facets_of(bytes)) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const Facet facet = facet_at(bytes, i);
     sum += std::max({facet.at[2], facet.at[5], facet.at[8]}) -
            std::min({facet.at[2], facet.at[5], facet.at[8]});
   }
-  return sum + static_cast<double>(std::count(bytes.begin(), bytes.end(), '<'));
+  return sum;
 }
 
 struct Cut {
@@ -114,13 +124,25 @@ bool cut(const Facet& facet, float z, Cut& made) {
   return found == 2;
 }
 
-double chained(const std::vector<Cut>& cuts,
-               std::unordered_map<std::int64_t, std::uint32_t>& next) {
-  next.clear();
-  next.reserve(cuts.size());
-  for (std::uint32_t i = 0; i < cuts.size(); ++i) next[cuts[i].from] = i;
+// Which segment starts where each one ends: a table at most half full, without lists.
+double chained(const std::vector<Cut>& cuts, std::vector<std::uint32_t>& table) {
+  const std::size_t size = std::bit_ceil(cuts.size() * 2 + 1);
+  table.assign(size, 0);
+  const auto place = [&](std::int64_t key) {
+    return static_cast<std::size_t>((static_cast<std::uint64_t>(key) * 0x9E3779B97F4A7C15U) >> 32) &
+           (size - 1);
+  };
+  for (std::uint32_t i = 0; i < cuts.size(); ++i) {
+    std::size_t at = place(cuts[i].from);
+    while (table[at] != 0) at = (at + 1) & (size - 1);
+    table[at] = i + 1;
+  }
   double met = 0;
-  for (const Cut& one : cuts) met += next.contains(one.to) ? 1 : 0;
+  for (const Cut& one : cuts) {
+    std::size_t at = place(one.to);
+    while (table[at] != 0 && cuts[table[at] - 1].from != one.to) at = (at + 1) & (size - 1);
+    met += table[at];
+  }
   return met;
 }
 
@@ -145,9 +167,9 @@ double slice(const std::vector<Facet>& facets, double height_mm) {
       if (cut(facet, z, made)) by_layer[layer].push_back(made);
     }
   }
-  std::unordered_map<std::int64_t, std::uint32_t> next;
+  std::vector<std::uint32_t> table;
   double sum = 0;
-  for (const std::vector<Cut>& cuts : by_layer) sum += chained(cuts, next);
+  for (const std::vector<Cut>& cuts : by_layer) sum += chained(cuts, table);
   return sum;
 }
 
@@ -199,20 +221,15 @@ std::vector<Edge> sorted_edges(const core::Region& region) {
   return edges;
 }
 
-// Which edges of both are beside one another, and may cross.
-double beside(const std::vector<Edge>& a, const std::vector<Edge>& b) {
-  double met = 0;
-  std::size_t first = 0;
-  for (const Edge& edge : a) {
-    while (first < b.size() && b[first].high.y < edge.low.y) ++first;
-    for (std::size_t i = first; i < b.size() && b[i].low.y <= edge.high.y; ++i) {
-      const auto [left, right] = std::minmax(edge.low.x, edge.high.x);
-      met += std::max(b[i].low.x, b[i].high.x) >= left && std::min(b[i].low.x, b[i].high.x) <= right
-                 ? 1
-                 : 0;
-    }
+// One pass upwards over the edges of both.
+double merged(const std::vector<Edge>& a, const std::vector<Edge>& b) {
+  double sum = 0;
+  for (std::size_t i = 0, j = 0; i < a.size() || j < b.size();) {
+    const bool from_a = j == b.size() || (i < a.size() && a[i].low.y < b[j].low.y);
+    const Edge& edge = from_a ? a[i++] : b[j++];
+    sum += edge.high.x - edge.low.x;
   }
-  return met;
+  return sum;
 }
 
 double window(const std::vector<core::Region>& slices, int neighbours) {
@@ -221,7 +238,7 @@ double window(const std::vector<core::Region>& slices, int neighbours) {
   for (const core::Region& region : slices) edges.push_back(sorted_edges(region));
   for (std::size_t i = 0; i < edges.size(); ++i) {
     for (int k = 1; k <= neighbours && i >= static_cast<std::size_t>(k); ++k) {
-      sum += beside(edges[i], edges[i - static_cast<std::size_t>(k)]);
+      sum += merged(edges[i], edges[i - static_cast<std::size_t>(k)]);
     }
   }
   return sum;
