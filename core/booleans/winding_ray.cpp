@@ -8,6 +8,9 @@
 namespace core {
 namespace {
 
+// Among fewer rings, boxes save less than they cost.
+constexpr std::size_t kFewRings = 8;
+
 // 1 for a straight piece that leads south across the ray, -1 for one that leads north.
 int turn(Point a, Point b, Point p) {
   if (b.y <= p.y && p.y < a.y) return cross(a, b, p) > 0 ? 1 : 0;
@@ -53,15 +56,51 @@ void WindingRay::reset(const ContourEdges& edges, const EdgeTree& tree, const Sn
   weights_ = &weights;
   seen_.assign(edges.index_end(), 0);
   ray_ = 0;
+  few_rings_ = edges.rings().size() <= kFewRings;
+  ring_tree_planted_ = false;
+  west_ = INT32_MIN;
+}
+
+// Boxes are a unit wider than the rings, as rounding moves edges by less.
+void WindingRay::plant_ring_tree() {
+  const std::span<const ContourRing> rings = edges_->rings();
+  ring_tree_planted_ = true;
+  ring_tree_.clear();
+  ring_boxes_.clear();
+  around_.assign(rings.size(), 0);
+  for (const ContourRing& ring : rings) {
+    Box box;
+    for (EdgeIndex e = ring.first; e < ring.end; ++e) box.add(edges_->from(e));
+    ring_boxes_.push_back({{box.min.x - 1, box.min.y - 1}, {box.max.x + 1, box.max.y + 1}});
+  }
+  const auto first_of = [&](std::uint32_t i) { return edges_->from(rings[i].first); };
+  for (const std::uint32_t i : order_.near_by_near(rings.size(), first_of)) {
+    ring_tree_.add(ring_boxes_[i], i);
+  }
+  ring_tree_.finish();
+}
+
+// Starts a ray. False if no ring goes around the point but those of operand `but`.
+bool WindingRay::find_rings_around(Point p, std::uint32_t but) {
+  ++ray_;
+  if (few_rings_) return true;
+  if (!ring_tree_planted_) plant_ring_tree();
+  west_ = INT32_MAX;
+  ring_tree_.for_items_in({p, p}, [&](std::uint32_t ring) {
+    if (edges_->rings()[ring].operand == but) return;
+    around_[ring] = ray_;
+    west_ = std::min(west_, ring_boxes_[ring].min.x);
+  });
+  return west_ < INT32_MAX;
 }
 
 std::int32_t WindingRay::winding_at(Point p) { return sum_west_of(p, weights_->by_operand); }
 
 std::int32_t WindingRay::sum_west_of(Point p, std::span<const std::int32_t> weights) {
-  ++ray_;
+  if (!find_rings_around(p, kNoOperand)) return 0;
   std::int32_t winding = 0;
-  tree_->for_edges_in(Box{{INT32_MIN, p.y}, p}, kNoOperand, [&](EdgeIndex e) {
-    if (seen_[e] == ray_) return;
+  tree_->for_edges_in(Box{{west_, p.y}, p}, kNoOperand, [&](EdgeIndex e) {
+    if (seen_[e] == ray_ || !may_go_around(e)) return;
     seen_[e] = ray_;
     const int count = turns(e, p);
     if (count != 0) winding += count * weights[edges_->ring(e).operand];
@@ -82,13 +121,14 @@ std::int32_t WindingRay::winding_right_of(std::uint32_t operand, Point corner) {
 
 // Two clean operands: the nearest edge of the other one tells by its direction. Nothing where two
 // are equally near: rounding may have laid them on one another.
-std::optional<bool> WindingRay::covered_by_other(std::uint32_t operand, Point p) const {
+std::optional<bool> WindingRay::covered_by_other(std::uint32_t operand, Point p) {
+  if (!find_rings_around(p, operand)) return false;
   std::optional<EdgeIndex> nearest;
   Segment nearest_edge;
   bool tied = false, folded = false;
-  BoxGroup::Query ray(Box{{INT32_MIN, p.y}, p});
+  BoxGroup::Query ray(Box{{west_, p.y}, p});
   tree_->for_edges_in(ray, operand, [&](EdgeIndex e) {
-    if (e == nearest) return;
+    if (e == nearest || !may_go_around(e)) return;
     Segment edge;
     const int count = crossings(e, p, edge);
     if (count == 0) return;

@@ -4,6 +4,9 @@
 //                                    it passes no corner. Every edge that it meets adds its weight
 //                                    or takes it away.
 //
+// Where there are many rings, only those count whose boxes hold the point: the others go around it
+// not at all. The ray ends where the last of these boxes does.
+//
 // The edges are those that snap rounding leaves: bent edges count as they are bent. Edges through
 // the point itself don't count.
 #pragma once
@@ -16,6 +19,7 @@
 #include "core/booleans/contour_edges.h"  // ContourEdges
 #include "core/booleans/edge_tree.h"      // EdgeTree
 #include "core/booleans/snap_rounding.h"  // SnapRounding
+#include "core/regions/box_tree.h"        // BoxTree, RingOrder
 
 namespace core {
 
@@ -38,7 +42,7 @@ class WindingRay {
              const OperandWeights& weights);
 
   // Of the sector at the point that holds the direction a hair north of west.
-  // COSTS: O(edges at this height west of the point).
+  // COSTS: O(edges at this height west of the point, as far as rings may go around it).
   [[nodiscard]] std::int32_t winding_at(Point p);
 
   // On the right of a ring at one of its corners.
@@ -48,7 +52,12 @@ class WindingRay {
 
  private:
   [[nodiscard]] std::int32_t sum_west_of(Point p, std::span<const std::int32_t> weights);
-  [[nodiscard]] std::optional<bool> covered_by_other(std::uint32_t operand, Point p) const;
+  [[nodiscard]] std::optional<bool> covered_by_other(std::uint32_t operand, Point p);
+  [[nodiscard]] bool find_rings_around(Point p, std::uint32_t but);
+  void plant_ring_tree();
+  [[nodiscard]] bool may_go_around(EdgeIndex edge) const {
+    return few_rings_ || around_[edges_->ring_index(edge)] == ray_;
+  }
   template <typename Visit>
   void for_pieces(EdgeIndex edge, Visit visit) const;
   [[nodiscard]] int turns(EdgeIndex edge, Point p) const;
@@ -61,6 +70,13 @@ class WindingRay {
   std::vector<std::int32_t> others_;  // the weights without one operand's share
   std::vector<std::uint32_t> seen_;   // by edge: the last ray that met it
   std::uint32_t ray_ = 0;
+  bool few_rings_ = true;   // all count
+  bool ring_tree_planted_ = false;
+  BoxTree ring_tree_;
+  RingOrder order_;
+  std::vector<Box> ring_boxes_;
+  std::vector<std::uint32_t> around_;  // by ring: the last ray for which it counted
+  std::int32_t west_ = INT32_MIN;      // where the ray ends
 };
 
 }  // namespace core
