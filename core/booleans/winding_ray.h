@@ -70,7 +70,7 @@ class WindingRay {
   std::vector<std::int32_t> others_;  // the weights without one operand's share
   std::vector<std::uint32_t> seen_;   // by edge: the last ray that met it
   std::uint32_t ray_ = 0;
-  bool few_rings_ = true;   // all count
+  bool few_rings_ = true;  // all count
   bool ring_tree_planted_ = false;
   BoxTree ring_tree_;
   RingOrder order_;

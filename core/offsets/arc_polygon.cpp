@@ -31,6 +31,21 @@ bool turns_at_most_twice(double half_cosine, const Arc& arc, double squared) {
   return across(arc) >= 0 && along(arc) >= (2 * half_cosine * half_cosine - 1) * squared;
 }
 
+// How many steps, each of this cosine at least, make an angle up to half a turn of this cosine:
+// cos((n + 1) a) = 2 cos(a) cos(n a) − cos((n − 1) a). REQUIRES: −1 <= step, step < 1.
+int steps_to(double cosine, double step) {
+  double before = 1, here = step;
+  int count = 1;
+  while (cosine < here) {
+    ++count;
+    if (here <= -step) break;  // less than a step is left of half a turn
+    const double next = 2 * step * here - before;
+    before = here;
+    here = next;
+  }
+  return count;
+}
+
 double growth_of(const Arc& arc) {
   return std::sqrt(dot(arc.to, arc.to) / std::max(dot(arc.from, arc.from), 1.0)) - 1;
 }
@@ -44,8 +59,11 @@ bool is_on_line(Point p, Point a, Point b) {
 // Turns a point about the arc's centre, by one angle each time.
 class Turning {
  public:
-  Turning(const Arc& arc, double angle)
-      : centre_(arc.centre), cosine_(cosine(angle)), sine_(arc.side * sine(angle)) {}
+  Turning(const Arc& arc, double angle) : Turning(arc, cosine(angle), sine(angle)) {}
+  // By half of an angle up to half a turn, which is told by its cosine.
+  static Turning half(const Arc& arc, double cosine) {
+    return {arc, std::sqrt((1 + cosine) / 2), std::sqrt((1 - cosine) / 2)};
+  }
 
   void turn(Vector& at) const {
     at = {at.x * cosine_ - at.y * sine_, at.x * sine_ + at.y * cosine_};
@@ -55,6 +73,9 @@ class Turning {
   }
 
  private:
+  Turning(const Arc& arc, double cosine, double sine)
+      : centre_(arc.centre), cosine_(cosine), sine_(arc.side * sine) {}
+
   Vector centre_;
   double cosine_, sine_;
 };
@@ -66,17 +87,27 @@ void ArcPolygon::set_radius(double radius) {
   radius_ = radius;
   inside_ = std::max(0.0, 1 - tolerance_ / radius);
   outside_ = radius / (radius + tolerance_);
+  angles_found_ = false;
+}
+
+void ArcPolygon::find_angles() {
+  if (angles_found_) return;
   end_angle_ = arc_cosine(outside_);
-  half_step_ = arc_cosine(std::max(0.0, (radius - tolerance_) / (radius + tolerance_)));
+  half_step_ = arc_cosine(std::max(0.0, (radius_ - tolerance_) / (radius_ + tolerance_)));
+  angles_found_ = true;
 }
 
 void ArcPolygon::add_chords(const Arc& arc, Ring& ring) {
   set_radius(std::sqrt(std::max({dot(arc.from, arc.from), dot(arc.to, arc.to), 1.0})));
   if (turns_at_most_twice(inside_, arc, radius_ * radius_)) return;
-  const double sweep = sweep_of(arc);
-  if (sweep > kSweepMax) return;
-  const int chords = std::max(1, static_cast<int>(std::ceil(sweep / (2 * arc_cosine(inside_)))));
-  const Turning turning(arc, sweep / chords);
+  const double to_end = across(arc);
+  if (to_end < 0 && along(arc) >= 0) return;  // rounding turned the ends round
+  const double length = std::sqrt(dot(arc.from, arc.from) * dot(arc.to, arc.to));
+  // What rounding has made longer than half a turn is one.
+  const double cosine = to_end < 0 ? -1 : std::clamp(along(arc) / length, -1.0, 1.0);
+  const int chords = steps_to(cosine, 2 * inside_ * inside_ - 1);
+  const Turning turning =
+      chords == 2 ? Turning::half(arc, cosine) : Turning(arc, sweep_of(arc) / chords);
   const double growth = growth_of(arc);
   Vector at = arc.from;
   for (int i = 1; i < chords; ++i) {
@@ -106,6 +137,7 @@ void ArcPolygon::add_outside(const Arc& arc, Ring& ring) {
   }
   const double sweep = sweep_of(arc);
   if (sweep > kSweepMax) return;
+  find_angles();
   const int steps = std::max(1, static_cast<int>(std::ceil((sweep / 2 - end_angle_) / half_step_)));
   const double share = sweep / 2 / (end_angle_ + steps * half_step_);
   const double growth = growth_of(arc);

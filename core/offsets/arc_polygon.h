@@ -40,14 +40,17 @@ class ArcPolygon {
 
  private:
   void set_radius(double radius);
+  void find_angles();
   void add_outside(const Arc& arc, Ring& ring);
 
   double tolerance_;
   double radius_ = 0;
-  double inside_ = 0;     // the cosine of half a chord's angle
-  double outside_ = 0;    // the cosine of end_angle_
+  double inside_ = 0;   // the cosine of half a chord's angle
+  double outside_ = 0;  // the cosine of end_angle_
+  // Found where they are needed first.
   double end_angle_ = 0;  // from where a line touches the arc to the first vertex, at most
   double half_step_ = 0;  // half the angle between two vertices, at most
+  bool angles_found_ = false;
 };
 
 }  // namespace core

@@ -80,7 +80,10 @@ int VoronoiMountain::fallbacks() const { return diagram_->fallbacks; }
 Region offset(const Region& region, Length depth, Length arc_tolerance, ArcForm form) {
   if (region.empty() || depth == Length()) return region;
   if (depth > Length() && deeper_than_any_point(region, depth)) return {};
-  return flatten(PolygonOffsetter().offset(region, depth), arc_tolerance, form);
+  thread_local PolygonOffsetter offsetter;
+  thread_local OffsetContours contours;
+  offsetter.offset(region, std::span(&depth, 1), std::span(&contours, 1));
+  return flatten(contours, arc_tolerance, form);
 }
 
 }  // namespace core

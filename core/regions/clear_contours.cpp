@@ -20,6 +20,11 @@ std::uint32_t ways(Point a, Point b) {
 }
 // Right and left, or up and down.
 bool turns_back(std::uint32_t ways) { return (ways & ways >> 1 & 5) != 0; }
+// In x and in y.
+bool turns_round(std::uint32_t before, std::uint32_t after) {
+  const std::uint32_t both = before | after;
+  return (both & both >> 1 & 5) == 5;
+}
 
 int sign(std::int64_t value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
 
@@ -52,9 +57,10 @@ class ClearContours {
     }
     tree_.finish();
     ring_tree_.finish();
-    if (tree_.any_pair([this](std::uint32_t a, std::uint32_t b) { return meet(a, b); })) {
-      return false;
-    }
+    const bool met = tree_.any_pair([this](std::uint32_t a, std::uint32_t b) {
+      return (b != a + 1 || chains_[b].turns_round) && meet(chains_[a], chains_[b]);
+    });
+    if (met) return false;
     if (rings.size() == 1) return rings_[0].counter_clockwise;
     return std::all_of(rings_.begin(), rings_.end(),
                        [this](const ClosedRing& ring) { return nests(ring); });
@@ -66,6 +72,10 @@ class ClearContours {
     std::uint32_t first, last;  // edges first … last - 1
     std::uint32_t ring;
     std::uint32_t ways;
+    // May run back in x and in y over the chain before it, or there is none on its ring. Otherwise
+    // both lie on either side of a line along an axis, on which they have but their corner in
+    // common: none runs back over an edge.
+    bool turns_round;
   };
   struct ClosedRing {
     std::uint32_t first, end;  // its edges
@@ -95,11 +105,11 @@ class ClearContours {
         continue;
       }
       if (runs_back(points[i - 1], a, b)) return false;
-      add_chain(chain_first, i, chain_ways);
+      add_chain(first, chain_first, i, chain_ways);
       chain_first = i;
       chain_ways = edge_ways;
     }
-    add_chain(chain_first, end, chain_ways);
+    add_chain(first, chain_first, end, chain_ways);
     if (runs_back(points[end - 1], points[first], points[first + 1])) return false;
     const Point before = points[lowest > first ? lowest - 1 : end - 1];
     const bool left = cross(before, points[lowest], points[lowest + 1]) > 0;
@@ -108,12 +118,14 @@ class ClearContours {
     return true;
   }
 
-  void add_chain(std::uint32_t first, std::uint32_t last, std::uint32_t ways) {
+  void add_chain(std::uint32_t ring_first, std::uint32_t first, std::uint32_t last,
+                 std::uint32_t ways) {
     const Box box = box_of(Segment{points_[first], points_[last]});
     ring_box_.add(box.min);
     ring_box_.add(box.max);
     tree_.add(box, static_cast<std::uint32_t>(chains_.size()));
-    chains_.push_back({first, last, static_cast<std::uint32_t>(rings_.size()), ways});
+    const bool round = first == ring_first || turns_round(chains_.back().ways, ways);
+    chains_.push_back({first, last, static_cast<std::uint32_t>(rings_.size()), ways, round});
   }
 
   [[nodiscard]] Segment edge(std::uint32_t i) const { return {points_[i], points_[i + 1]}; }
@@ -161,15 +173,10 @@ class ClearContours {
     return stretch;
   }
 
-  bool meet(std::uint32_t index_a, std::uint32_t index_b) const {
-    const Chain &a = chains_[index_a], &b = chains_[index_b];
+  bool meet(const Chain& a, const Chain& b) const {
     const Box box_a = box(a), box_b = box(b);
     const Box common{{std::max(box_a.min.x, box_b.min.x), std::max(box_a.min.y, box_b.min.y)},
                      {std::min(box_a.max.x, box_b.max.x), std::min(box_a.max.y, box_b.max.y)}};
-    // Chains that follow one another: on a line along an axis through their corner, each has only
-    // what runs along it up to there, and they don't run back over one another.
-    const bool flat = common.min.x == common.max.x || common.min.y == common.max.y;
-    if (flat && (a.last == b.first || b.last == a.first)) return false;
     const Stretch of_a = stretch_in(a, common);
     if (of_a.first == of_a.last) return false;
     const Stretch of_b = stretch_in(b, common);
