@@ -65,6 +65,7 @@ class Turning {
     return {arc, std::sqrt((1 + cosine) / 2), std::sqrt((1 - cosine) / 2)};
   }
 
+  [[nodiscard]] double cosine_of_angle() const { return cosine_; }
   void turn(Vector& at) const {
     at = {at.x * cosine_ - at.y * sine_, at.x * sine_ + at.y * cosine_};
   }
@@ -141,8 +142,9 @@ void ArcPolygon::add_outside(const Arc& arc, Ring& ring) {
   const int steps = std::max(1, static_cast<int>(std::ceil((sweep / 2 - end_angle_) / half_step_)));
   const double share = sweep / 2 / (end_angle_ + steps * half_step_);
   const double growth = growth_of(arc);
-  Vector at = arc.from * (1 / cosine(end_angle_ * share));
-  Turning(arc, end_angle_ * share).turn(at);
+  const Turning to_first(arc, end_angle_ * share);
+  Vector at = arc.from * (1 / to_first.cosine_of_angle());
+  to_first.turn(at);
   const Turning turning(arc, 2 * half_step_ * share);
   for (int i = 0; i <= steps; ++i) {
     if (i > 0) turning.turn(at);
