@@ -53,7 +53,11 @@ int main(int argc, char** argv) {
   app.add_option("--scale", sizes.tower.scale, "the tower's, across")
       ->check(CLI::Range(0.01, 100.0));
   app.add_option("--teeth", sizes.teeth, "the comb's")->check(CLI::Range(1, 1'000'000));
-  app.add_option("--detail", sizes.detail, "the vase's facets, as a multiple")
+  app.add_option("--columns", sizes.columns, "of pins, perforated, engraved, spikes, each way")
+      ->check(CLI::Range(1, 1'000));
+  app.add_option("--turns", sizes.turns, "of spiral, tubes")->check(CLI::Range(1, 1'000));
+  app.add_option("--level", sizes.level, "of koch")->check(CLI::Range(0, 9));
+  app.add_option("--detail", sizes.detail, "facets of vase, gyroid, figure, as a multiple")
       ->check(CLI::Range(0.05, 20.0));
   app.add_flag("--ascii", ascii, "text instead of binary");
   app.add_flag("--list", list_only, "names every part");

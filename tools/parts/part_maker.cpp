@@ -60,6 +60,18 @@ Part bridge() {
       {box({0, 0, 0}, 8, 14, 6), box({24, 0, 0}, 8, 14, 6), box({0, 0, 6}, 32, 14, 1.6)});
 }
 
+std::vector<NamedPart> hard_parts(const PartSizes& sizes) {
+  return {
+      {"pins", "round, 1.8 mm across; see --columns", pins(sizes.columns)},
+      {"spikes", "pyramids, all facets from z = 0 up; see --columns", spikes(sizes.columns)},
+      {"noisy_ring", "1.3 mm thick, as a scan has it: off by up to 10 um", noisy_ring(2'048)},
+      {"koch", "a Koch curve; see --level", koch(sizes.level)},
+      {"spiral", "a strip 0.6 mm wide; see --turns", spiral(sizes.turns)},
+      {"tubes", "0.8 mm thick, around one another; see --turns", tubes(sizes.turns)},
+      {"gyroid", "a sheet between two labyrinths; see --detail", gyroid(sizes.detail)},
+  };
+}
+
 std::vector<NamedPart> faulty_parts() {
   const auto every_third_flipped = [](const Facet& facet, std::int64_t number) {
     return std::vector<Facet>{number % 3 == 0 ? flipped(facet) : facet};
@@ -94,6 +106,7 @@ std::vector<NamedPart> faulty_parts() {
        together({sound_box(), edited(box({5, 5, 2}, 10, 10, 5), all_flipped)})},
       {"gap", "a box hanging 4 mm above another",
        together({box({0, 0, 0}, 20, 20, 2), box({5, 5, 6}, 10, 10, 2)})},
+      {"soup", "20,000 facets at random", soup(20'000)},
       {"stairs", "steps that end at whole and at half layers", stairs()},
   };
 }
@@ -151,7 +164,14 @@ std::vector<NamedPart> all_parts(const PartSizes& sizes) {
       {"ramp_60", "by 60 degrees", ramp(60, 15)},
       {"arch", "half a ring on two legs, 24 mm apart", arch(24)},
       {"tee", "a deck on a post, 8 mm beyond it on either side", tee()},
+      {"bracket", "an angle with holes, a slot, a fillet and two ribs: 60 x 41 x 42 mm", bracket()},
+      {"case", "thin walls, ribs, posts for screws, slots: 80 x 50 x 24 mm", electronics_case()},
+      {"sign", "raised letters: 64 x 22 mm", sign()},
+      {"figure", "balls that run into one another, 48 mm tall; see --detail", figure(sizes.detail)},
+      {"perforated", "a plate with holes; see --columns", perforated(sizes.columns)},
+      {"engraved", "a plate with pockets of rough outline; see --columns", engraved(sizes.columns)},
   };
+  for (NamedPart& part : hard_parts(sizes)) all.push_back(std::move(part));
   for (NamedPart& part : faulty_parts()) all.push_back(std::move(part));
   return all;
 }

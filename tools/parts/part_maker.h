@@ -84,6 +84,30 @@ struct TowerSize {
 // Hose fitting, 25 mm tall: a hexagon flange, a slope, two barbs that overhang, and a bore.
 [[nodiscard]] Part demo();
 
+// Hard ones: columns × columns round pins; a plate with as many round holes; one with as many
+// pockets of rough outline, as of engraved text; as many pyramids, so that all facets have the same
+// lowest z. A ring 1.3 mm thick, its corners off by up to 10 µm, as a scan has them. A Koch curve. A
+// strip 0.6 mm wide in a spiral. Thin tubes around one another. A sheet between two labyrinths;
+// 600,000 facets at detail 2. Facets at random.
+[[nodiscard]] Part pins(int columns);
+[[nodiscard]] Part perforated(int columns);
+[[nodiscard]] Part engraved(int columns);
+[[nodiscard]] Part spikes(int columns);
+[[nodiscard]] Part noisy_ring(int corners);
+[[nodiscard]] Part koch(int level);
+[[nodiscard]] Part spiral(int turns);
+[[nodiscard]] Part tubes(int count);
+[[nodiscard]] Part gyroid(double detail);
+[[nodiscard]] Part soup(int facets);
+
+// Such as people print: an angle bracket with holes, a slot, a fillet and two ribs; a case with
+// thin walls, ribs, posts for screws and slots; a sign with raised letters; a figure of balls that
+// run into one another.
+[[nodiscard]] Part bracket();
+[[nodiscard]] Part electronics_case();
+[[nodiscard]] Part sign();
+[[nodiscard]] Part figure(double detail);
+
 // The facets of all parts, one part after the other.
 [[nodiscard]] Part together(std::vector<Part> all);
 
@@ -100,11 +124,14 @@ struct NamedPart {
   Part part;
 };
 
-// Every part that make_part knows; `detail` is the vase's.
+// Every part that make_part knows; `detail` is that of vase, gyroid and figure.
 struct PartSizes {
   TowerSize tower;
   double detail = 1;
   int teeth = 6'250;
+  int columns = 8;  // of pins, holes, pockets and spikes
+  int turns = 6;    // of the spiral; tubes
+  int level = 4;    // of the Koch curve
 };
 [[nodiscard]] std::vector<NamedPart> all_parts(const PartSizes& sizes);
 [[nodiscard]] std::vector<NamedPart> all_parts(std::int64_t layers = 1000, double detail = 1);

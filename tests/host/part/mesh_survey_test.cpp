@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <vector>
 
@@ -42,7 +43,7 @@ TEST_CASE("closed surfaces are told from open ones") {
   for (const parts::NamedPart& named : parts::all_parts(40, 0.1)) {
     CAPTURE(named.name);
     // What is wrong with these is in their surface.
-    const std::set<std::string> open = {"hole", "flipped_some", "doubled", "zero_area"};
+    const std::set<std::string> open = {"hole", "flipped_some", "doubled", "zero_area", "soup"};
     CHECK_EQ(surveyed(test::triangles_of(named.part)).closed(), !open.contains(named.name));
   }
   std::vector<Triangle> dome = test::triangles_of(parts::dome(10));
@@ -57,6 +58,35 @@ TEST_CASE("closed surfaces are told from open ones") {
     ++holed[i].corners[1].x;
     CHECK_FALSE(surveyed(holed).closed());
   }
+}
+
+TEST_CASE("parts of one body enclose what their shape has") {
+  const auto volume_mm3 = [](const parts::Part& part) {
+    double sum = 0;
+    part([&sum](const parts::Facet& facet) {
+      const auto& [a, b, c] = facet;
+      sum += a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) +
+             a.z * (b.x * c.y - b.y * c.x);
+    });
+    return sum / 6;
+  };
+  const auto polygon_mm2 = [](int corners, double radius) {
+    return corners / 2.0 * radius * radius * std::sin(2 * M_PI / corners);
+  };
+  CHECK(volume_mm3(parts::pins(3)) == doctest::Approx(9 * polygon_mm2(24, 0.9)));
+  CHECK(volume_mm3(parts::perforated(4)) == doctest::Approx(16 * 4 * (9 - polygon_mm2(40, 1))));
+  CHECK(volume_mm3(parts::spikes(3)) == doctest::Approx(9 * 1.8 * 1.8));
+  const double triangle_mm2 = polygon_mm2(3, 50);
+  CHECK(volume_mm3(parts::koch(0)) == doctest::Approx(2 * triangle_mm2));
+  CHECK(volume_mm3(parts::koch(3)) ==
+        doctest::Approx(2 * triangle_mm2 * (1.6 - 0.6 * std::pow(4.0 / 9, 3))));
+  CHECK(volume_mm3(parts::spiral(2)) == doctest::Approx(2 * 0.6 * 4 * M_PI * 3.2).epsilon(1e-2));
+  CHECK(volume_mm3(parts::figure(0.5)) ==
+        doctest::Approx(volume_mm3(parts::figure(1))).epsilon(0.02));
+  // Each body's own volume, where they run into one another.
+  CHECK_GT(volume_mm3(parts::bracket()), 60 * 40 * 5);
+  CHECK_GT(volume_mm3(parts::electronics_case()), 256 * 24 * 1.6);
+  CHECK_GT(volume_mm3(parts::sign()), 64 * 22 * 2 * 0.95);
 }
 
 TEST_CASE("edges that run the same way twice are counted, with their place") {
