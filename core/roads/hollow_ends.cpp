@@ -5,10 +5,9 @@
 #include <cstddef>
 #include <utility>
 
-#include "core/booleans/boolean.h"        // subtract
-#include "core/regions/point_location.h"  // PointLocation
-#include "core/regions/polyline.h"        // between, distance_mm
-#include "core/roads/branch_roads.h"      // branch_beads
+#include "core/booleans/boolean.h"    // subtract
+#include "core/regions/polyline.h"    // between, distance_mm
+#include "core/roads/branch_roads.h"  // branch_beads
 
 namespace core {
 namespace {
@@ -128,14 +127,18 @@ bool has_hollow_inside(const Settings& settings) {
   return settings.loose_roof != LooseRoof::kOff || !has_pattern(settings);
 }
 
-void cut_hollow_ends(const SplitLayer& layer, const Settings& settings, std::vector<Road>& roads) {
+HollowEnds::HollowEnds(const SplitLayer& layer, const Settings& settings)
+    : bridge_max_(settings.bridge_max) {
   if (!has_hollow_inside(settings) || !layer.below_loose || layer.below_loose->empty()) return;
-  const PointLocation hollow(
-      layer.below_branches
-          ? subtract(*layer.below_loose, branch_beads(*layer.below_branches, settings))
-          : *layer.below_loose);
-  const auto lost = [&](Road& road) {
-    return road.kind == RoadKind::kGapFill && !cut_ends(road, hollow, settings.bridge_max);
+  hollow_.emplace(layer.below_branches
+                      ? subtract(*layer.below_loose, branch_beads(*layer.below_branches, settings))
+                      : *layer.below_loose);
+}
+
+void HollowEnds::cut(std::vector<Road>& roads) const {
+  if (!hollow_) return;
+  const auto lost = [this](Road& road) {
+    return road.kind == RoadKind::kGapFill && !cut_ends(road, *hollow_, bridge_max_);
   };
   roads.erase(std::remove_if(roads.begin(), roads.end(), lost), roads.end());
 }

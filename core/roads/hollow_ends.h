@@ -5,11 +5,14 @@
 //                           A thin road in there would hang in the air.
 #pragma once
 
+#include <optional>
 #include <vector>
 
-#include "core/roads/road.h"         // Road
-#include "core/settings.h"           // Settings
-#include "core/walls/split_layer.h"  // SplitLayer
+#include "core/regions/point_location.h"  // PointLocation
+#include "core/roads/road.h"              // Road
+#include "core/settings.h"                // Settings
+#include "core/units.h"                   // Length
+#include "core/walls/split_layer.h"       // SplitLayer
 
 namespace core {
 
@@ -22,8 +25,18 @@ inline constexpr double kHollowStretchMax_mm = 0.6;
 // Whether the inside is too empty for its roads to hold what is laid over it anywhere.
 [[nodiscard]] bool has_hollow_inside(const Settings& settings);
 
-// Cuts off what ends in the air over the inside of the layer below.
-// COSTS: O(length of gap fill / road width · points of the inside in a strip).
-void cut_hollow_ends(const SplitLayer& layer, const Settings& settings, std::vector<Road>& roads);
+class HollowEnds {
+ public:
+  // COSTS: O(points of the inside below).
+  HollowEnds(const SplitLayer& layer, const Settings& settings);
+
+  // Cuts off what ends in the air over the inside of the layer below.
+  // COSTS: O(length of gap fill / road width · points of the inside in a strip).
+  void cut(std::vector<Road>& roads) const;
+
+ private:
+  std::optional<PointLocation> hollow_;  // none: nothing to cut
+  Length bridge_max_;
+};
 
 }  // namespace core

@@ -1,8 +1,8 @@
 #include "core/roads/nearest_point.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "core/check.h"  // RIND_CHECK
 
@@ -10,101 +10,107 @@ namespace core {
 
 namespace {
 
-// Cells are made so large that each holds some two points.
-constexpr double kPointsPerCell = 2;
+constexpr std::uint32_t kLeafPointsMax = 8;
 
 double distance2(Point a, Point b) {
   const double dx = static_cast<double>(a.x) - b.x, dy = static_cast<double>(a.y) - b.y;
   return dx * dx + dy * dy;
 }
 
+// No point within is nearer, in floating point, too.
+double least_distance2(Point p, const Box& box) {
+  return distance2(p,
+                   {std::clamp(p.x, box.min.x, box.max.x), std::clamp(p.y, box.min.y, box.max.y)});
+}
+
 }  // namespace
 
 NearestPoint::NearestPoint(std::vector<Entry> entries) : entries_(std::move(entries)) {
   if (entries_.empty()) return;
-  Box box;
-  for (const Entry& entry : entries_) box.add(entry.point);
-  origin_ = box.min;
-  const double wide = static_cast<double>(box.max.x) - box.min.x + 1;
-  const double high = static_cast<double>(box.max.y) - box.min.y + 1;
-  const double count = std::max(1.0, static_cast<double>(entries_.size()) / kPointsPerCell);
-  // The larger of the two, so that points in one line don't make a grid of empty cells.
-  cell_ = 1 + std::llround(std::max(std::sqrt(wide * high / count), std::max(wide, high) / count));
-  columns_ = column(box.max.x) + 1;
-  rows_ = row(box.max.y) + 1;
-  const auto cells = static_cast<std::size_t>(columns_ * rows_);
+  const auto count = static_cast<std::uint32_t>(entries_.size());
   std::size_t owners = 0;
-  starts_.assign(cells + 1, 0);
-  for (const Entry& entry : entries_) {
-    owners = std::max(owners, entry.owner + 1);
-    ++starts_[cell_of(entry.point) + 1];
-  }
-  std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
-  ends_.assign(starts_.begin(), starts_.end() - 1);
-  in_cells_.resize(entries_.size());
+  for (const Entry& entry : entries_) owners = std::max(owners, entry.owner + 1);
   of_owner_.assign(owners, {0, 0});
-  for (std::uint32_t i = 0; i < entries_.size(); ++i) {
-    in_cells_[ends_[cell_of(entries_[i].point)]++] = i;
+  for (std::uint32_t i = 0; i < count; ++i) {
     Range& range = of_owner_[entries_[i].owner];
     if (range.end == 0) range.begin = i;
     range.end = i + 1;
   }
+  order_.resize(count);
+  std::iota(order_.begin(), order_.end(), 0);
+  leaf_of_.resize(count);
+  nodes_.reserve(4 * std::size_t{count} / kLeafPointsMax + 1);
+  add_node(0, count, 0);
 }
 
-std::int64_t NearestPoint::column(std::int32_t x) const {
-  return (std::int64_t{x} - origin_.x) / cell_;
-}
-
-std::int64_t NearestPoint::row(std::int32_t y) const {
-  return (std::int64_t{y} - origin_.y) / cell_;
-}
-
-std::size_t NearestPoint::cell_of(Point p) const {
-  return static_cast<std::size_t>(row(p.y) * columns_ + column(p.x));
+void NearestPoint::add_node(std::uint32_t begin, std::uint32_t end, std::uint32_t parent) {
+  const auto number = static_cast<std::uint32_t>(nodes_.size());
+  Node node{{}, begin, end - begin, parent, 0};
+  for (std::uint32_t i = begin; i < end; ++i) node.box.add(entries_[order_[i]].point);
+  nodes_.push_back(node);
+  if (end - begin <= kLeafPointsMax) {
+    for (std::uint32_t i = begin; i < end; ++i) leaf_of_[order_[i]] = number;
+    return;
+  }
+  const std::uint32_t middle = begin + (end - begin) / 2;
+  const bool wide = std::int64_t{node.box.max.x} - node.box.min.x >=
+                    std::int64_t{node.box.max.y} - node.box.min.y;
+  const auto at = [this](std::uint32_t i) { return order_.begin() + std::ptrdiff_t{i}; };
+  std::nth_element(at(begin), at(middle), at(end), [&](std::uint32_t a, std::uint32_t b) {
+    const Point p = entries_[a].point, q = entries_[b].point;
+    return wide ? p.x < q.x : p.y < q.y;
+  });
+  add_node(begin, middle, number);
+  nodes_[number].far_side = static_cast<std::uint32_t>(nodes_.size());
+  add_node(middle, end, number);
 }
 
 void NearestPoint::remove_owner(std::size_t owner) {
   RIND_CHECK(owner < of_owner_.size());
   for (std::uint32_t i = of_owner_[owner].begin; i < of_owner_[owner].end; ++i) {
     if (entries_[i].owner != owner) continue;
-    const std::size_t cell = cell_of(entries_[i].point);
-    const auto end = in_cells_.begin() + ends_[cell];
-    const auto found = std::find(in_cells_.begin() + starts_[cell], end, i);
-    if (found == end) continue;
-    *found = *(end - 1);
-    --ends_[cell];
+    std::uint32_t number = leaf_of_[i];
+    Node& leaf = nodes_[number];
+    const auto begin = order_.begin() + std::ptrdiff_t{leaf.begin};
+    const auto found = std::find(begin, begin + std::ptrdiff_t{leaf.left}, i);
+    std::swap(*found, *(begin + std::ptrdiff_t{leaf.left} - 1));
+    for (;; number = nodes_[number].parent) {
+      --nodes_[number].left;
+      if (number == 0) break;
+    }
   }
   of_owner_[owner] = {0, 0};
 }
 
 std::optional<NearestPoint::Entry> NearestPoint::nearest(Point to) const {
-  const std::int64_t at_column = std::clamp<std::int64_t>(column(to.x), 0, columns_ - 1);
-  const std::int64_t at_row = std::clamp<std::int64_t>(row(to.y), 0, rows_ - 1);
-  std::optional<std::uint32_t> best;
-  double best_distance2 = 0;
-  const auto look = [&](std::int64_t c, std::int64_t r) {
-    if (c < 0 || c >= columns_ || r < 0 || r >= rows_) return;
-    const auto cell = static_cast<std::size_t>(r * columns_ + c);
-    for (std::uint32_t at = starts_[cell]; at < ends_[cell]; ++at) {
-      const std::uint32_t i = in_cells_[at];
+  if (nodes_.empty() || nodes_.front().left == 0) return std::nullopt;
+  Best best;
+  look(0, to, best);
+  return entries_[*best.entry];
+}
+
+void NearestPoint::look(std::uint32_t number, Point to, Best& best) const {
+  const Node& node = nodes_[number];
+  if (node.far_side == 0) {
+    for (std::uint32_t at = node.begin; at < node.begin + node.left; ++at) {
+      const std::uint32_t i = order_[at];
       const double d2 = distance2(entries_[i].point, to);
-      if (best && (d2 > best_distance2 || (d2 == best_distance2 && i > *best))) continue;
-      best = i;
-      best_distance2 = d2;
+      const bool farther =
+          best.entry && (d2 > best.distance2 || (d2 == best.distance2 && i > *best.entry));
+      if (!farther) best = {i, d2};
     }
-  };
-  for (std::int64_t ring = 0; ring <= std::max(columns_, rows_); ++ring) {
-    // Whatever lies in this square's edge or beyond is at least so far away.
-    const auto least = static_cast<double>((ring - 1) * cell_);
-    if (best && ring > 0 && least > 0 && least * least > best_distance2) break;
-    for (std::int64_t r = at_row - ring; r <= at_row + ring; ++r) {
-      const bool whole = r == at_row - ring || r == at_row + ring;
-      const std::int64_t step = whole || ring == 0 ? 1 : 2 * ring;
-      for (std::int64_t c = at_column - ring; c <= at_column + ring; c += step) look(c, r);
-    }
+    return;
   }
-  if (!best) return std::nullopt;
-  return entries_[*best];
+  std::pair<double, std::uint32_t> sides[2];
+  std::size_t count = 0;
+  for (const std::uint32_t side : {number + 1, node.far_side}) {
+    if (nodes_[side].left > 0) sides[count++] = {least_distance2(to, nodes_[side].box), side};
+  }
+  if (count == 2 && sides[1] < sides[0]) std::swap(sides[0], sides[1]);
+  for (std::size_t i = 0; i < count; ++i) {
+    // One that is equally near counts, if it came first.
+    if (!best.entry || sides[i].first <= best.distance2) look(sides[i].second, to, best);
+  }
 }
 
 }  // namespace core

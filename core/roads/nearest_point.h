@@ -1,5 +1,8 @@
-// The nearest of a set of points that only shrinks: a uniform grid, searched in growing squares
-// about the point that is asked for.
+// The nearest of a set of points that only shrinks: a tree of boxes, each halved across its longer
+// side down to a few points. A box that has lost all of its points is passed by, so that what was
+// left behind, far away, is found as fast as what is near.
+//
+// Keywords: k-d tree.
 #pragma once
 
 #include <cstddef>
@@ -19,36 +22,45 @@ class NearestPoint {
     std::size_t index = 0;  // which of the owner's points
   };
 
-  // COSTS: O(entries). REQUIRES: fewer than 2^32; best, but not needed, an owner's in one run.
+  // COSTS: O(entries log entries). REQUIRES: fewer than 2^32; best, but not needed, an owner's in one run.
   explicit NearestPoint(std::vector<Entry> entries);
 
   // Takes all of an owner's points away. REQUIRES: the owner had a point at first.
+  // COSTS: O(log entries) for each of them.
   void remove_owner(std::size_t owner);
 
   // The nearest that is left; of equally near ones the first as they were given.
-  // COSTS: O(cells) at worst, O(1) where points are spread evenly.
+  // COSTS: O(log entries) as a rule.
   [[nodiscard]] std::optional<Entry> nearest(Point to) const;
 
  private:
-  [[nodiscard]] std::int64_t column(std::int32_t x) const;
-  [[nodiscard]] std::int64_t row(std::int32_t y) const;
-
-  [[nodiscard]] std::size_t cell_of(Point p) const;
-
   struct Range {
     std::uint32_t begin = 0;
     std::uint32_t end = 0;
   };
 
+  struct Node {
+    Box box;                     // of the points at first
+    std::uint32_t begin = 0;     // into order_
+    std::uint32_t left = 0;      // how many points are left; in a leaf, those from `begin` on
+    std::uint32_t parent = 0;    // the root: itself
+    std::uint32_t far_side = 0;  // the second half's node, the first half's is the next; 0: a leaf
+  };
+
+  struct Best {
+    std::optional<std::uint32_t> entry;
+    double distance2 = 0;
+  };
+
+  // The node of a run of order_, and all below it.
+  void add_node(std::uint32_t begin, std::uint32_t end, std::uint32_t parent);
+  void look(std::uint32_t number, Point to, Best& best) const;
+
   std::vector<Entry> entries_;
-  std::vector<Range> of_owner_;          // the entries from its first to its last
-  std::vector<std::uint32_t> starts_;    // by cell, into in_cells_
-  std::vector<std::uint32_t> ends_;      // by cell: of what is left
-  std::vector<std::uint32_t> in_cells_;  // entries
-  Point origin_;
-  std::int64_t cell_ = 1;
-  std::int64_t columns_ = 0;
-  std::int64_t rows_ = 0;
+  std::vector<Range> of_owner_;         // the entries from its first to its last
+  std::vector<std::uint32_t> order_;    // entries, each leaf's in one run
+  std::vector<std::uint32_t> leaf_of_;  // by entry
+  std::vector<Node> nodes_;             // each before those below it
 };
 
 }  // namespace core

@@ -14,7 +14,7 @@
 #include "core/roads/branch_roads.h"        // branch_roads
 #include "core/roads/bridges.h"             // bridges
 #include "core/roads/brim.h"                // brim_roads
-#include "core/roads/hollow_ends.h"         // cut_hollow_ends
+#include "core/roads/hollow_ends.h"         // HollowEnds
 #include "core/roads/inside_fill.h"         // inside_fill
 #include "core/roads/island_split.h"        // IslandSplit
 #include "core/roads/overhangs.h"           // mark_holds
@@ -248,10 +248,11 @@ LayerRoads RoadPlanner::plan(const SplitLayer& layer) const {
     }
   }
   LayerRoads planned;
+  const HollowEnds hollow_ends(layer, settings);
   for (IslandPlan& plan : plans) {
     append(solid_roads(plan.areas, plan.rim, slice, settings), plan.roads);
     if (!plan.loose.empty()) append(inside_roads(plan, layer, settings), plan.roads);
-    cut_hollow_ends(layer, settings, plan.roads);
+    hollow_ends.cut(plan.roads);
     if (!plan.roads.empty()) planned.islands.push_back(std::move(plan.roads));
   }
   if (slice.index == 0) add_around(layer, settings, planned);

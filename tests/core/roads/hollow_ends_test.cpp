@@ -41,7 +41,7 @@ Road gap(std::vector<Point> points, bool closed = false) {
 }
 
 std::vector<Road> cut(std::vector<Road> roads, const Settings& settings = hollow()) {
-  cut_hollow_ends(over_square(), settings, roads);
+  HollowEnds(over_square(), settings).cut(roads);
   return roads;
 }
 
