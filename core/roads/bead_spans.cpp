@@ -9,6 +9,12 @@ namespace {
 // Two nodes lower than this are at the same corner of the contour. Units.
 constexpr double kCornerRadius = 8;
 
+// Sides nearer than this along their site may be in any order. Units.
+constexpr double kNearTie = 1;
+
+// More of them are left as they are.
+constexpr std::size_t kNearTiesMax = 64;
+
 // A side of an edge, and how far along its site the edge is touched from there.
 struct Side {
   double along = 0;
@@ -16,6 +22,36 @@ struct Side {
   std::uint32_t edge = 0;
   bool forward = true;
 };
+
+// Where a line along the contour enters and leaves the edge on this side.
+std::uint32_t start_of(const AxisGraph& graph, const Side& side) {
+  const AxisEdge& edge = graph.edges()[side.edge];
+  return side.forward ? edge.from : edge.to;
+}
+
+std::uint32_t end_of(const AxisGraph& graph, const Side& side) {
+  const AxisEdge& edge = graph.edges()[side.edge];
+  return side.forward ? edge.to : edge.from;
+}
+
+// Pieces of an axis that leaves the contour at a right angle are all touched from one place. Each
+// comes after the one whose end it starts at.
+void link_near_ties(const AxisGraph& graph, std::vector<Side>& sides) {
+  for (std::size_t i = 1; i < sides.size(); ++i) {
+    const Side& before = sides[i - 1];
+    const std::uint32_t end = end_of(graph, before);
+    if (before.site != sides[i].site || start_of(graph, sides[i]) == end) continue;
+    const double along_max = sides[i].along + kNearTie;
+    for (std::size_t j = i + 1; j < std::min(sides.size(), i + kNearTiesMax); ++j) {
+      if (sides[j].site != before.site || sides[j].along > along_max) break;
+      if (start_of(graph, sides[j]) != end) continue;
+      std::rotate(sides.begin() + static_cast<std::ptrdiff_t>(i),
+                  sides.begin() + static_cast<std::ptrdiff_t>(j),
+                  sides.begin() + static_cast<std::ptrdiff_t>(j) + 1);
+      break;
+    }
+  }
+}
 
 std::vector<Side> sides_in_order(const AxisGraph& graph) {
   std::vector<Side> sides;
@@ -31,6 +67,7 @@ std::vector<Side> sides_in_order(const AxisGraph& graph) {
     return std::tie(a.site, a.along, a.edge, a.forward) <
            std::tie(b.site, b.along, b.edge, b.forward);
   });
+  link_near_ties(graph, sides);
   return sides;
 }
 

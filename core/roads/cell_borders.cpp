@@ -11,7 +11,7 @@
 #include "core/roads/cell_curves.h"     // EdgeCurve, CornerCurve
 #include "core/roads/lower_envelope.h"  // LowerEnvelope
 #include "core/roads/wave.h"            // Sign, Wave
-#include "core/trigonometry.h"          // arc_tangent, cosine, sine, hypotenuse
+#include "core/trigonometry.h"          // arc_tangent, cosine, sine
 #include "core/vector.h"                // Vector, dot, left_of
 
 namespace core {
@@ -28,7 +28,7 @@ constexpr std::size_t kNearMax = 48;
 constexpr double kCapStep = 3;
 
 // Steps of work for each edge, beyond which the whole diagram costs less.
-constexpr std::size_t kWorkPerEdge = 1'000;
+constexpr std::size_t kWorkPerEdge = 2'000;
 
 struct Edge {
   Vector from;
@@ -41,8 +41,9 @@ struct Edge {
 
 class BorderSearch {
  public:
-  BorderSearch(const std::vector<Ring>& rings, double clearance_max)
-      : clearance_max_(clearance_max),
+  BorderSearch(const std::vector<Ring>& rings, double clearance_max, BorderSide side)
+      : side_(side),
+        clearance_max_(clearance_max),
         cap_(clearance_max),
         grid_(Length::from_units(1 + std::llround(cell_for(rings, clearance_max))),
               edges_of(rings)) {
@@ -339,14 +340,8 @@ class BorderSearch {
     }
   }
 
-  // Whether it gets below the clearance at any angle between: at an end, or where its slope changes
-  // from up to down.
   [[nodiscard]] bool reaches(const CornerCurve& curve) const {
-    const Vector peak{curve.x, curve.y};
-    const double most = 1 / cap_ - curve.k;
-    if (dot(peak, corner_from_) > most || dot(peak, corner_to_) > most) return true;
-    return cross(corner_from_, peak) > 0 && cross(corner_to_, peak) < 0 &&
-           hypotenuse(peak.x, peak.y) > most;
+    return curve.exceeds(1 / cap_ - curve.k, corner_from_, corner_to_);
   }
 
   // Adds the curve for the angles at which both are at least 0.
@@ -371,9 +366,13 @@ class BorderSearch {
   }
 
   void add_border(std::uint32_t site, std::uint32_t other, VoronoiVertex from, VoronoiVertex to) {
-    if (other != UINT32_MAX && other > site) found_.borders.push_back({site, other, from, to});
+    const bool lower = site < other;
+    if (other == UINT32_MAX || lower != (side_ == BorderSide::kLower)) return;
+    found_.borders.push_back(lower ? CellBorder{site, other, from, to}
+                                   : CellBorder{other, site, to, from});
   }
 
+  BorderSide side_;
   double clearance_max_;
   double cap_;  // discs are sought up to this radius just now
   SegmentGrid grid_;
@@ -393,8 +392,9 @@ class BorderSearch {
 
 }  // namespace
 
-std::optional<CellBorders> find_cell_borders(const std::vector<Ring>& rings, double clearance_max) {
-  return BorderSearch(rings, clearance_max).find();
+std::optional<CellBorders> find_cell_borders(const std::vector<Ring>& rings, double clearance_max,
+                                             BorderSide side) {
+  return BorderSearch(rings, clearance_max, side).find();
 }
 
 }  // namespace core

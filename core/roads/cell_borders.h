@@ -23,10 +23,14 @@ struct CellBorders {
   std::vector<CellBorder> borders;
 };
 
-// As seen from the site with the lower number.
+// From whose side a border is taken: that of the lower number, or the higher one. Where rounding
+// decides a near tie, the two may differ.
+enum class BorderSide { kLower, kHigher };
+
 // nullopt: so many sites are near one another that the whole diagram costs less.
 // COSTS: as make_narrow_diagram(). REQUIRES: a clean region's rings; clearance_max > 0, units.
 [[nodiscard]] std::optional<CellBorders> find_cell_borders(const std::vector<Ring>& rings,
-                                                           double clearance_max);
+                                                           double clearance_max,
+                                                           BorderSide side = BorderSide::kLower);
 
 }  // namespace core

@@ -22,6 +22,7 @@
 #include <utility>
 
 #include "core/trigonometry.h"  // cosine, sine, arc_tangent, arc_cosine, hypotenuse
+#include "core/vector.h"        // Vector, cross, dot
 
 namespace core {
 
@@ -95,6 +96,14 @@ struct CornerCurve {
     const double angle = arc_tangent(other.y - y, other.x - x);
     if (from.t <= angle && angle <= to.t) return angle;
     return other.value(from) - value(from) <= other.value(to) - value(to) ? from.t : to.t;
+  }
+
+  // Whether x cos φ + y sin φ gets above `most` between two directions: at one of them, or where
+  // the slope changes from up to down.
+  [[nodiscard]] bool exceeds(double most, Vector from, Vector to) const {
+    const Vector peak{x, y};
+    if (dot(peak, from) > most || dot(peak, to) > most) return true;
+    return cross(from, peak) > 0 && cross(to, peak) < 0 && hypotenuse(x, y) > most;
   }
 
   // Both angles, within ±π of 0 as nearly as can be, at which px cos φ + py sin φ = p; NaN if none.

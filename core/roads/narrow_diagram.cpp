@@ -18,18 +18,70 @@ constexpr double kSameVertex = 4;
 // A vertex lower than this may end a line: a corner of the contour.
 constexpr double kCornerHeight = 4;
 
+// More loose ends are not closed.
+constexpr std::size_t kLooseEndsMax = 64;
+
+// Those so near to another vertex lie there: coordinates are true to 10 units.
+constexpr double kLooseReach = 16;
+
 class NarrowDiagram {
  public:
   NarrowDiagram(CellBorders found, double clearance_max) : clearance_max_(clearance_max) {
     diagram_.sites = std::move(found.sites);
     for (const CellBorder& border : found.borders) add(border);
+    merge_vertices();
   }
 
-  [[nodiscard]] std::optional<VoronoiDiagram> make() {
-    merge_vertices();
-    if (!ends_are_sound()) return std::nullopt;
-    return std::move(diagram_);
+  // Vertices where one line ends that may not end there.
+  [[nodiscard]] std::vector<VoronoiVertex> loose_ends() const {
+    std::vector<std::uint32_t> edges_at(diagram_.vertices.size(), 0);
+    for (const VoronoiEdge& edge : diagram_.edges) ++edges_at[edge.from];
+    std::vector<VoronoiVertex> loose;
+    for (std::size_t i = 0; i < edges_at.size(); ++i) {
+      const double height = diagram_.vertices[i].height;
+      const bool may_end = height <= kCornerHeight || height >= clearance_max_ - kSameVertex;
+      if (edges_at[i] == 1 && !may_end) loose.push_back(diagram_.vertices[i]);
+    }
+    return loose;
   }
+
+  // Moves loose ends to the vertex that is nearest, if one is very near.
+  void close(const std::vector<VoronoiVertex>& loose) {
+    std::vector<VoronoiVertex>& vertices = diagram_.vertices;
+    for (const VoronoiVertex& end : loose) {
+      double least = kLooseReach;
+      VoronoiVertex nearest = end;
+      for (const VoronoiVertex& vertex : vertices) {
+        const double away = std::max(std::abs(vertex.x - end.x), std::abs(vertex.y - end.y));
+        if (away == 0 || away > least) continue;
+        least = away;
+        nearest = vertex;
+      }
+      for (VoronoiVertex& vertex : vertices) {
+        if (vertex.x == end.x && vertex.y == end.y) vertex = nearest;
+      }
+    }
+    merge_vertices();
+  }
+
+  // Adds those borders that lead from a loose end to another one, or to where the clearance is cut
+  // off.
+  void close(const std::vector<VoronoiVertex>& loose, const std::vector<CellBorder>& borders) {
+    const auto is_loose = [&](const VoronoiVertex& end) {
+      return std::any_of(loose.begin(), loose.end(),
+                         [&](const VoronoiVertex& vertex) { return same(vertex, end); });
+    };
+    const auto ends = [&](const VoronoiVertex& end) {
+      return end.height >= clearance_max_ - kSameVertex || is_loose(end);
+    };
+    for (const CellBorder& border : borders) {
+      if (!is_loose(border.from) && !is_loose(border.to)) continue;
+      if (ends(border.from) && ends(border.to) && !is_there(border)) add(border);
+    }
+    merge_vertices();
+  }
+
+  [[nodiscard]] VoronoiDiagram take() { return std::move(diagram_); }
 
  private:
   void add(const CellBorder& border) {
@@ -41,6 +93,17 @@ class NarrowDiagram {
     diagram_.vertices.push_back(to);
     diagram_.edges.push_back({vertex, half + 1, half + 1, half + 1, site});
     diagram_.edges.push_back({vertex + 1, half, half, half, other});
+  }
+
+  // Whether there is a border between the same sites that shares an end.
+  [[nodiscard]] bool is_there(const CellBorder& border) const {
+    for (std::size_t i = 0; i < diagram_.edges.size(); i += 2) {
+      const VoronoiEdge &there = diagram_.edges[i], &back = diagram_.edges[i + 1];
+      if (there.site != border.site || back.site != border.other) continue;
+      const VoronoiVertex &from = diagram_.vertices[there.from], &to = diagram_.vertices[back.from];
+      if (same(from, border.from) || same(to, border.to)) return true;
+    }
+    return false;
   }
 
   static bool same(const VoronoiVertex& a, const VoronoiVertex& b) {
@@ -99,17 +162,6 @@ class NarrowDiagram {
     diagram_.edges = std::move(edges);
   }
 
-  [[nodiscard]] bool ends_are_sound() const {
-    std::vector<std::uint32_t> edges_at(diagram_.vertices.size(), 0);
-    for (const VoronoiEdge& edge : diagram_.edges) ++edges_at[edge.from];
-    for (std::size_t i = 0; i < edges_at.size(); ++i) {
-      const double height = diagram_.vertices[i].height;
-      const bool may_end = height <= kCornerHeight || height >= clearance_max_ - kSameVertex;
-      if (edges_at[i] == 1 && !may_end) return false;
-    }
-    return true;
-  }
-
   double clearance_max_;
   VoronoiDiagram diagram_;
 };
@@ -121,7 +173,20 @@ std::optional<VoronoiDiagram> make_narrow_diagram(const std::vector<Ring>& rings
   if (!surely_clean(rings)) return std::nullopt;
   std::optional<CellBorders> found = find_cell_borders(rings, clearance_max);
   if (!found) return std::nullopt;
-  return NarrowDiagram(*std::move(found), clearance_max).make();
+  NarrowDiagram diagram(*std::move(found), clearance_max);
+  std::vector<VoronoiVertex> loose = diagram.loose_ends();
+  if (loose.size() > kLooseEndsMax) return std::nullopt;
+  if (!loose.empty()) {
+    diagram.close(loose);
+    loose = diagram.loose_ends();
+  }
+  if (!loose.empty()) {
+    found = find_cell_borders(rings, clearance_max, BorderSide::kHigher);
+    if (!found) return std::nullopt;
+    diagram.close(loose, found->borders);
+    if (!diagram.loose_ends().empty()) return std::nullopt;
+  }
+  return diagram.take();
 }
 
 }  // namespace core

@@ -5,8 +5,9 @@
 // (cell_curves.h, lower_envelope.h). Each border between two cells is found from both sides, and
 // taken from the one with the lower number. The pieces are linked where their ends meet. Then
 // every end meets another one, or lies in a corner of the contour, or where the clearance was cut
-// off. Anything else means that rounding has decided a near tie in two ways, and there is no
-// answer.
+// off. Anything else means that rounding has decided a near tie in two ways: a border was seen from
+// the higher number only, or two ends missed one another by a little. Where these are few they are
+// joined; otherwise there is no answer.
 //
 // It costs a tenth of the whole diagram (voronoi_diagram.h) where a few sites are near one another.
 // The whole one is used where this has no answer.

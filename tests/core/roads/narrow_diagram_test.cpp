@@ -101,7 +101,7 @@ TEST_CASE("very many sites near one another are left to the whole diagram") {
     return std::vector<Ring>{outer, inner};
   };
   CHECK(core::make_narrow_diagram(ring_of(600), 12'000).has_value());
-  const std::vector<Ring> crowded = ring_of(6'000);
+  const std::vector<Ring> crowded = ring_of(12'000);
   REQUIRE(core::surely_clean(crowded));
   CHECK_FALSE(core::find_cell_borders(crowded, 12'000).has_value());
   CHECK_FALSE(core::make_narrow_diagram(crowded, 12'000).has_value());
@@ -126,4 +126,30 @@ TEST_CASE("random regions: the same diagram as Boost's, with and without coincid
   }
   MESSAGE(answered << " of " << asked << " answered");
   CHECK_GE(answered, asked * 95 / 100);
+}
+
+TEST_CASE("both sides of the borders see the same") {
+  constexpr std::uint64_t kSeed = 20261129;
+  CAPTURE(kSeed);
+  Random random(kSeed);
+  const auto length = [](const core::CellBorders& found) {
+    double sum = 0;
+    for (const core::CellBorder& border : found.borders) {
+      CHECK_LT(border.site, border.other);
+      sum += std::hypot(border.to.x - border.from.x, border.to.y - border.from.y);
+    }
+    return sum;
+  };
+  for (int i = 0; i < 100; ++i) {
+    CAPTURE(i);
+    const Region region = test::random_region(random, 20 + i, 6);
+    if (region.empty() || !core::surely_clean(region.rings())) continue;
+    const double clearance_max = random.between(300, 6'000);
+    const auto lower = core::find_cell_borders(region.rings(), clearance_max);
+    const auto higher =
+        core::find_cell_borders(region.rings(), clearance_max, core::BorderSide::kHigher);
+    REQUIRE(lower.has_value());
+    REQUIRE(higher.has_value());
+    CHECK_LE(std::abs(length(*lower) - length(*higher)), 1e-3 * length(*lower) + 100);
+  }
 }
