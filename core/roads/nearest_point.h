@@ -22,7 +22,8 @@ class NearestPoint {
     std::size_t index = 0;  // which of the owner's points
   };
 
-  // COSTS: O(entries log entries). REQUIRES: fewer than 2^32; best, but not needed, an owner's in one run.
+  // COSTS: O(entries log entries). REQUIRES: fewer than 2^32; best, but not needed, an owner's in
+  // one run.
   explicit NearestPoint(std::vector<Entry> entries);
 
   // Takes all of an owner's points away. REQUIRES: the owner had a point at first.

@@ -86,8 +86,8 @@ struct TowerSize {
 
 // Hard ones: columns × columns round pins; a plate with as many round holes; one with as many
 // pockets of rough outline, as of engraved text; as many pyramids, so that all facets have the same
-// lowest z. A ring 1.3 mm thick, its corners off by up to 10 µm, as a scan has them. A Koch curve. A
-// strip 0.6 mm wide in a spiral. Thin tubes around one another. A sheet between two labyrinths;
+// lowest z. A ring 1.3 mm thick, its corners off by up to 10 µm, as a scan has them. A Koch curve.
+// A strip 0.6 mm wide in a spiral. Thin tubes around one another. A sheet between two labyrinths;
 // 600,000 facets at detail 2. Facets at random.
 [[nodiscard]] Part pins(int columns);
 [[nodiscard]] Part perforated(int columns);
