@@ -35,7 +35,6 @@ bool OffsetTrim::trim(const OffsetInput& contours, const OffsetSearch& search,
   corners_ = &contours.corners();
   search_ = &search;
   depths_.assign(depths.begin(), depths.end());
-  deepest_ = depths.back();
   last_coverer_ = -1;
   if (pieces_.size() < depths.size()) pieces_.resize(depths.size());
   for (TrimmedPieces& pieces : pieces_) pieces.clear();
@@ -103,13 +102,21 @@ void OffsetTrim::trim_line(std::int32_t index, std::span<const std::int32_t> nea
       add_line_cut<kWide>(e, e.next);
     }
   }
-  for (std::size_t at = 0; at < depths_.size(); ++at) {
-    const double depth = depths_[at];
+  const auto cut_at = [&](double depth) {
     span_.reset({depth * start_tangent, before}, {e.length - depth * end_tangent, after},
                 tolerance_of(e.length + depth));
     for (const LineCut& cut : line_cuts_.all()) {
-      if (cut_line(cut, depth) == Left::kNothing) return;
+      if (cut_line(cut, depth) == Left::kNothing) return Left::kNothing;
     }
+    return Left::kSome;
+  };
+  // The edges so far tell that nothing is left at the deeper ones.
+  std::size_t count = depths_.size();
+  while (count > 0 && cut_at(depths_[count - 1]) == Left::kNothing) --count;
+  if (count == 0) return;
+  reach_ = depths_[count - 1];
+  for (std::size_t at = 0; at < count; ++at) {
+    if (count > 1 && cut_at(depths_[at]) == Left::kNothing) return;
     if (at == 0 && gather_line_cuts<kWide>(index, near) == Left::kNothing) return;
     span_.pieces(2 * index, pieces_[at]);
   }
@@ -138,8 +145,8 @@ OffsetTrim::Left OffsetTrim::gather_line_cuts(std::int32_t index,
                                               std::span<const std::int32_t> near) {
   const OffsetEdge& e = edge(index);
   const double ux = e.dx * e.inverse_length, uy = e.dy * e.inverse_length;
-  const double x = e.x - uy * deepest_, y = e.y + ux * deepest_;
-  const double reach_squared = (deepest_ + 1) * (deepest_ + 1);
+  const double x = e.x - uy * reach_, y = e.y + ux * reach_;
+  const double reach_squared = (reach_ + 1) * (reach_ + 1);
   double lo = 0, hi = -1;
   OffsetBox box{};
   for (const std::int32_t c : near) {
@@ -166,13 +173,13 @@ OffsetTrim::Left OffsetTrim::gather_line_cuts(std::int32_t index, const OffsetCh
     const EndBeside start = end;
     end = beside<kWide>(e, f->x + f->dx, f->y + f->dy);
     if (start.above <= 0 && end.above <= 0) continue;
-    if (start.above >= 2 * deepest_ && end.above >= 2 * deepest_) continue;
+    if (start.above >= 2 * reach_ && end.above >= 2 * reach_) continue;
     if (i == index || i == e.previous || i == e.next) continue;  // cut already
     // Beyond what is left, it reaches that only if it covers its end.
     if (start.along >= span_.hi() && end.along >= span_.hi()) {
-      if (!covers(start, end, span_.hi(), deepest_)) continue;
+      if (!covers(start, end, span_.hi(), reach_)) continue;
     } else if (start.along <= span_.lo() && end.along <= span_.lo()) {
-      if (!covers(start, end, span_.lo(), deepest_)) continue;
+      if (!covers(start, end, span_.lo(), reach_)) continue;
     }
     LineCut& cut = line_cuts_.next();
     cut.set<kWide>(e, *f, start, end, sites(i));
@@ -193,6 +200,8 @@ bool OffsetTrim::trim_arc(std::int32_t index, std::span<const std::int32_t> near
   const OffsetEdge& g = edge(index);
   arc_cuts_.clear();
   Left left = Left::kSome;
+  std::size_t count = depths_.size();
+  reach_ = depths_.back();
   if (last_coverer_ >= 0 && last_coverer_ != index && last_coverer_ != g.previous) {
     const OffsetEdge& f = edge(last_coverer_);
     const bool starts_here = f.x == g.x && f.y == g.y;
@@ -203,6 +212,11 @@ bool OffsetTrim::trim_arc(std::int32_t index, std::span<const std::int32_t> near
       left = add_arc_cut<kWide>(index, last_coverer_);
     }
   }
+  if (left == Left::kSome && !arc_cuts_.all().empty() && count > 1) {
+    while (count > 1 && cut_arc_at(index, depths_[count - 1]) == Left::kNothing) --count;
+    reach_ = depths_[count - 1];
+    left = cut_arc_at(index, depths_.front());
+  }
   if (left == Left::kSome) left = gather_arc_cuts<kWide>(index, near);
   if (left != Left::kSome) return left == Left::kNothing;
   if (arc_cuts_.all().empty()) {
@@ -210,14 +224,19 @@ bool OffsetTrim::trim_arc(std::int32_t index, std::span<const std::int32_t> near
     return true;
   }
   span_.pieces(2 * index + 1, pieces_[0]);
-  for (std::size_t at = 1; at < depths_.size(); ++at) {
-    start_arc(index, depths_[at]);
-    for (const ArcCut& cut : arc_cuts_.all()) {
-      if (cut_arc(cut, depths_[at]) == Left::kNothing) return true;
-    }
+  for (std::size_t at = 1; at < count; ++at) {
+    if (cut_arc_at(index, depths_[at]) == Left::kNothing) return true;
     span_.pieces(2 * index + 1, pieces_[at]);
   }
   return true;
+}
+
+OffsetTrim::Left OffsetTrim::cut_arc_at(std::int32_t index, double depth) {
+  start_arc(index, depth);
+  for (const ArcCut& cut : arc_cuts_.all()) {
+    if (cut_arc(cut, depth) == Left::kNothing) return Left::kNothing;
+  }
+  return Left::kSome;
 }
 
 void OffsetTrim::start_arc(std::int32_t index, double depth) {
@@ -237,7 +256,7 @@ template <bool kWide>
 OffsetTrim::Left OffsetTrim::add_arc_cut(std::int32_t index, std::int32_t other) {
   const OffsetEdge& g = edge(index);
   ArcCut& cut = arc_cuts_.next();
-  if (!cut.set<kWide>(g.x, g.y, edge(other), deepest_)) return Left::kSome;
+  if (!cut.set<kWide>(g.x, g.y, edge(other), reach_)) return Left::kSome;
   cut.set_sites(sites(other));
   if (arc_cuts_.all().empty()) {
     arc_ = contours_->arc(index);
@@ -254,12 +273,12 @@ OffsetTrim::Left OffsetTrim::gather_arc_cuts(std::int32_t index,
   const OffsetEdge& e = edge(g.previous);
   // The arc's box: its ends and how far it bulges over their chord, at most.
   const double t = corner(index).half_tangent;
-  const double bulge = 1 + deepest_ * std::min(1.0, t * t / 2);
-  const double ex = g.x - e.dy * e.inverse_length * deepest_;
-  const double ey = g.y + e.dx * e.inverse_length * deepest_;
+  const double bulge = 1 + reach_ * std::min(1.0, t * t / 2);
+  const double ex = g.x - e.dy * e.inverse_length * reach_;
+  const double ey = g.y + e.dx * e.inverse_length * reach_;
   OffsetBox box{ex, ey, ex, ey};
-  box.add(g.x - g.dy * g.inverse_length * deepest_, g.y + g.dx * g.inverse_length * deepest_);
-  const double reach_squared = (deepest_ + bulge) * (deepest_ + bulge);
+  box.add(g.x - g.dy * g.inverse_length * reach_, g.y + g.dx * g.inverse_length * reach_);
+  const double reach_squared = (reach_ + bulge) * (reach_ + bulge);
   const bool inside_run = g.run == e.run;
   for (const std::int32_t c : near) {
     const OffsetChunk& chunk = search_->chunks()[static_cast<std::size_t>(c)];
@@ -279,7 +298,7 @@ OffsetTrim::Left OffsetTrim::gather_arc_cuts(std::int32_t index, const OffsetChu
   const OffsetEdge* f = &edge(chunk.first);
   double x = f->x - g.x, y = f->y - g.y;
   bool ahead = exact_cross<kWide>(e.dx, e.dy, x, y) > 0 || exact_cross<kWide>(g.dx, g.dy, x, y) > 0;
-  const double reach = 2 * deepest_;
+  const double reach = 2 * reach_;
   for (std::int32_t i = chunk.first; i < chunk.last; ++i, ++f) {
     const bool start_ahead = ahead;
     const double x1 = x, y1 = y;

@@ -3,8 +3,10 @@
 //
 // What is covered at one depth is covered at all greater ones: the straight way from a point of an
 // element back to its own site is nearest to that site all along. So an element goes through the
-// depths in ascending order. At the first, the edges are gathered that reach what is left of it at
-// any depth; when nothing is left, nothing is at the greater ones.
+// depths in ascending order; when nothing is left, nothing is at the greater ones. At the first,
+// the edges are gathered that reach what is left of it at any depth: any at which its neighbours
+// and the edge that covered the last element leave something. (Gathered anew for depths some times
+// as deep, whatever that factor, they took longer: measured.)
 #pragma once
 
 #include <cstdint>
@@ -60,6 +62,7 @@ class OffsetTrim {
   Left gather_arc_cuts(std::int32_t index, const OffsetChunk& chunk);
   Left cut_line(const LineCut& cut, double depth);
   Left cut_arc(const ArcCut& cut, double depth);
+  Left cut_arc_at(std::int32_t index, double depth);
 
   [[nodiscard]] const OffsetEdge& edge(std::int32_t i) const {
     return (*edges_)[static_cast<std::size_t>(i)];
@@ -86,7 +89,7 @@ class OffsetTrim {
   const std::vector<OffsetCorner>* corners_ = nullptr;
   const OffsetSearch* search_ = nullptr;
   std::vector<double> depths_;
-  double deepest_ = 0;
+  double reach_ = 0;  // down to which the element at hand may survive
   // The edge that covered an element last: likely the next element, too.
   std::int32_t last_coverer_ = -1;
   OffsetSpan span_;
