@@ -86,6 +86,13 @@ class AmfReader : public TriangleSource {
     return place();
   }
 
+  [[nodiscard]] Result<bool> rewind() override {
+    store_.clear_items();
+    if (Status placed = place(); !placed.ok()) return placed.error();
+    facets_ = 0;
+    return true;
+  }
+
   [[nodiscard]] Result<std::optional<core::Triangle>> next() override {
     MeshStore::Next next = store_.next();
     if (!next.error.empty()) return refused(next.error);

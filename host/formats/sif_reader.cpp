@@ -305,12 +305,17 @@ class PlainTriangles : public TriangleSource {
  public:
   explicit PlainTriangles(std::unique_ptr<ShellTree> tree) : tree_(std::move(tree)) {
     warnings_ = tree_->warnings;
-    for (const Shell& shell : tree_->operands[0]) {
-      if (error_.empty()) error_ = tree_->store.add_item(shell.key, {}, shell.reversed);
-    }
+    place();
   }
 
   [[nodiscard]] std::string format() const override { return tree_->format; }
+
+  [[nodiscard]] Result<bool> rewind() override {
+    tree_->store.clear_items();
+    place();
+    facets_ = 0;
+    return true;
+  }
 
   [[nodiscard]] Result<std::optional<core::Triangle>> next() override {
     if (error_.empty()) {
@@ -326,6 +331,12 @@ class PlainTriangles : public TriangleSource {
   }
 
  private:
+  void place() {
+    for (const Shell& shell : tree_->operands[0]) {
+      if (error_.empty()) error_ = tree_->store.add_item(shell.key, {}, shell.reversed);
+    }
+  }
+
   std::unique_ptr<ShellTree> tree_;
   std::string error_;
 };

@@ -132,6 +132,13 @@ class ThreeMfReader : public TriangleSource {
   [[nodiscard]] const std::vector<SlicedItem>& sliced_items() const { return sliced_items_; }
   [[nodiscard]] ZipArchive take_archive() { return std::move(archive_); }
 
+  [[nodiscard]] Result<bool> rewind() override {
+    store_.clear_items();
+    if (Status added = add_items(); !added.ok()) return added.error();
+    facets_ = 0;
+    return true;
+  }
+
   [[nodiscard]] Result<std::optional<core::Triangle>> next() override {
     MeshStore::Next next = store_.next();
     if (!next.error.empty()) return refused(next.error);

@@ -40,6 +40,10 @@ class TriangleSource {
     return {};
   }
 
+  // Starts again at the first triangle, where the file need not be read again for that. False: it
+  // must be, and nothing has changed. REQUIRES: no next() has failed
+  [[nodiscard]] virtual core::Result<bool> rewind() { return false; }
+
   // From now on a number of the file is so many mm. False: the file tells its own unit, and nothing
   // has changed. REQUIRES: before the first next()
   [[nodiscard]] virtual bool read_in(double /*unit_mm*/) { return false; }

@@ -20,6 +20,12 @@ class DerivedTriangles : public TriangleSource {
   [[nodiscard]] std::vector<std::string> items() const override { return under_->items(); }
   [[nodiscard]] std::size_t item() const override { return under_->item(); }
 
+  [[nodiscard]] core::Result<bool> rewind() override {
+    core::Result<bool> rewound = under_->rewind();
+    if (rewound.ok() && rewound.value()) facets_ = 0;
+    return rewound;
+  }
+
   [[nodiscard]] core::Result<std::optional<core::Triangle>> next() override {
     core::Result<std::optional<core::Triangle>> read = under_->next();
     facets_ = under_->facets();
@@ -30,7 +36,7 @@ class DerivedTriangles : public TriangleSource {
   }
 
  private:
-  // What is given for a triangle. Errors are final.
+  // What is given for a triangle. Errors are final. After rewind() all triangles come once more.
   [[nodiscard]] virtual core::Result<std::optional<core::Triangle>> derived(
       const core::Triangle& triangle) = 0;
 

@@ -160,10 +160,7 @@ class MeshLayers : public LayerSource {
     } else {
       survey_ = MeshSurvey(window_, adaptive_limits(settings_), options_.on_facet);
     }
-    Result<std::unique_ptr<TriangleSource>> again = mesh_.again();
-    if (!again.ok()) return again.error();
-    mesh_.triangles = std::move(again).value();
-    ended_ = false;
+    if (Status started = read_again(); !started.ok()) return started;
     if (!in_order) return sort_all();
     surveyed_ = true;
     start_sweep(summary_.layers);
@@ -216,16 +213,17 @@ class MeshLayers : public LayerSource {
       }
       summary_.warnings.push_back(mesh_.name + ": " + cause + "; they are left out");
     }
-    if (sorter_) {
-      if (Status started = sorter_->rewind(); !started.ok()) return started;
-    } else {
-      Result<std::unique_ptr<TriangleSource>> again = mesh_.again();
-      if (!again.ok()) return again.error();
-      mesh_.triangles = std::move(again).value();
-      ended_ = false;
-    }
+    const Status started = sorter_ ? sorter_->rewind() : read_again();
+    if (!started.ok()) return started;
     start_sweep(summary_.layers);
     return {};
+  }
+
+  // The triangles come once more, from the first. REQUIRES: mesh_.again
+  [[nodiscard]] Status read_again() {
+    const CpuTimer timer(counters_.read_cpu_s);
+    ended_ = false;
+    return mesh_.start_again();
   }
 
   void start_sweep(std::optional<core::LayerIndex> layers) {

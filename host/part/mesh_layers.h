@@ -12,11 +12,13 @@
 // are adaptive, or the part is cut.
 //
 // Of a cut mesh, one piece is swept (cut_plane.h). Where it lies is told by one more pass over the
-// facets: the file is read a third time, or the sorted facets twice.
+// facets: the file is read a third time, or the sorted facets twice. A file that holds its mesh by
+// corners (3MF, AMF) is parsed once in any case.
 #pragma once
 
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "core/result.h"                   // Result
 #include "core/settings.h"                 // Settings
@@ -31,6 +33,17 @@ struct MeshInput {
   std::unique_ptr<TriangleSource> triangles;
   // Opens the same triangles again, from the start; empty if they can be read only once (a pipe).
   TriangleOpener again;
+
+  // The triangles come once more, from the first. Errors: of `again`. REQUIRES: again
+  [[nodiscard]] core::Status start_again() {
+    const core::Result<bool> rewound = triangles->rewind();
+    if (!rewound.ok()) return rewound.error();
+    if (rewound.value()) return {};
+    core::Result<std::unique_ptr<TriangleSource>> opened = again();
+    if (!opened.ok()) return opened.error();
+    triangles = std::move(opened).value();
+    return {};
+  }
 };
 
 // Reads the look-ahead. Errors are those of open_part() (part_file.h), here or in read_rest().
