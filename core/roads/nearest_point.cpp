@@ -1,7 +1,6 @@
 #include "core/roads/nearest_point.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 #include "core/check.h"  // RIND_CHECK
@@ -36,8 +35,8 @@ NearestPoint::NearestPoint(std::vector<Entry> entries) : entries_(std::move(entr
     if (range.end == 0) range.begin = i;
     range.end = i + 1;
   }
-  order_.resize(count);
-  std::iota(order_.begin(), order_.end(), 0);
+  places_.reserve(count);
+  for (std::uint32_t i = 0; i < count; ++i) places_.push_back({entries_[i].point, i});
   leaf_of_.resize(count);
   nodes_.reserve(4 * std::size_t{count} / kLeafPointsMax + 1);
   add_node(0, count, 0);
@@ -46,20 +45,23 @@ NearestPoint::NearestPoint(std::vector<Entry> entries) : entries_(std::move(entr
 void NearestPoint::add_node(std::uint32_t begin, std::uint32_t end, std::uint32_t parent) {
   const auto number = static_cast<std::uint32_t>(nodes_.size());
   Node node{{}, begin, end - begin, parent, 0};
-  for (std::uint32_t i = begin; i < end; ++i) node.box.add(entries_[order_[i]].point);
+  for (std::uint32_t i = begin; i < end; ++i) node.box.add(places_[i].point);
   nodes_.push_back(node);
   if (end - begin <= kLeafPointsMax) {
-    for (std::uint32_t i = begin; i < end; ++i) leaf_of_[order_[i]] = number;
+    for (std::uint32_t i = begin; i < end; ++i) leaf_of_[places_[i].entry] = number;
     return;
   }
   const std::uint32_t middle = begin + (end - begin) / 2;
   const bool wide = std::int64_t{node.box.max.x} - node.box.min.x >=
                     std::int64_t{node.box.max.y} - node.box.min.y;
-  const auto at = [this](std::uint32_t i) { return order_.begin() + std::ptrdiff_t{i}; };
-  std::nth_element(at(begin), at(middle), at(end), [&](std::uint32_t a, std::uint32_t b) {
-    const Point p = entries_[a].point, q = entries_[b].point;
-    return wide ? p.x < q.x : p.y < q.y;
-  });
+  const auto at = [this](std::uint32_t i) { return places_.begin() + std::ptrdiff_t{i}; };
+  if (wide) {
+    std::nth_element(at(begin), at(middle), at(end),
+                     [](const Place& a, const Place& b) { return a.point.x < b.point.x; });
+  } else {
+    std::nth_element(at(begin), at(middle), at(end),
+                     [](const Place& a, const Place& b) { return a.point.y < b.point.y; });
+  }
   add_node(begin, middle, number);
   nodes_[number].far_side = static_cast<std::uint32_t>(nodes_.size());
   add_node(middle, end, number);
@@ -71,8 +73,9 @@ void NearestPoint::remove_owner(std::size_t owner) {
     if (entries_[i].owner != owner) continue;
     std::uint32_t number = leaf_of_[i];
     Node& leaf = nodes_[number];
-    const auto begin = order_.begin() + std::ptrdiff_t{leaf.begin};
-    const auto found = std::find(begin, begin + std::ptrdiff_t{leaf.left}, i);
+    const auto begin = places_.begin() + std::ptrdiff_t{leaf.begin};
+    const auto found = std::find_if(begin, begin + std::ptrdiff_t{leaf.left},
+                                    [i](const Place& place) { return place.entry == i; });
     std::swap(*found, *(begin + std::ptrdiff_t{leaf.left} - 1));
     for (;; number = nodes_[number].parent) {
       --nodes_[number].left;
@@ -93,8 +96,8 @@ void NearestPoint::look(std::uint32_t number, Point to, Best& best) const {
   const Node& node = nodes_[number];
   if (node.far_side == 0) {
     for (std::uint32_t at = node.begin; at < node.begin + node.left; ++at) {
-      const std::uint32_t i = order_[at];
-      const double d2 = distance2(entries_[i].point, to);
+      const std::uint32_t i = places_[at].entry;
+      const double d2 = distance2(places_[at].point, to);
       const bool farther =
           best.entry && (d2 > best.distance2 || (d2 == best.distance2 && i > *best.entry));
       if (!farther) best = {i, d2};

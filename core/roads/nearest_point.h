@@ -40,9 +40,14 @@ class NearestPoint {
     std::uint32_t end = 0;
   };
 
+  struct Place {
+    Point point;
+    std::uint32_t entry = 0;
+  };
+
   struct Node {
     Box box;                     // of the points at first
-    std::uint32_t begin = 0;     // into order_
+    std::uint32_t begin = 0;     // into places_
     std::uint32_t left = 0;      // how many points are left; in a leaf, those from `begin` on
     std::uint32_t parent = 0;    // the root: itself
     std::uint32_t far_side = 0;  // the second half's node, the first half's is the next; 0: a leaf
@@ -53,13 +58,13 @@ class NearestPoint {
     double distance2 = 0;
   };
 
-  // The node of a run of order_, and all below it.
+  // The node of a run of places_, and all below it.
   void add_node(std::uint32_t begin, std::uint32_t end, std::uint32_t parent);
   void look(std::uint32_t number, Point to, Best& best) const;
 
   std::vector<Entry> entries_;
   std::vector<Range> of_owner_;         // the entries from its first to its last
-  std::vector<std::uint32_t> order_;    // entries, each leaf's in one run
+  std::vector<Place> places_;           // of all entries, each leaf's in one run
   std::vector<std::uint32_t> leaf_of_;  // by entry
   std::vector<Node> nodes_;             // each before those below it
 };
