@@ -78,7 +78,7 @@ int main(int argc, char** argv) {
   const auto parsed = host::parse_options(argc, argv);
   if (const auto* exit = std::get_if<host::OptionsExit>(&parsed)) return tell_instead(*exit);
   const auto& options = std::get<host::Options>(parsed);
-  host::share_heaps(options.threads);
+  host::set_heaps(host::threads_at_work(options.threads));
   host::watch_stop_signals();
   host::Reporter reporter({options.quiet, options.json,
                            host::result_on_standard_output(options) ||

@@ -4,7 +4,7 @@
 build_packages=(
   g++ cmake ninja-build pkg-config ccache
   libboost-dev libserialport-dev libcli11-dev libinih-dev libfmt-dev libspdlog-dev
-  nlohmann-json3-dev libfast-float-dev libexpat1-dev libzip-dev zlib1g-dev libtbb-dev
+  nlohmann-json3-dev libfast-float-dev libexpat1-dev libzip-dev zlib1g-dev
 )
 
 # Clipper and printrun are compared with rind; qemu runs the kernel of test_uart, with a real UART.

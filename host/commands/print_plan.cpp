@@ -177,9 +177,13 @@ core::Result<PrintPlan> open_print_plan(const Options& options, Reporter& report
   for (const std::string& one : part.value().modifiers) reporter.note("modifier", one);
   core::Status filled = fill_gcode(options, part.value(), whole.value(), reporter);
   if (!filled.ok()) return filled.error();
-  return PrintPlan{std::move(settings), std::move(part).value(),  title_of(options.part),
-                   on_bad_layer,        options.part.on_floating, options.part.spool,
-                   options.threads};
+  return PrintPlan{std::move(settings),
+                   std::move(part).value(),
+                   title_of(options.part),
+                   on_bad_layer,
+                   options.part.on_floating,
+                   options.part.spool,
+                   threads_at_work(options.threads)};
 }
 
 void connect_signals(PipelineSignals& signals, Reporter& reporter) {

@@ -1,10 +1,13 @@
 #include "host/pipeline/ordered_stages.h"
 
-#include <tbb/global_control.h>
-#include <tbb/parallel_pipeline.h>
-#include <tbb/task_arena.h>
-
+#include <array>
+#include <condition_variable>
+#include <cstddef>
+#include <exception>
 #include <mutex>
+#include <optional>
+#include <system_error>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -13,92 +16,146 @@
 namespace host {
 namespace {
 
+struct Work {
+  const std::function<void(LayerBatch&)>& work;
+  bool in_order;
+};
+
+// Behind take().
+constexpr std::size_t kStages = 6;
+
+std::array<Work, kStages> stages_of(const OrderedStages& stages) {
+  return {Work{stages.cut, false},  Work{stages.split, true},  Work{stages.plan, false},
+          Work{stages.seams, true}, Work{stages.order, false}, Work{stages.give, true}};
+}
+
 void run_in_turn(const OrderedStages& stages) {
   while (const std::unique_ptr<LayerBatch> batch = stages.take()) {
-    stages.cut(*batch);
-    stages.split(*batch);
-    stages.plan(*batch);
-    stages.seams(*batch);
-    stages.order(*batch);
-    stages.give(*batch);
+    for (const Work& stage : stages_of(stages)) stage.work(*batch);
   }
 }
 
-// TBB hands batches from thread to thread. The thread sanitizer does not see into TBB: there, it
-// is shown each hand-over by a lock, before and after the work, also when that throws.
-class HandOver {
+// Threads take from one another what is ready, the oldest batch's first. A thread that finds
+// nothing sleeps: it never asks again and again.
+class StageThreads {
  public:
-  HandOver() { show(); }
-  ~HandOver() { show(); }
-  HandOver(const HandOver&) = delete;
-  HandOver& operator=(const HandOver&) = delete;
+  StageThreads(const OrderedStages& stages, int threads)
+      : take_(stages.take),
+        stages_(stages_of(stages)),
+        places_(static_cast<std::size_t>(batches_max(threads))) {}
 
- private:
-  static void show() {
-#ifdef RIND_THREAD_SANITIZER
-    static std::mutex shown;
-    const std::lock_guard lock(shown);
-#endif
-  }
-};
-
-using Work = std::function<void(LayerBatch&)>;
-
-void work_on(LayerBatch& batch, const Work& work) {
-  const HandOver hand_over;
-  work(batch);
-}
-
-// The batches under way. TBB carries plain pointers to them: what it holds between two stages when
-// one throws, it forgets. A place is free again when its batch has been given, which goes in order.
-class BatchPlaces {
- public:
-  explicit BatchPlaces(int places) : places_(static_cast<std::size_t>(places)) {}
-
-  // Null at the end.
-  LayerBatch* put(std::unique_ptr<LayerBatch> batch) {
-    std::unique_ptr<LayerBatch>& place = places_[next_++ % places_.size()];
-    place = std::move(batch);
-    return place.get();
+  // The calling thread is one of them. Where the system gives no more threads, fewer do the work.
+  void run(int threads) {
+    std::vector<std::thread> others;
+    others.reserve(static_cast<std::size_t>(threads - 1));
+    try {
+      for (int i = 1; i < threads; ++i) others.emplace_back([this] { work(); });
+    } catch (const std::system_error&) {
+    }
+    work();
+    for (std::thread& each : others) each.join();
+    if (error_) std::rethrow_exception(error_);
   }
 
  private:
-  std::vector<std::unique_ptr<LayerBatch>> places_;
-  std::size_t next_ = 0;
-};
-
-auto stage(tbb::filter_mode mode, const Work& work) {
-  return tbb::make_filter<LayerBatch*, LayerBatch*>(mode, [&work](LayerBatch* batch) {
-    work_on(*batch, work);
-    return batch;
-  });
-}
-
-void run_at_once(const OrderedStages& stages, int threads) {
-  BatchPlaces places(batches_max(threads));
-  const auto take = [&](tbb::flow_control& control) {
-    const HandOver hand_over;
-    LayerBatch* batch = places.put(stages.take());
-    if (batch == nullptr) control.stop();
-    return batch;
+  // Where a batch is: before the stage, or in it.
+  struct Place {
+    std::unique_ptr<LayerBatch> batch;
+    std::size_t stage = 0;
+    bool in_work = false;
   };
-  const auto give = [&stages](LayerBatch* batch) { work_on(*batch, stages.give); };
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                  static_cast<std::size_t>(threads));
-  tbb::task_arena arena(threads);
-  const HandOver hand_over;
-  arena.execute([&] {
-    tbb::parallel_pipeline(
-        static_cast<std::size_t>(batches_max(threads)),
-        tbb::make_filter<void, LayerBatch*>(tbb::filter_mode::serial_in_order, take) &
-            stage(tbb::filter_mode::parallel, stages.cut) &
-            stage(tbb::filter_mode::serial_in_order, stages.split) &
-            stage(tbb::filter_mode::parallel, stages.plan) &
-            stage(tbb::filter_mode::serial_in_order, stages.seams) &
-            stage(tbb::filter_mode::parallel, stages.order) &
-            tbb::make_filter<LayerBatch*, void>(tbb::filter_mode::serial_in_order, give));
-  });
-}
+
+  [[nodiscard]] Place& place_of(std::size_t number) { return places_[number % places_.size()]; }
+  [[nodiscard]] bool ended() const { return error_ || (source_ended_ && given_ == taken_); }
+  [[nodiscard]] bool takes() const {
+    return !source_ended_ && !taking_ && taken_ - given_ < places_.size();
+  }
+
+  // The number of the oldest batch that a thread may work on.
+  [[nodiscard]] std::optional<std::size_t> ready() {
+    for (std::size_t number = given_; number < taken_; ++number) {
+      const Place& place = place_of(number);
+      if (place.in_work) continue;
+      if (!stages_[place.stage].in_order || turns_[place.stage] == number) return number;
+    }
+    return std::nullopt;
+  }
+
+  void work() {
+    std::unique_lock lock(mutex_);
+    while (!ended()) {
+      if (const std::optional<std::size_t> number = ready()) {
+        work_on(*number, lock);
+      } else if (takes()) {
+        take(lock);
+      } else {
+        ++asleep_;
+        changed_.wait(lock);
+        --asleep_;
+      }
+    }
+    changed_.notify_all();
+  }
+
+  // One thread that sleeps looks for work, if there is some besides what the caller has begun.
+  void wake_another() {
+    if (asleep_ > 0 && (takes() || ready())) changed_.notify_one();
+  }
+
+  void take(std::unique_lock<std::mutex>& lock) {
+    taking_ = true;
+    wake_another();
+    std::unique_ptr<LayerBatch> batch;
+    unlocked(lock, [&] { batch = take_(); });
+    taking_ = false;
+    if (batch == nullptr) {
+      source_ended_ = true;
+      return;
+    }
+    place_of(taken_++) = {std::move(batch), 0, false};
+  }
+
+  void work_on(std::size_t number, std::unique_lock<std::mutex>& lock) {
+    Place& place = place_of(number);
+    place.in_work = true;
+    wake_another();
+    const bool last = place.stage + 1 == kStages;
+    unlocked(lock, [&] {
+      stages_[place.stage].work(*place.batch);
+      if (last) place.batch.reset();
+    });
+    place.in_work = false;
+    if (stages_[place.stage].in_order) ++turns_[place.stage];
+    ++place.stage;
+    if (last) ++given_;
+  }
+
+  // Keeps the first exception.
+  template <typename Task>
+  void unlocked(std::unique_lock<std::mutex>& lock, const Task& task) {
+    std::exception_ptr error;
+    lock.unlock();
+    try {
+      task();
+    } catch (...) {
+      error = std::current_exception();
+    }
+    lock.lock();
+    if (error && !error_) error_ = error;
+  }
+
+  const std::function<std::unique_ptr<LayerBatch>()>& take_;
+  const std::array<Work, kStages> stages_;
+
+  std::mutex mutex_;  // for all below, but for the batches that are in work
+  std::condition_variable changed_;
+  std::vector<Place> places_;
+  std::array<std::size_t, kStages> turns_{};  // the number that a stage in order waits for
+  std::size_t given_ = 0, taken_ = 0;
+  int asleep_ = 0;
+  bool taking_ = false, source_ended_ = false;
+  std::exception_ptr error_;
+};
 
 }  // namespace
 
@@ -107,7 +164,7 @@ void run_stages(const OrderedStages& stages, int threads) {
   if (threads == 1) {
     run_in_turn(stages);
   } else {
-    run_at_once(stages, threads);
+    StageThreads(stages, threads).run(threads);
   }
 }
 

@@ -6,8 +6,8 @@
 //
 // `order` also prepares how the roads are laid (laid_roads.h), `give` makes motions and commands.
 //
-// The results and their order are the same for any number of threads. It uses oneTBB's
-// parallel_pipeline; with one thread, a plain loop.
+// The results and their order are the same for any number of threads. A thread that has nothing to
+// do sleeps. With one thread, a plain loop.
 #pragma once
 
 #include <functional>

@@ -214,7 +214,7 @@ class PartPipeline {
   // In order.
   void place_seams(LayerBatch& batch) {
     if (!wants_roads()) return;
-    const StageMeter meter(Stage::kRoads, batch.use);
+    const StageMeter meter(Stage::kSeams, batch.use);
     for (SettledLayer& settled : batch.settled) {
       settled.seams_before = std::make_shared<const core::SeamMemory>(planner_.seam_memory());
       settled.ordering = planner_.place_seams(settled.reserved.plan, settled.index);

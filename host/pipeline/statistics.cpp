@@ -145,7 +145,7 @@ Json standing_json(const std::optional<core::StandingReport>& standing) {
 Json allocations_json(const AllocationLog& allocations) {
   Json json;
   for (const Stage stage : {Stage::kSlice, Stage::kOffset, Stage::kWindow, Stage::kRoads,
-                            Stage::kLay, Stage::kEncode}) {
+                            Stage::kSeams, Stage::kLay, Stage::kEncode}) {
     json[std::string(stage_name(stage))] = allocations.per_layer(stage);
   }
   return json;

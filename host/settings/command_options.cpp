@@ -67,8 +67,10 @@ void add_memory(CLI::App& command, Options& options) {
                   "folder for the slices that supports need, otherwise in $TMPDIR or /tmp")
       ->type_name("DIR");
   command
-      .add_option("--threads,--jobs", options.threads,
-                  "number of processors to slice with; each needs the memory of one more layer")
+      .add_option(
+          "--threads,--jobs", options.threads,
+          "number of processors to slice with, of those that there are; each needs the memory "
+          "of one more layer")
       ->type_name("N")
       ->check(CLI::Range(1, kThreadsMax))
       ->default_str("as many as there are, at most " + std::to_string(kThreadsDefaultMax));

@@ -48,6 +48,9 @@ enum class PipeSorted {
 // The number of processors, at most kThreadsDefaultMax.
 [[nodiscard]] int threads_by_default();
 
+// Of the threads that were asked for, as many as there are processors: more would only take turns.
+[[nodiscard]] int threads_at_work(int asked);
+
 // The part's file, and how it is read.
 struct PartOptions {
   std::string path;                     // "-": standard input

@@ -1,13 +1,19 @@
 #include <algorithm>
 #include <thread>
 
-#include "host/settings/options.h"  // threads_by_default
+#include "host/settings/options.h"  // threads_by_default, threads_at_work
 #include "host/system/limits.h"     // kThreadsDefaultMax
 
 namespace host {
+namespace {
 
-int threads_by_default() {
-  return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, kThreadsDefaultMax);
-}
+// That the program may use; 1 where the system does not tell.
+int processors() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
+
+}  // namespace
+
+int threads_by_default() { return std::min(processors(), kThreadsDefaultMax); }
+
+int threads_at_work(int asked) { return std::clamp(asked, 1, processors()); }
 
 }  // namespace host

@@ -48,9 +48,9 @@ double megabytes(std::int64_t bytes) { return static_cast<double>(bytes) * 1e-6;
 
 }  // namespace
 
-void share_heaps(int threads) {
+void set_heaps(int threads) {
 #ifdef __GLIBC__
-  mallopt(M_ARENA_MAX, (threads + 1) / 2);
+  mallopt(M_ARENA_MAX, threads);
 #else
   static_cast<void>(threads);
 #endif

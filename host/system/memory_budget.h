@@ -15,10 +15,11 @@
 
 namespace host {
 
-// Lets every two threads share one heap of the C library. With a heap for each thread, every heap
-// grows to its thread's worst layer. Measured on the tower: no processor time lost.
+// Lets the C library have a heap for each of these threads, and no more. Two threads that share
+// one wait for one another: with one heap, two threads were no faster than one on the tower, and
+// took 1.7 times its processor time (tools/bench_threads).
 // REQUIRES: called before any other thread runs; threads >= 1
-void share_heaps(int threads);
+void set_heaps(int threads);
 
 // Counting starts here. 0: no limit.
 void set_memory_limit(std::int64_t bytes);

@@ -37,6 +37,8 @@ std::string_view stage_name(Stage stage) {
       return "window";
     case Stage::kRoads:
       return "roads";
+    case Stage::kSeams:
+      return "seams";
     case Stage::kLay:
       return "lay";
     case Stage::kEncode:

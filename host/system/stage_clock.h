@@ -22,13 +22,14 @@ enum class Stage {
   kOffset,
   kWindow,
   kRoads,
+  kSeams,
   kLay,
   kEncode,
   kSend,
   kOpen,   // the program's start, and the file up to the first triangle that is asked for
   kFinish  // after the last layer
 };
-inline constexpr std::size_t kStageCount = 13;
+inline constexpr std::size_t kStageCount = 14;
 
 // As in the statistics file (--stats).
 [[nodiscard]] std::string_view stage_name(Stage stage);

@@ -49,8 +49,6 @@ constexpr std::array kLibraries = {
     Library{"zlib.h", {"host/output/png_writer.cpp", "host/gcode/bgcode_blocks.cpp"}},
     Library{"spdlog/", {"host/"}},
     Library{"nlohmann/", {"host/", "tools/"}},
-    Library{"tbb/", {"host/"}},
-    Library{"oneapi/", {"host/"}},
     Library{"fmt/", {"host/", "tools/"}},
     Library{"benchmark/", {"tools/"}},
     Library{"doctest/", {"tests/"}},

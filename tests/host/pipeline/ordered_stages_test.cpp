@@ -36,7 +36,7 @@ std::unique_ptr<LayerBatch> batch_of(core::LayerIndex number) {
 
 TEST_CASE("every batch passes all stages, in order where it matters, for any number of threads") {
   constexpr core::LayerIndex kBatches = 200;
-  for (const int threads : {1, 2, 3, 8}) {
+  for (const int threads : {1, 2, 3, 8, 16}) {
     CAPTURE(threads);
     core::LayerIndex taken = 0;
     std::atomic<int> under_way = 0, most_under_way = 0;

@@ -88,8 +88,8 @@ TEST_CASE("the statistics file has every key that was promised") {
     CAPTURE(key);
     CHECK(with_link.contains(key));
   }
-  for (const char* stage : {"read", "sort", "slice", "offset", "window", "roads", "lay", "encode",
-                            "send", "open", "finish"}) {
+  for (const char* stage : {"read", "sort", "slice", "offset", "window", "roads", "seams", "lay",
+                            "encode", "send", "open", "finish"}) {
     CAPTURE(stage);
     CHECK(with_link["cpu_seconds"].contains(stage));
     CHECK(with_link["worst_layer_ms"].contains(stage));
