@@ -152,7 +152,7 @@ LayerPace LayerLaying::pace(const Slice& slice, std::size_t actions, bool arcs) 
 
 LaidLayer LayerLaying::lay(const Slice& slice, const std::vector<Road>& roads,
                            const LayerPace& pace, std::optional<Point> from) const {
-  return Laying(slice, settings_.at(pace.actions), pace).lay(roads, from);
+  return Laying(slice, settings_of(pace), pace).lay(roads, from);
 }
 
 }  // namespace core

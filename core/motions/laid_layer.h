@@ -78,6 +78,11 @@ class LayerLaying {
   [[nodiscard]] LaidLayer lay(const Slice& slice, const std::vector<Road>& roads,
                               const LayerPace& pace, std::optional<Point> from) const;
 
+  // With the values from heights that the pace counts.
+  [[nodiscard]] const Settings& settings_of(const LayerPace& pace) const {
+    return settings_.at(pace.actions);
+  }
+
  private:
   HeightActions actions_;
   std::vector<Settings> settings_;  // once so many actions were carried out

@@ -18,8 +18,8 @@ void MotionBuilder::act(Length bottom, const Sink& sink) {
   if (std::none_of(due.begin(), due.end(), stands)) return;
   const Length away = std::max(park_height(bottom, settings_), state_.nozzle_z.value_or(bottom));
   if (state_.position_known) {
-    retract(sink);
-    lift(away, sink);
+    nozzle(sink).retract();
+    nozzle(sink).lift(away);
   }
   bool told_otherwise = false;  // perhaps, by the user's lines
   for (const HeightAction& action : due) {
@@ -32,7 +32,7 @@ void MotionBuilder::act(Length bottom, const Sink& sink) {
   sink(SetFan{state_.fan});
   state_.position_known = false;
   state_.nozzle_z.reset();
-  lift(away, sink);
+  nozzle(sink).lift(away);
 }
 
 // The pressure advance and acceleration that were told last.

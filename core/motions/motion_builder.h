@@ -16,60 +16,29 @@
 // much as the segments that it stands for. Holds one layer's roads at a time, never the print.
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "core/motions/arc_fit.h"          // RoadPiece
-#include "core/motions/height_actions.h"   // HeightActions
-#include "core/motions/laid_layer.h"       // LaidLayer, LayerLaying
-#include "core/motions/motion.h"           // Motion
-#include "core/motions/slice_boundary.h"   // SliceBoundary
-#include "core/motions/spiral_rise.h"      // SpiralRise
-#include "core/motions/width_stretches.h"  // WidthStretch
-#include "core/roads/road.h"               // Road, RoadKind
-#include "core/roads/travel_space.h"       // TravelSpace
-#include "core/settings.h"                 // Settings
-#include "core/slices/slice.h"             // Slice
+#include "core/motions/height_actions.h"  // HeightActions
+#include "core/motions/laid_body.h"       // LaidBody
+#include "core/motions/laid_layer.h"      // LaidLayer, LayerLaying
+#include "core/motions/layer_motions.h"   // LayerMotions
+#include "core/motions/motion.h"          // Motion
+#include "core/motions/motion_state.h"    // MotionState, MotionTotals
+#include "core/motions/nozzle_motions.h"  // NozzleMotions
+#include "core/roads/road.h"              // Road
+#include "core/roads/travel_space.h"      // TravelSpace
+#include "core/settings.h"                // Settings
+#include "core/slices/slice.h"            // Slice
 
 namespace core {
 
-// What was asked for since the start of the print.
-struct MotionTotals {
-  std::array<double, kRoadKindCount> filament_mm{};  // by RoadKind; retractions don't count
-  double travel_mm = 0;
-  std::int64_t roads = 0;
-  std::int64_t arcs = 0;
-  std::int64_t travels = 0;
-  std::int64_t retractions = 0;
-  std::int64_t layers = 0;  // with roads
-};
-
-// Where a print stands between two layers: all that the next layer's motions depend on besides its
-// roads.
-struct MotionState {
-  bool preheated = false;
-  bool started = false;
-  bool retracted = false;
-  bool position_known = false;
-  Point position;                  // where the nozzle is, once known
-  std::optional<Length> nozzle_z;  // likewise
-  double fan = 0;
-  double nozzle_celsius = 0;
-  double bed_celsius = 0;
-  double acceleration_mm_s2 = 0;  // as last told; 0: never told
-  std::optional<bool> arcs;       // whether round roads become arcs; nothing: not decided
-  std::int64_t actions = 0;       // carried out, of those at heights (height_actions.h)
-  Length highest;                 // top of the highest layer that has roads
-};
-
 class MotionBuilder {
  public:
-  using Sink = std::function<void(const Motion&)>;
+  using Sink = MotionSink;
 
   // REQUIRES: settings in their ranges.
   explicit MotionBuilder(const Settings& settings);
@@ -98,9 +67,12 @@ class MotionBuilder {
   [[nodiscard]] bool suits(const LaidLayer& laid, const Slice& slice) const {
     return !laid.roads.empty() && !laid.roads.front().spiral && laid.pace == pace_of(slice);
   }
+  // `body`: of this layer, or of one with the same roads (laid_body.h); null: none. Where it fits,
+  // and `take_body` says that its motions are given out otherwise, they are not given to the sink.
   // REQUIRES: suits(laid, slice), and likewise.
   void prepared_layer(const Slice& slice, const LaidLayer& laid, const Sink& sink,
-                      const TravelSpace* space = nullptr);
+                      const TravelSpace* space = nullptr, const LaidBody* body = nullptr,
+                      const std::function<bool()>& take_body = nullptr);
 
   // The object at hand is finished, and the next one begins on the bed: the nozzle is lifted over
   // all that stands, and goes down again where the next road begins. Nothing when no layer had
@@ -111,6 +83,9 @@ class MotionBuilder {
   // fan off, end G-code.
   // Nothing when no layer had roads.
   void finish(const Sink& sink);
+
+  // What will come before the first layer; nothing if that has begun.
+  void show_preamble(const Sink& sink) const;
 
   // Lines that follow the start G-code. REQUIRES: no layer had roads so far.
   void tell_objects(std::vector<std::string> lines) { object_lines_ = std::move(lines); }
@@ -137,48 +112,22 @@ class MotionBuilder {
   void set_up_layer(double fan_share, const Sink& sink);
   [[nodiscard]] LayerPace pace_of(const Slice& slice) const;
   void begin_layer(const Slice& slice, const Sink& sink);
-  void lay(const Slice& slice, const LaidLayer& laid, const Sink& sink, const TravelSpace* space);
-  [[nodiscard]] bool joins_turn(const LaidRoad& road) const;
-  void start_object(int object, const Sink& sink);
-  void set_fan(double share, const Sink& sink);
-  // 0: none is wanted.
-  void set_acceleration(double mm_s2, const Sink& sink);
-  void road(const LaidRoad& road, const Sink& sink);
-  void join_turn(const WidthStretch& stretch, double speed, const Sink& sink);
-  [[nodiscard]] double filament_per_mm(const WidthStretch& stretch) const;
-  void lay(const LaidStretch& stretch, const Sink& sink);
-  void lay(const RoadPiece& piece, RoadKind kind, double filament_per_mm, double speed,
-           const Sink& sink);
-  void lay_rising(const RoadPiece& piece, RoadKind kind, double filament_per_mm, double speed,
-                  const Sink& sink);
-  [[nodiscard]] bool is_over_objects() const;
-  void travel(Point to, RoadKind kind, SliceBoundary& boundary, const Sink& sink);
-  [[nodiscard]] std::vector<Point> way_to(Point to) const;
-  [[nodiscard]] bool needs_retraction(const std::vector<Point>& way, RoadKind kind,
-                                      SliceBoundary& boundary) const;
-  void retract(const Sink& sink);
-  void wipe(const Sink& sink);
-  void unretract(const Sink& sink);
-  void lift(Length to, const Sink& sink);
+  void lay(const Slice& slice, const LaidLayer& laid, const Sink& sink, const TravelSpace* space,
+           const LaidBody* body, const std::function<bool()>& take_body);
+  [[nodiscard]] NozzleMotions nozzle(const Sink& sink) {
+    return {settings_, state_, totals_, sink};
+  }
 
   Settings settings_;  // with the values from heights so far
   HeightActions actions_;
   LayerLaying laying_;
-  double pressure_advance_s_;           // that the printer is left with; negative: as it is
-  const TravelSpace* space_ = nullptr;  // of the layer at hand
-  const LaidLayer* laid_ = nullptr;     // likewise
-  const LaidRoad* last_ = nullptr;      // likewise
-  int object_ = kNoObject;              // of the road at hand
+  double pressure_advance_s_;  // that the printer is left with; negative: as it is
   std::vector<std::string> object_lines_;
   MotionTotals totals_;
   MotionState state_;
   bool ended_ = false;
-  Length top_;                      // of the layer
-  Length level_;                    // of the road at hand, where it starts
-  std::optional<SpiralRise> rise_;  // of the road at hand
-  Length height_;
+  Length top_;  // of the layer
   LayerIndex index_ = 0;
-  double speed_share_ = 1;  // of every speed (height_slowdown.h)
 };
 
 }  // namespace core

@@ -13,6 +13,12 @@ namespace {
 
 constexpr std::size_t kFilament = 3;
 
+// Times are summed up as whole numbers of 15 ps: so their sum does not depend on how the moves were
+// grouped. 63 bits hold four years.
+constexpr double kTicksPerSecond = static_cast<double>(std::int64_t{1} << 36);
+
+std::int64_t ticks(double seconds) { return std::llround(seconds * kTicksPerSecond); }
+
 // Time of one trapezoid (or triangle, where the wanted speed is not reached).
 double trapezoid_seconds(double length, double entry, double speed, double exit, double a) {
   const double peak_squared = (2 * a * length + entry * entry + exit * exit) / 2;
@@ -70,7 +76,7 @@ void MotionClock::set_place(double x_mm, double y_mm, double z_mm) {
 
 void MotionClock::rest(double seconds) {
   RIND_CHECK(seconds >= 0);
-  seconds_done_ = this->seconds() + seconds;
+  ticks_done_ += ticks_planned() + ticks(seconds);
   while (moves_.size() > 0) (void)moves_.pop();
 }
 
@@ -134,11 +140,12 @@ void MotionClock::limit(const Move& move, bool round, Block& block) const {
   block.start_speed_mm_s = model_.jerks() ? std::min(most_of(jerk_share), block.speed_mm_s) : 0;
 }
 
-void MotionClock::push(Block block) {
+void MotionClock::push(Block& block) {
   if (moves_.full()) {
     const Block& oldest = moves_[0];
-    seconds_done_ += trapezoid_seconds(oldest.length_mm, oldest.entry_speed_mm_s, oldest.speed_mm_s,
-                                       moves_[1].entry_speed_mm_s, oldest.acceleration_mm_s2);
+    ticks_done_ +=
+        ticks(trapezoid_seconds(oldest.length_mm, oldest.entry_speed_mm_s, oldest.speed_mm_s,
+                                moves_[1].entry_speed_mm_s, oldest.acceleration_mm_s2));
     moves_.drop();
     // The move that now comes first has started: its entry speed is fixed.
     moves_[0].entry_speed_max_mm_s = moves_[0].entry_speed_mm_s;
@@ -206,14 +213,35 @@ double MotionClock::exit_of(std::size_t block) const {
   return moves_[block].start_speed_mm_s;
 }
 
-double MotionClock::seconds() const {
-  double seconds = seconds_done_;
+std::int64_t MotionClock::ticks_planned() const {
+  std::int64_t sum = 0;
   for (std::size_t i = 0; i < moves_.size(); ++i) {
     const Block& move = moves_[i];
-    seconds += trapezoid_seconds(move.length_mm, move.entry_speed_mm_s, move.speed_mm_s, exit_of(i),
-                                 move.acceleration_mm_s2);
+    sum += ticks(trapezoid_seconds(move.length_mm, move.entry_speed_mm_s, move.speed_mm_s,
+                                   exit_of(i), move.acceleration_mm_s2));
   }
-  return seconds;
+  return sum;
+}
+
+double MotionClock::seconds() const {
+  return static_cast<double>(ticks_done_ + ticks_planned()) / kTicksPerSecond;
+}
+
+bool MotionClock::goes_on_as(const MotionClock& from, bool any_height) const {
+  if (x_mm_ != from.x_mm_ || y_mm_ != from.y_mm_ || !(model_ == from.model_)) return false;
+  if (!any_height && z_mm_ != from.z_mm_) return false;
+  if (moves_.size() != from.moves_.size()) return false;
+  for (std::size_t i = 0; i < moves_.size(); ++i) {
+    if (!(moves_[i] == from.moves_[i])) return false;
+  }
+  return true;
+}
+
+void MotionClock::skip(const MotionClock& from, const MotionClock& to, bool any_height) {
+  ticks_done_ += to.ticks_done_ - from.ticks_done_;
+  moves_ = to.moves_;
+  set_model(to.model_);
+  set_place(to.x_mm_, to.y_mm_, any_height ? z_mm_ : to.z_mm_);
 }
 
 }  // namespace core

@@ -23,6 +23,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 
 #include "core/motions/motion_model.h"  // MotionModel
@@ -65,6 +66,13 @@ class MotionClock {
   // For all that was added, coming to rest at its end. COSTS: O(kLookAheadMoves).
   [[nodiscard]] double seconds() const;
 
+  // A stretch of moves that another clock has counted need not be counted again: once this clock
+  // goes on as that one did at `from`, within the stretch, both count the same for the rest of it.
+  // COSTS: O(kLookAheadMoves). `any_height`: nothing in it moves up or down.
+  [[nodiscard]] bool goes_on_as(const MotionClock& from, bool any_height) const;
+  // REQUIRES: goes_on_as(from, any_height); `to` is the other clock behind the stretch.
+  void skip(const MotionClock& from, const MotionClock& to, bool any_height);
+
  private:
   struct Block {
     double length_mm = 0;
@@ -77,20 +85,23 @@ class MotionClock {
     // At its start and its end: by how much each axis moves for a millimetre of way.
     AxisLimits direction{};
     AxisLimits direction_end{};
+
+    bool operator==(const Block&) const = default;
   };
 
   [[nodiscard]] bool arc_directions(const Arc& arc, const Move& move, Block& block) const;
   void limit(const Move& move, bool round, Block& block) const;
-  void push(Block block);
+  void push(Block& block);
   void plan();
   [[nodiscard]] double corner_speed(const Block& before, const Block& after) const;
   [[nodiscard]] double jerk_speed(const AxisLimits& before, const AxisLimits& after) const;
   [[nodiscard]] double exit_of(std::size_t block) const;
+  [[nodiscard]] std::int64_t ticks_planned() const;
 
   MotionModel model_;
   AxisLimits per_speed_{}, per_acceleration_{}, per_jerk_{};  // inverse limits; 0: none
   RingBuffer<Block> moves_{kLookAheadMoves};
-  double seconds_done_ = 0;
+  std::int64_t ticks_done_ = 0;  // of moves that are no longer planned, see kTicksPerSecond
   double x_mm_ = 0, y_mm_ = 0, z_mm_ = 0;
 };
 

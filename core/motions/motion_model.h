@@ -30,6 +30,7 @@ struct MotionModel {
   double junction_deviation_mm = 0;  // M205 J. REQUIRES: ≥ 0
 
   [[nodiscard]] bool jerks() const { return jerk_mm_s[0] > 0; }
+  bool operator==(const MotionModel&) const = default;
 };
 
 // The model of the settings' machine, as it is switched on.

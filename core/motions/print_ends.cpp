@@ -29,18 +29,23 @@ void MotionBuilder::preamble(const Sink& sink) {
   sink(SetFan{0});
 }
 
+void MotionBuilder::show_preamble(const Sink& sink) const {
+  MotionBuilder copy = *this;
+  if (!copy.state_.started) copy.preamble(sink);
+}
+
 void MotionBuilder::finish(const Sink& sink) {
   if (!state_.started || ended_) return;
   ended_ = true;
-  retract(sink);
+  nozzle(sink).retract();
   const Length here = state_.nozzle_z.value_or(top_);
-  lift(std::max(park_height(state_.highest, settings_), here), sink);
+  nozzle(sink).lift(std::max(park_height(state_.highest, settings_), here));
   sink(Travel{park_place(settings_), settings_.travel_speed_mm_s});
   sink(SetNozzleTemperature{0, false});
   sink(SetBedTemperature{0, false});
   sink(SetFan{0});
   if (state_.acceleration_mm_s2 > 0)
-    set_acceleration(std::round(settings_.default_acceleration_mm_s2), sink);
+    nozzle(sink).set_acceleration(std::round(settings_.default_acceleration_mm_s2));
   if (settings_.pressure_advance_s != pressure_advance_s_ && pressure_advance_s_ >= 0) {
     sink(SetPressureAdvance{pressure_advance_s_});
   }

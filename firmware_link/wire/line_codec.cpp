@@ -20,6 +20,9 @@ static_assert(kSetPressureAdvanceBytesMax <= kTextBytesMax);
 static_assert(kPositionUmMax == 9'999'999'999 && kFilament10nmMax == 999'999'999'999);
 static_assert(kArcCentreUmMax == 9'999'999);  // "-9999.999"
 
+constexpr std::array<std::uint64_t, 10> kPowers = {
+    1, 10, 100, 1'000, 10'000, 100'000, 1'000'000, 10'000'000, 100'000'000, 1'000'000'000};
+
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
 std::string_view trim(std::string_view text) {
@@ -188,19 +191,20 @@ char* write_fixed(char* at, std::int64_t value, int decimals) {
     magnitude = 0 - magnitude;
     *at++ = '-';
   }
-  // All digits at once, with zeros in front where the point stands before the first of them.
-  std::array<char, 9 + 20> digits;
-  digits.fill('0');
-  char* const first = digits.data() + decimals;
-  char* end = std::to_chars(first, digits.data() + digits.size(), magnitude).ptr;
-  const char* whole = std::min(first, end - decimals - 1);
-  const char* const point = end - decimals;
-  while (whole < point) *at++ = *whole++;
-  while (end > point && end[-1] == '0') --end;
-  if (end == point) return at;
+  const std::uint64_t power = kPowers[static_cast<std::size_t>(decimals)];
+  const std::uint64_t whole = magnitude / power;
+  std::uint64_t part = magnitude - whole * power;
+  at = std::to_chars(at, at + 20, whole).ptr;
+  if (part == 0) return at;
+  while (part % 10 == 0) {
+    part /= 10;
+    --decimals;
+  }
   *at++ = '.';
-  for (const char* digit = point; digit < end; ++digit) *at++ = *digit;
-  return at;
+  for (char* digit = at + decimals; digit > at; part /= 10) {
+    *--digit = static_cast<char>('0' + part % 10);
+  }
+  return at + decimals;
 }
 
 std::string_view encode(const Command& command, TextBuffer& into) {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/motions/motion_clock.h"
@@ -234,6 +235,7 @@ int plan_command(const Options& options, Reporter& reporter) {
   };
   // Motions are only timed and counted.
   outputs.on_motion = [](const auto&, const auto&) { return stop_signal_count() == 0; };
+  outputs.on_roads_text = [](std::string_view) { return stop_signal_count() == 0; };
   PipelineSignals signals;
   connect_signals(signals, reporter);
   GeometryStatistics statistics;

@@ -122,6 +122,11 @@ class SliceFile {
         if (lays_road(motion)) note_road();
         return flush();
       };
+      outputs.writer = &gcode_;
+      outputs.on_roads_text = [this](std::string_view text) {
+        note_road();
+        return write(text);
+      };
     }
     return outputs;
   }
@@ -175,8 +180,13 @@ class SliceFile {
   }
 
   bool flush() {
-    if (status_.ok()) status_ = file_.write(text_);
+    const bool goes_on = write(text_);
     text_.clear();
+    return goes_on;
+  }
+
+  bool write(std::string_view text) {
+    if (status_.ok()) status_ = file_.write(text);
     return status_.ok() && stop_signal_count() == 0;
   }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -56,6 +57,7 @@ core::Result<SpoolCheck> planned(const Options& told, double used_mm, Reporter& 
   reporter.note("spool", "planning the whole print first, for --spool-left");
   PipelineOutputs outputs;
   outputs.on_motion = [](const auto&, const auto&) { return stop_signal_count() == 0; };
+  outputs.on_roads_text = [](std::string_view) { return stop_signal_count() == 0; };
   PipelineSignals signals;
   connect_signals(signals, reporter);
   GeometryStatistics statistics;

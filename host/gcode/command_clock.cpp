@@ -47,9 +47,15 @@ double dwell_s(std::string_view parameters) {
 CommandClock::CommandClock(const core::Settings& settings)
     : flavor_(flavor_of(settings.gcode_flavor)), clock_(core::motion_model(settings)) {}
 
-void CommandClock::add(const firmware_link::Command& command) {
+void CommandClock::add(const firmware_link::Command& command, std::optional<double> filament_mm) {
+  if (const auto* move = std::get_if<Move>(&command)) add_filament(move->e_10nm.value_or(0));
+  add_time(command, filament_mm);
+}
+
+void CommandClock::add_time(const firmware_link::Command& command,
+                            std::optional<double> filament_mm) {
   if (const auto* move = std::get_if<Move>(&command)) {
-    add_move(*move);
+    add_move(*move, filament_mm);
   } else if (const auto* ready = std::get_if<ReadyLine>(&command)) {
     add_line(*ready);
   } else if (const auto* line = std::get_if<firmware_link::Verbatim>(&command)) {
@@ -64,11 +70,9 @@ void CommandClock::add(const firmware_link::Command& command) {
   }
 }
 
-void CommandClock::add_move(const Move& move) {
+void CommandClock::add_move(const Move& move, std::optional<double> filament_mm) {
   if (move.f_mm_min) feed_mm_min_ = *move.f_mm_min;
   if (!moves(move)) return;
-  pushed_10nm_ += move.e_10nm.value_or(0) * flow_percent_ / 100;
-  needed_10nm_ = std::max(needed_10nm_, pushed_10nm_);
   core::MotionClock::Move way;
   if (move.arc) {
     way.arc = {mm(x_um_ + move.arc->i_um), mm(y_um_ + move.arc->j_um), move.arc->clockwise,
@@ -80,14 +84,40 @@ void CommandClock::add_move(const Move& move) {
   way.x_mm = mm(x_um_);
   way.y_mm = mm(y_um_);
   way.z_mm = mm(z_um_);
-  way.filament_mm = static_cast<double>(move.e_10nm.value_or(0)) * 1e-5;
+  way.filament_mm =
+      filament_mm ? *filament_mm : static_cast<double>(move.e_10nm.value_or(0)) * 1e-5;
   way.speed_mm_s =
       static_cast<double>(std::max<std::int64_t>(1, feed_mm_min_ * feed_percent_)) / 6'000;
   clock_.add(way);
 }
 
+CommandClock CommandClock::at_rest(std::int64_t x_um, std::int64_t y_um, std::int64_t z_um) const {
+  CommandClock clock = *this;
+  clock.clock_ = core::MotionClock(clock_.model());
+  clock.x_um_ = x_um;
+  clock.y_um_ = y_um;
+  clock.z_um_ = z_um;
+  clock.clock_.set_place(mm(x_um), mm(y_um), mm(z_um));
+  return clock;
+}
+
+bool CommandClock::goes_on_as(const CommandClock& from, bool any_height) const {
+  return x_um_ == from.x_um_ && y_um_ == from.y_um_ && (any_height || z_um_ == from.z_um_) &&
+         feed_mm_min_ == from.feed_mm_min_ && feed_percent_ == from.feed_percent_ &&
+         flavor_ == from.flavor_ && clock_.goes_on_as(from.clock_, any_height);
+}
+
+void CommandClock::skip(const CommandClock& from, const CommandClock& to, bool any_height) {
+  x_um_ = to.x_um_;
+  y_um_ = to.y_um_;
+  if (!any_height) z_um_ = to.z_um_;
+  feed_mm_min_ = to.feed_mm_min_;
+  clock_.skip(from.clock_, to.clock_, any_height);
+}
+
 void CommandClock::add_line(const ReadyLine& line) {
-  add_move(line.move);
+  add_filament(line.move.e_10nm.value_or(0));
+  add_move(line.move, std::nullopt);
   if (line.effect.kind == Effect::Kind::kFeedPercent) feed_percent_ = line.effect.value;
   if (line.effect.kind == Effect::Kind::kFlowPercent) flow_percent_ = line.effect.value;
   if (line.place == PlaceAfter::kAxesLost) {

@@ -9,6 +9,7 @@
 // Not counted: heating, homing, measuring the bed, and what macros and M600 do.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -27,8 +28,23 @@ class CommandClock {
   // Of the controller; that of the settings until it is known.
   void set_flavor(firmware_link::Flavor flavor) { flavor_ = flavor; }
 
+  // `filament_mm`: what a move was asked to push, before it was rounded; nothing: what it says.
   // COSTS: O(core::kLookAheadMoves).
-  void add(const firmware_link::Command& command);
+  void add(const firmware_link::Command& command, std::optional<double> filament_mm = std::nullopt);
+  // The same in two halves.
+  void add_time(const firmware_link::Command& command,
+                std::optional<double> filament_mm = std::nullopt);
+  void add_filament(std::int64_t e_10nm) {
+    pushed_10nm_ += e_10nm * flow_percent_ / 100;
+    needed_10nm_ = std::max(needed_10nm_, pushed_10nm_);
+  }
+
+  // A clock that begins anew, at rest and at this place, with what was told about moving.
+  [[nodiscard]] CommandClock at_rest(std::int64_t x_um, std::int64_t y_um, std::int64_t z_um) const;
+
+  // As core::MotionClock's: the time of a stretch that another clock has counted.
+  [[nodiscard]] bool goes_on_as(const CommandClock& from, bool any_height) const;
+  void skip(const CommandClock& from, const CommandClock& to, bool any_height);
 
   // For all that was added, coming to rest at its end.
   [[nodiscard]] double seconds() const { return clock_.seconds(); }
@@ -40,7 +56,7 @@ class CommandClock {
   [[nodiscard]] std::optional<double> needed_to_change_mm() const { return to_change_mm_; }
 
  private:
-  void add_move(const firmware_link::Move& move);
+  void add_move(const firmware_link::Move& move, std::optional<double> filament_mm);
   void add_line(const firmware_link::ReadyLine& line);
   void add_user_line(const firmware_link::Verbatim& line);
   void change_model(std::string_view text);

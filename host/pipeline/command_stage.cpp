@@ -74,11 +74,56 @@ std::optional<core::LaidLayer> CommandStage::prepared(const core::Slice& slice,
   return laying.lay(of_object, marked, pace, std::nullopt);
 }
 
+void CommandStage::allow_drafts() {
+  if (!outputs_.on_roads_text || form_) return;
+  decide_form();
+  draft_encoder_ = MotionEncoder(settings_);
+  draft_encoder_->set_flavor(encoder_.state().flavor);
+  draft_encoder_->set_labels(ObjectLabels(objects_, settings_, encoder_.state().flavor));
+  // As it is behind the start G-code, which may say how to move.
+  CommandClock clock = clock_;
+  MotionEncoder encoder = encoder_;
+  builder_.show_preamble([&](const core::Motion& motion) {
+    if (const auto command = encoder.encode(motion)) clock.add_time(*command);
+  });
+  draft_clock_ = clock;
+  if (outputs_.writer != nullptr) draft_writer_ = *outputs_.writer;
+}
+
+std::shared_ptr<const LayerDraft> CommandStage::draft(core::LayerPlace place,
+                                                      const core::LaidLayer& laid,
+                                                      const core::TravelSpace* space) const {
+  if (!draft_encoder_) return nullptr;
+  place.index -= layers_before_;
+  const CommandClock clock = [this] {
+    const std::lock_guard lock(draft_mutex_);
+    return *draft_clock_;
+  }();
+  return draft_of(builder_.laying().settings_of(laid.pace), place, laid, space,
+                  {*draft_encoder_, clock, draft_writer_ ? &*draft_writer_ : nullptr});
+}
+
+// Whether the draft's roads were given out; the builder follows.
+bool CommandStage::take(const LayerDraft& draft) {
+  if (!fits(draft, encoder_.state())) return false;
+  std::optional<CommandClock> clock = clock_behind(draft, clock_);
+  if (!clock) return false;
+  clock_ = *std::move(clock);
+  MotionEncoder::State state = encoder_.state();
+  const bool goes_on = fill_in(draft, state, clock_, [this](std::string_view text) {
+    return !refused_ && outputs_.on_roads_text(text);
+  });
+  if (!goes_on) refused_ = true;
+  encoder_.resume_from(state);
+  commands_ += draft.commands;
+  return true;
+}
+
 void CommandStage::layer(const NextLayer& next) {
   if (objects_.empty()) return lay(next);
   const std::vector<core::Road> roads = wanted(next.roads, next.slice.index);
   const bool all = roads.size() == next.roads.size();
-  lay({next.slice, roads, all ? next.laid : nullptr, next.seams_before, next.space});
+  lay({next.slice, roads, all ? next.laid : nullptr, next.seams_before, next.space, next.draft});
 }
 
 void CommandStage::lay(const NextLayer& next) {
@@ -93,9 +138,16 @@ void CommandStage::lay(const NextLayer& next) {
   core::Slice of_object = slice;
   of_object.index -= layers_before_;
   if (next.laid != nullptr && builder_.suits(*next.laid, of_object)) {
-    builder_.prepared_layer(of_object, *next.laid, sink_, next.space);
+    const LayerDraft* draft = next.draft;
+    const bool drafted = draft != nullptr && draft->height == slice.height;
+    builder_.prepared_layer(of_object, *next.laid, sink_, next.space,
+                            drafted ? &draft->body : nullptr, [&] { return take(*draft); });
   } else {
     builder_.layer(of_object, next.roads, sink_, next.space);
+  }
+  if (draft_clock_) {
+    const std::lock_guard lock(draft_mutex_);
+    draft_clock_ = clock_;
   }
 }
 
@@ -127,7 +179,7 @@ void CommandStage::pass_on(const core::Motion& motion) {
   const std::optional<firmware_link::Command> command = encoder_.encode(motion);
   if (command) {
     ++commands_;
-    clock_.add(*command);
+    clock_.add(*command, filament_mm_of(motion));
   }
   if (!outputs_.on_motion(motion, command)) refused_ = true;
 }

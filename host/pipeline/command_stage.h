@@ -4,6 +4,8 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +21,7 @@
 #include "host/gcode/command_clock.h"       // CommandClock
 #include "host/part/opened_part.h"          // PartObject
 #include "host/pipeline/checkpoint.h"       // Checkpoint
+#include "host/pipeline/layer_draft.h"      // LayerDraft
 #include "host/pipeline/motion_encoder.h"   // MotionEncoder
 #include "host/pipeline/object_map.h"       // ObjectMap
 #include "host/pipeline/pipeline.h"         // CommandForm, PipelineOutputs
@@ -56,6 +59,14 @@ class CommandStage {
   [[nodiscard]] std::optional<core::LaidLayer> prepared(const core::Slice& slice,
                                                         const std::vector<core::Road>& roads) const;
 
+  // Its roads as commands and text (layer_draft.h), by any thread. Null where only its turn tells.
+  // `place` and `space` as for the layer; `laid`: prepared() for it.
+  [[nodiscard]] std::shared_ptr<const LayerDraft> draft(core::LayerPlace place,
+                                                        const core::LaidLayer& laid,
+                                                        const core::TravelSpace* space) const;
+  // Before any thread makes one; behind tell_objects().
+  void allow_drafts();
+
   // The next layer up, counted from the print's first.
   struct NextLayer {
     const core::Slice& slice;
@@ -63,6 +74,7 @@ class CommandStage {
     const core::LaidLayer* laid = nullptr;     // of these roads; null: not prepared
     const core::SeamMemory& seams_before;      // of the layers below
     const core::TravelSpace* space = nullptr;  // where travel stays in the part; null: straight
+    const LayerDraft* draft = nullptr;         // of these roads; null: none
   };
   void layer(const NextLayer& next);
 
@@ -81,6 +93,7 @@ class CommandStage {
   [[nodiscard]] std::vector<core::Road> wanted(std::vector<core::Road> roads,
                                                core::LayerIndex layer) const;
   void lay(const NextLayer& next);
+  [[nodiscard]] bool take(const LayerDraft& draft);
   void decide_form();
   void note_arcs();
   // A motion of the object at hand; and as one of the print, whose layers are counted through.
@@ -104,6 +117,12 @@ class CommandStage {
   core::LayerIndex layers_before_ = 0;
   std::int64_t commands_ = 0;  // of the whole print
   double filament_before_mm_ = 0;
+
+  // What drafts start from, for all threads.
+  std::optional<MotionEncoder> draft_encoder_;
+  std::optional<GcodeWriter> draft_writer_;
+  mutable std::mutex draft_mutex_;  // for the clock
+  std::optional<CommandClock> draft_clock_;
 };
 
 }  // namespace host

@@ -26,6 +26,12 @@ class LaidRoads {
                const std::vector<core::Road>& roads) {
     laid_ = commands.prepared(slice, with_supports(roads));
   }
+  // By one thread, behind prepare(). The draft asks `slice` and `space` about travels.
+  void prepare_draft(const CommandStage& commands, const core::Slice& slice,
+                     const core::TravelSpace* space) {
+    if (!laid_ || draft_) return;
+    draft_ = commands.draft({slice.index, slice.bottom, slice.height, slice.region}, *laid_, space);
+  }
 
   // The layer's roads with those of its supports, which are kept here.
   [[nodiscard]] const std::vector<core::Road>& with_supports(const std::vector<core::Road>& roads) {
@@ -36,11 +42,14 @@ class LaidRoads {
 
   // Null: it is laid in its turn.
   [[nodiscard]] const core::LaidLayer* prepared() const { return laid_ ? &*laid_ : nullptr; }
+  // Null: there is none.
+  [[nodiscard]] const LayerDraft* draft() const { return draft_.get(); }
 
  private:
   const core::SupportPlan* supports_;
   std::optional<std::vector<core::Road>> all_;
   std::optional<core::LaidLayer> laid_;
+  std::shared_ptr<const LayerDraft> draft_;
 };
 
 class LaidRoadsMemory {

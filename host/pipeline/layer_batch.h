@@ -28,6 +28,7 @@ struct SettledLayer {
   std::shared_ptr<const core::SeamMemory> seams_before;  // of the layers below
   core::LayerPlanner::Ordering ordering;
   std::shared_ptr<LaidRoads> laid;
+  core::SplitLayer layer;            // as it is given out
   std::optional<std::string> pause;  // why to pause before it
   core::SupportPlanner::Reservation support;
 };

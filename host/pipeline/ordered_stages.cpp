@@ -35,8 +35,8 @@ void run_in_turn(const OrderedStages& stages) {
   }
 }
 
-// Threads take from one another what is ready, the oldest batch's first. A thread that finds
-// nothing sleeps: it never asks again and again.
+// Each thread goes on with its batch as long as it can, otherwise with the oldest one that is
+// ready. A thread that finds nothing sleeps: it never asks again and again.
 class StageThreads {
  public:
   StageThreads(const OrderedStages& stages, int threads)
@@ -71,21 +71,29 @@ class StageThreads {
     return !source_ended_ && !taking_ && taken_ - given_ < places_.size();
   }
 
-  // The number of the oldest batch that a thread may work on.
+  // Whether a thread may work on the batch of this number.
+  [[nodiscard]] bool is_ready(std::size_t number) {
+    const Place& place = place_of(number);
+    if (number < given_ || number >= taken_ || place.in_work) return false;
+    return !stages_[place.stage].in_order || turns_[place.stage] == number;
+  }
+
+  // The oldest one.
   [[nodiscard]] std::optional<std::size_t> ready() {
     for (std::size_t number = given_; number < taken_; ++number) {
-      const Place& place = place_of(number);
-      if (place.in_work) continue;
-      if (!stages_[place.stage].in_order || turns_[place.stage] == number) return number;
+      if (is_ready(number)) return number;
     }
     return std::nullopt;
   }
 
   void work() {
     std::unique_lock lock(mutex_);
+    std::size_t last = 0;  // that this thread has worked on, and has in its cache
     while (!ended()) {
-      if (const std::optional<std::size_t> number = ready()) {
-        work_on(*number, lock);
+      const std::optional<std::size_t> next = is_ready(last) ? last : ready();
+      if (next) {
+        last = *next;
+        work_on(last, lock);
       } else if (takes()) {
         take(lock);
       } else {
@@ -119,15 +127,15 @@ class StageThreads {
     Place& place = place_of(number);
     place.in_work = true;
     wake_another();
-    const bool last = place.stage + 1 == kStages;
-    unlocked(lock, [&] {
-      stages_[place.stage].work(*place.batch);
-      if (last) place.batch.reset();
-    });
+    unlocked(lock, [&] { stages_[place.stage].work(*place.batch); });
     place.in_work = false;
     if (stages_[place.stage].in_order) ++turns_[place.stage];
-    ++place.stage;
-    if (last) ++given_;
+    if (++place.stage < kStages) return;
+    // What it holds is freed while the next one is given.
+    std::unique_ptr<LayerBatch> given = std::move(place.batch);
+    ++given_;
+    wake_another();
+    unlocked(lock, [&] { given.reset(); });
   }
 
   // Keeps the first exception.

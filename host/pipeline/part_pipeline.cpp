@@ -36,7 +36,7 @@ class PartPipeline {
   PartPipeline(PrintPlan& print_plan, const PipelineOutputs& outputs, PipelineSignals& signals,
                GeometryStatistics& statistics, CommandStage& commands, std::atomic<bool>& refused)
       : plan_(print_plan),
-        settings_(core::with_style(core::settings_above_raft(whole(print_plan)))),
+        settings_(core::with_style(core::settings_above_raft(print_plan.settings))),
         outputs_(outputs),
         signals_(signals),
         statistics_(statistics),
@@ -66,9 +66,6 @@ class PartPipeline {
   }
 
  private:
-  // Of the print, with its raft.
-  static const core::Settings& whole(const PrintPlan& print_plan) { return print_plan.settings; }
-
   core::Result<PipelineEnd> run_in_memory() {
     try {
       if (core::Status ready = prepare(); !ready.ok()) return ready.error();
@@ -99,6 +96,7 @@ class PartPipeline {
     };
     core::Status prepared = source_.prepare(preheat, watch_);
     if (!plan_.turn) commands_.tell_objects(plan_.part.summary.objects, signals_.objects);
+    commands_.allow_drafts();
     return prepared;
   }
 
@@ -224,9 +222,8 @@ class PartPipeline {
 
   void order(LayerBatch& batch) {
     for (SettledLayer& settled : batch.settled) {
-      if (!settled.ordering.to_order) continue;
-      const LayerWatch::Look look = watched(settled, batch);
-      {
+      if (settled.ordering.to_order) {
+        const LayerWatch::Look look = watched(settled, batch);
         const StageMeter meter(Stage::kRoads, batch.use);
         planner_.order(*settled.reserved.plan, settled.ordering);
       }
@@ -236,12 +233,18 @@ class PartPipeline {
   }
 
   void prepare(SettledLayer& settled) {
-    if (!outputs_.on_motion) return;
-    const core::Slice& planned = settled.reserved.plan->layer.slice;
-    core::Slice slice{settled.index, settled.bottom, planned.height, {}, {}, {}, planned.areas};
+    settled.layer = settled.reserved.plan->layer;
+    core::Slice& slice = settled.layer.slice;
+    slice.index = settled.index;
+    slice.bottom = settled.bottom;
     slice = raft_.lifted(std::move(slice));
     slice.index += layers_before();
-    settled.laid->prepare(commands_, slice, *settled.ordering.roads);
+    if (!outputs_.on_motion) return;
+    const bool first = settled.ordering.to_order;
+    if (first) settled.laid->prepare(commands_, slice, *settled.ordering.roads);
+    // One thread makes a draft only of what a second layer lays: otherwise it gains nothing.
+    if (first != (plan_.threads > 1)) return;
+    settled.laid->prepare_draft(commands_, slice, settled.reserved.plan->travel_space.get());
   }
 
   // In order.
@@ -271,12 +274,8 @@ class PartPipeline {
     }
     if (settled.pause && outputs_.on_pause) outputs_.on_pause(*settled.pause);
     const core::LayerPlan& plan = *settled.reserved.plan;
-    core::SplitLayer layer = plan.layer;
-    core::Slice& slice = layer.slice;
-    slice.index = settled.index;
-    slice.bottom = settled.bottom;
-    slice = raft_.lifted(std::move(slice));
-    slice.index += layers_before();
+    const core::SplitLayer& layer = settled.layer;
+    const core::Slice& slice = layer.slice;
     counts_.given = slice.index;
     statistics_.add_volume(layer, plan.regularised_mm3);
     if (core::Status held = floating_.check(slice, plan.hanging); !held.ok()) return held;
@@ -287,7 +286,7 @@ class PartPipeline {
     counts_.part_roads += roads.size();
     LaidRoads& laid = *settled.laid;
     return lay(layer, {layer.slice, laid.with_supports(roads), laid.prepared(),
-                       *settled.seams_before, plan.travel_space.get()});
+                       *settled.seams_before, plan.travel_space.get(), laid.draft()});
   }
 
   core::Status give_raft(const SettledLayer& settled) {

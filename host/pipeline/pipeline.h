@@ -20,6 +20,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/motions/motion.h"            // Motion
@@ -28,6 +29,7 @@
 #include "core/walls/split_layer.h"         // SplitLayer
 #include "firmware_link/wire/command.h"     // Command
 #include "host/gcode/ready_file.h"          // ReadyFile
+#include "host/output/gcode_writer.h"       // GcodeWriter
 #include "host/part/bad_layers.h"           // OnBadLayer
 #include "host/part/part_file.h"            // OpenedPart
 #include "host/pipeline/checkpoint.h"       // Checkpoint
@@ -93,6 +95,11 @@ struct PipelineOutputs {
   std::function<void(const std::string&)> on_pause;
   // A motion, with its command if it needs one.
   std::function<bool(const core::Motion&, const std::optional<firmware_link::Command>&)> on_motion;
+  // In place of on_motion, roads of one layer whose motions were made before their turn by any
+  // thread (layer_draft.h): their text in pieces, as `writer` would write it. Without a writer, no
+  // text is made. Empty: every motion is given out by itself.
+  std::function<bool(std::string_view text)> on_roads_text;
+  const GcodeWriter* writer = nullptr;  // copied before the first layer
 };
 
 // Shared with other threads during the run.

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -270,3 +271,68 @@ TEST_CASE("through a right angle a square corner is taken at its speed") {
 }
 
 }  // namespace
+
+TEST_CASE("what another clock has counted of a stretch needs not be counted again") {
+  MotionModel jerky = kModel;
+  jerky.jerk_mm_s = {8, 8, 0.4, 5};
+  for (const MotionModel& model : {kModel, jerky}) {
+    int skips = 0;
+    for (unsigned seed = 1; seed <= 60; ++seed) {
+      CAPTURE(seed);
+      std::mt19937 random(seed);
+      std::uniform_real_distribution<double> way(-3, 3), speed(10, 100);
+      const auto next = [&](core::MotionClock::Move move) {
+        move.x_mm += way(random);
+        move.y_mm += way(random);
+        if (random() % 8 == 0) move.z_mm += 0.2;
+        move.filament_mm = random() % 3 == 0 ? 0 : 0.05;
+        move.speed_mm_s = speed(random);
+        return move;
+      };
+      core::MotionClock whole(model), fresh(model);
+      core::MotionClock::Move at{.x_mm = 1, .y_mm = 2, .z_mm = 0.2, .speed_mm_s = 50};
+      for (unsigned i = 0; i < seed; ++i) whole.add(at = next(at));
+      fresh.set_place(at.x_mm, at.y_mm, at.z_mm);
+      core::MotionClock skipping = whole;
+      // Counted together until they go on alike, then by the fresh one alone.
+      std::optional<core::MotionClock> from;
+      for (int i = 0; i < 200; ++i) {
+        at = next(at);
+        whole.add(at);
+        fresh.add(at);
+        if (from) continue;
+        skipping.add(at);
+        if (skipping.goes_on_as(fresh, false)) from = fresh;
+      }
+      if (from) {
+        ++skips;
+        skipping.skip(*from, fresh, false);
+      }
+      CHECK_EQ(skipping.seconds(), whole.seconds());
+      for (int i = 0; i < 20; ++i) {
+        at = next(at);
+        whole.add(at);
+        skipping.add(at);
+      }
+      CHECK_EQ(skipping.seconds(), whole.seconds());
+    }
+    CHECK_GT(skips, 50);
+  }
+}
+
+TEST_CASE("clocks at other places, or of other machines, do not go on alike") {
+  const auto moved = [](double x, double z, const MotionModel& model) {
+    core::MotionClock clock(model);
+    clock.set_place(x, 0, z);
+    clock.rest(1);
+    return clock;
+  };
+  const core::MotionClock clock = moved(1, 1, kModel);
+  CHECK(clock.goes_on_as(moved(1, 1, kModel), false));
+  CHECK_FALSE(clock.goes_on_as(moved(2, 1, kModel), true));
+  CHECK_FALSE(clock.goes_on_as(moved(1, 2, kModel), false));
+  CHECK(clock.goes_on_as(moved(1, 2, kModel), true));
+  MotionModel other = kModel;
+  other.acceleration_mm_s2 = 900;
+  CHECK_FALSE(clock.goes_on_as(moved(1, 1, other), true));
+}
