@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstring>
 #include <string_view>
-#include <utility>
 #include <variant>
 
 #include "firmware_link/wire/line_codec.h"  // write_fixed
@@ -176,7 +175,7 @@ std::shared_ptr<const LayerDraft> draft_of(const core::Settings& settings,
   std::optional<core::LaidBody> body = core::lay_body(
       settings, place, laid, space, [&](const core::Motion& motion) { drafting.take(motion); });
   if (!body || !drafting.finish()) return nullptr;
-  draft->body = *std::move(body);
+  draft->body = *body;
   return draft;
 }
 
