@@ -149,7 +149,7 @@ double chained(const std::vector<Cut>& cuts, std::vector<std::uint32_t>& table) 
 double slice(const std::vector<Facet>& facets, double height_mm) {
   float low = std::numeric_limits<float>::max(), high = -low;
   for (const Facet& facet : facets) {
-    for (const std::size_t i : {2, 5, 8}) {
+    for (const std::size_t i : {2U, 5U, 8U}) {
       low = std::min(low, facet.at[i]);
       high = std::max(high, facet.at[i]);
     }

@@ -32,11 +32,11 @@ std::vector<Triangle> triangles_of(const parts::Part& part) {
 }
 
 parts::Part part_named(const std::string& name) {
-  for (const parts::NamedPart& part : parts::all_parts()) {
-    if (part.name == name) return part.part;
-  }
-  RIND_CHECK(!"a part of this name");
-  return {};
+  const std::vector<parts::NamedPart>& all = parts::all_parts();
+  const auto found = std::find_if(all.begin(), all.end(),
+                                  [&](const parts::NamedPart& part) { return part.name == name; });
+  RIND_CHECK(found != all.end());
+  return found->part;
 }
 
 SweepResult sweep(std::vector<Triangle> triangles, core::PlaneSweep::Options options) {
