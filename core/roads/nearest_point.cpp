@@ -54,7 +54,9 @@ void NearestPoint::add_node(std::uint32_t begin, std::uint32_t end, std::uint32_
   const std::uint32_t middle = begin + (end - begin) / 2;
   const bool wide = std::int64_t{node.box.max.x} - node.box.min.x >=
                     std::int64_t{node.box.max.y} - node.box.min.y;
-  const auto at = [this](std::uint32_t i) { return places_.begin() + std::ptrdiff_t{i}; };
+  const auto at = [this](std::uint32_t i) {
+    return places_.begin() + static_cast<std::ptrdiff_t>(i);
+  };
   if (wide) {
     std::nth_element(at(begin), at(middle), at(end),
                      [](const Place& a, const Place& b) { return a.point.x < b.point.x; });
@@ -73,10 +75,10 @@ void NearestPoint::remove_owner(std::size_t owner) {
     if (entries_[i].owner != owner) continue;
     std::uint32_t number = leaf_of_[i];
     Node& leaf = nodes_[number];
-    const auto begin = places_.begin() + std::ptrdiff_t{leaf.begin};
-    const auto found = std::find_if(begin, begin + std::ptrdiff_t{leaf.left},
+    const auto begin = places_.begin() + static_cast<std::ptrdiff_t>(leaf.begin);
+    const auto found = std::find_if(begin, begin + static_cast<std::ptrdiff_t>(leaf.left),
                                     [i](const Place& place) { return place.entry == i; });
-    std::swap(*found, *(begin + std::ptrdiff_t{leaf.left} - 1));
+    std::swap(*found, *(begin + static_cast<std::ptrdiff_t>(leaf.left) - 1));
     for (;; number = nodes_[number].parent) {
       --nodes_[number].left;
       if (number == 0) break;
