@@ -159,7 +159,7 @@ double slice(const std::vector<Facet>& facets, double height_mm) {
   for (const Facet& facet : facets) {
     const float bottom = std::min({facet.at[2], facet.at[5], facet.at[8]});
     const float top = std::max({facet.at[2], facet.at[5], facet.at[8]});
-    auto layer = static_cast<std::size_t>((bottom - low) / height_mm + 0.5);
+    auto layer = static_cast<std::size_t>(std::lround((bottom - low) / height_mm));
     for (; layer < layers; ++layer) {
       const auto z = static_cast<float>(low + (static_cast<double>(layer) + 0.5) * height_mm);
       if (z >= top) break;
@@ -311,8 +311,9 @@ double encode(const std::vector<Move>& moves) {
   for (std::size_t i = 1; i < moves.size(); ++i) {
     char* end = line.data();
     char* const limit = line.data() + line.size();
-    std::memcpy(end, "G1", 2);
-    end = put('X', moves[i].x, 3, end + 2, limit);
+    *end++ = 'G';
+    *end++ = '1';
+    end = put('X', moves[i].x, 3, end, limit);
     end = put('Y', moves[i].y, 3, end, limit);
     end = put('E', moves[i].filament, 5, end, limit);
     *end++ = '\n';
