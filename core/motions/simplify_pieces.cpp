@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "core/limits.h"            // kCoordinateMax
 #include "core/regions/polyline.h"  // distance_mm, distance_units
 #include "core/regions/simplify.h"  // kept_points
 #include "core/rounded.h"           // rounded
@@ -20,7 +21,7 @@ struct Kept {
 };
 
 // Where a → b, drawn on beyond b, meets d → c, drawn on beyond c. Nothing where they turn by more
-// than a right angle.
+// than a right angle, or so little that they meet beyond all parts.
 std::optional<Point> corner(Point a, Point b, Point c, Point d) {
   const Vector u = to_vector(b) - to_vector(a), v = to_vector(d) - to_vector(c);
   const Vector gap = to_vector(c) - to_vector(b);
@@ -30,7 +31,8 @@ std::optional<Point> corner(Point a, Point b, Point c, Point d) {
   const double before_c = -(gap.x * u.y - gap.y * u.x) / turn;
   if (beyond_b < 0 || before_c > 0) return std::nullopt;
   const Vector at = to_vector(b) + u * beyond_b;
-  return Point{rounded(at.x), rounded(at.y)};
+  if (std::max(std::abs(at.x), std::abs(at.y)) > kCoordinateMax) return std::nullopt;
+  return rounded(at);
 }
 
 // Whether a corner may stand for the run's points from `first` to `last`.

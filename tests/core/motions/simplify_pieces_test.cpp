@@ -119,3 +119,11 @@ TEST_CASE("a corner that is cut by less than the tolerance is one point, and nea
     }
   }
 }
+
+TEST_CASE("lines that meet farther away than any part reaches have no corner") {
+  const std::vector<Point> points = {{0, 0}, {100'000, 0}, {100'010, -3'000}, {1'100'010, -2'999}};
+  std::vector<RoadPiece> pieces = ArcFitter(Length()).pieces(points, false);
+  simplify_pieces(points.front(), pieces, Length::from_units(60));
+  REQUIRE_EQ(pieces.size(), 3);
+  for (std::size_t i = 0; i < pieces.size(); ++i) CHECK_EQ(pieces[i].to, points[i + 1]);
+}
