@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <optional>
 
-#include "core/limits.h"            // kCoordinateMax
 #include "core/regions/polyline.h"  // distance_mm, distance_units
 #include "core/regions/simplify.h"  // kept_points
 #include "core/rounded.h"           // rounded
@@ -21,17 +20,16 @@ struct Kept {
 };
 
 // Where a → b, drawn on beyond b, meets d → c, drawn on beyond c. Nothing where they turn by more
-// than a right angle, or so little that they meet beyond all parts.
+// than a right angle: so it is no farther from b and c than these are from one another.
 std::optional<Point> corner(Point a, Point b, Point c, Point d) {
   const Vector u = to_vector(b) - to_vector(a), v = to_vector(d) - to_vector(c);
   const Vector gap = to_vector(c) - to_vector(b);
   const double turn = u.x * v.y - u.y * v.x;
   if (turn == 0 || dot(u, v) <= 0) return std::nullopt;
   const double beyond_b = (gap.x * v.y - gap.y * v.x) / turn;
-  const double before_c = -(gap.x * u.y - gap.y * u.x) / turn;
-  if (beyond_b < 0 || before_c > 0) return std::nullopt;
+  const double before_c = (gap.y * u.x - gap.x * u.y) / turn;
+  if (beyond_b < 0 || before_c < 0) return std::nullopt;
   const Vector at = to_vector(b) + u * beyond_b;
-  if (std::max(std::abs(at.x), std::abs(at.y)) > kCoordinateMax) return std::nullopt;
   return rounded(at);
 }
 

@@ -127,3 +127,12 @@ TEST_CASE("lines that meet farther away than any part reaches have no corner") {
   REQUIRE_EQ(pieces.size(), 3);
   for (std::size_t i = 0; i < pieces.size(); ++i) CHECK_EQ(pieces[i].to, points[i + 1]);
 }
+
+TEST_CASE("a short edge between two long ones becomes the corner where these meet") {
+  const std::vector<Point> points = {{0, 0}, {100'000, 0}, {100'170, 70}, {200'170, 100'070}};
+  std::vector<RoadPiece> pieces = ArcFitter(Length()).pieces(points, false);
+  simplify_pieces(points.front(), pieces, Length::from_units(60));
+  REQUIRE_EQ(pieces.size(), 2);
+  CHECK_EQ(pieces[0].to, (Point{100'100, 0}));
+  CHECK_EQ(pieces[1].to, points.back());
+}
