@@ -72,6 +72,13 @@ std::vector<Kept> simplified(const std::vector<Point>& run, Length tolerance) {
   return kept;
 }
 
+// How much of the way that a corner stands for lies before it, as a share.
+double share_before(const Kept& corner, const std::vector<Point>& run) {
+  const double before = distance_units(run[corner.first], corner.at);
+  const double way = before + distance_units(corner.at, run[corner.last]);
+  return way > 0 ? before / way : 0;
+}
+
 // What the pieces from point `first` to point `last` of a run are laid over, in mm.
 double laid_over_mm(const RoadPiece* pieces, std::size_t first, std::size_t last) {
   double sum = 0;
@@ -104,15 +111,16 @@ void simplify_pieces(Point from, std::vector<RoadPiece>& pieces, Length toleranc
     for (; end < pieces.size() && !pieces[end].is_arc; ++end) run.push_back(pieces[end].to);
     simpler.clear();
     const std::vector<Kept> kept = simplified(run, tolerance);
-    double carried = 0;  // half of what a corner stands for is laid behind it
+    double carried = 0;  // what a corner stands for is laid before it and behind it
     for (std::size_t i = 1; i < kept.size(); ++i) {
       RoadPiece piece;
       piece.to = kept[i].at;
       piece.length_mm = distance_mm(from, piece.to);
-      const double half = laid_over_mm(&pieces[first], kept[i].first, kept[i].last) / 2;
+      const double round = laid_over_mm(&pieces[first], kept[i].first, kept[i].last);
+      const double before = round * share_before(kept[i], run);
       piece.laid_over_mm =
-          carried + laid_over_mm(&pieces[first], kept[i - 1].last, kept[i].first) + half;
-      carried = half;
+          carried + laid_over_mm(&pieces[first], kept[i - 1].last, kept[i].first) + before;
+      carried = round - before;
       from = piece.to;
       simpler.push_back(piece);
     }

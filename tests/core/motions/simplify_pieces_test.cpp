@@ -136,3 +136,16 @@ TEST_CASE("a short edge between two long ones becomes the corner where these mee
   CHECK_EQ(pieces[0].to, (Point{100'100, 0}));
   CHECK_EQ(pieces[1].to, points.back());
 }
+
+TEST_CASE("what a corner stands for is laid before and behind it by how far it is from both ends") {
+  const std::vector<Point> points = {{0, 0}, {1'000, 0}, {1'300, 100}, {3'300, 1'100}};
+  const std::vector<RoadPiece> exact = ArcFitter(Length()).pieces(points, false);
+  std::vector<RoadPiece> pieces = exact;
+  simplify_pieces(points.front(), pieces, Length::from_units(35));
+  REQUIRE_EQ(pieces.size(), 2);
+  CHECK_EQ(pieces[0].to, (Point{1'100, 0}));
+  CHECK_EQ(laid_over_mm(pieces), doctest::Approx(laid_over_mm(exact)));
+  for (const RoadPiece& piece : pieces) {
+    CHECK_EQ(piece.laid_over_mm / piece.length_mm, doctest::Approx(1).epsilon(0.01));
+  }
+}
